@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use carvallo_design::input::{self, Request};
+use carvallo_design::units::Units;
 use carvallo_design::{Design, Failure, Place, Problem, speeds};
 use carvallo_plot::picture::Scene;
 use clap::builder::{PathBufValueParser, PossibleValue, TypedValueParser as _, ValueParser, ValueParserFactory};
@@ -67,6 +68,22 @@ pub fn load(request: &Request) -> Result<Design, Failure> {
         note(WARNING, "warning", &format!("{}: {text}", design.name));
     }
     Ok(design)
+}
+
+/// In which units results are shown.
+#[derive(Args, Clone, Debug, Default)]
+pub struct UnitOptions {
+    /// Units in the place of those of the SI, such as mm,deg,km/h,lb; imperial is in,lb,deg,mph,lb*in^2,ft/s^2
+    #[arg(long, value_name = "UNITS")]
+    units: Option<String>,
+}
+
+impl UnitOptions {
+    /// # Errors
+    /// What is no unit.
+    pub fn units(&self) -> Result<Units, Failure> {
+        self.units.as_ref().map_or_else(|| Ok(Units::default()), |text| Units::parse(text))
+    }
 }
 
 /// `NAME=VALUE`; what they mean depends on the model.

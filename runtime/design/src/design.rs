@@ -25,6 +25,9 @@ pub struct Design {
     pub feedback: Vec<Law>,
     /// What the model makes of them, with the loops of feedback closed.
     pub equations: Box<dyn Equations>,
+    /// How the file was read, if it is not in the names of the paper.
+    #[cfg(feature = "full")]
+    pub reading: Option<crate::conventions::Reading>,
     /// What was read but not used, or taken because it was not given.
     pub notes: Vec<String>,
     /// What the parameters of a real machine would hardly be.

@@ -32,26 +32,44 @@ pub fn write(design: &Design, comment: &dyn Fn(&str) -> String) -> String {
         return text;
     }
     line("\n[parameters]".to_owned());
-    let entries: Vec<(String, String, &str)> = info
-        .parameters
-        .iter()
-        .zip(&design.parameters)
-        .map(|(info, given)| {
-            let entry = entry(given);
-            let unit = unit(info.unit);
+    let rows = info.parameters.iter().zip(&design.parameters).map(|(info, given)| Row {
+        name: info.name,
+        entry: entry(given),
+        unit: unit(info.unit),
+        docs: info.docs,
+    });
+    text.push_str(&write_rows(rows.collect(), comment));
+    #[cfg(feature = "full")]
+    write_correlations(design, &mut text);
+    text
+}
+
+/// A parameter in a line of its own.
+pub(crate) struct Row<'a> {
+    /// What it is called.
+    pub name: &'a str,
+    /// Its value, as TOML has it.
+    pub entry: String,
+    /// The unit of a plain number.
+    pub unit: String,
+    /// What it is.
+    pub docs: &'a str,
+}
+
+/// Parameters with what they are behind them, below each other.
+pub(crate) fn write_rows(rows: Vec<Row>, comment: &dyn Fn(&str) -> String) -> String {
+    let entries: Vec<(String, String, &str)> = rows
+        .into_iter()
+        .map(|Row { name, entry, unit, docs }| {
             // What follows explains; the first clause says what it is.
-            let docs = info.docs.trim().split([':', ';', '.', '\n']).next().unwrap_or_default();
-            (format!("{} = {entry}", info.name), unit, docs)
+            let docs = docs.trim().split([':', ';', '.', '\n']).next().unwrap_or_default();
+            (format!("{name} = {entry}"), unit, docs)
         })
         .collect();
     let width = entries.iter().map(|(entry, ..)| entry.len()).max().unwrap_or(0);
     let units = entries.iter().map(|(_, unit, _)| unit.chars().count()).fold(6, usize::max);
-    for (entry, unit, docs) in entries {
-        line(format!("{entry:width$}  {}", comment(&format!("# {unit:units$} {docs}"))));
-    }
-    #[cfg(feature = "full")]
-    write_correlations(design, &mut text);
-    text
+    let line = |(entry, unit, docs)| format!("{entry:width$}  {}\n", comment(&format!("# {unit:units$} {docs}")));
+    entries.into_iter().map(line).collect()
 }
 
 /// Of each pair of parameters that vary together, under the one that is declared later.
@@ -103,7 +121,7 @@ fn write_matrices(design: &Design, comment: &dyn Fn(&str) -> String, text: &mut 
 }
 
 /// Digits stay as they were written; an expression, or a number that TOML writes otherwise, goes in quotes.
-fn number(written: &str) -> String {
+pub(crate) fn number(written: &str) -> String {
     let plain = toml::de::DeValue::parse(written).is_ok_and(|value| {
         let value = value.into_inner();
         value.is_float() || value.as_integer().is_some_and(|integer| integer.radix() == 10)
@@ -112,7 +130,7 @@ fn number(written: &str) -> String {
 }
 
 /// A string in quotes, as TOML reads it.
-fn quoted(text: &str) -> String {
+pub(crate) fn quoted(text: &str) -> String {
     let mut quoted = String::from('"');
     for char in text.chars() {
         match char {

@@ -12,6 +12,8 @@
 
 mod bodies;
 mod capacity;
+#[cfg(feature = "full")]
+pub mod conventions;
 mod design;
 mod failure;
 pub mod feedback;
@@ -24,6 +26,8 @@ pub mod number;
 pub mod parameter;
 pub mod quantity;
 pub mod speeds;
+#[cfg(feature = "full")]
+pub mod units;
 
 pub use self::bodies::body;
 pub use self::capacity::{Capacity, of_kind};

@@ -59,6 +59,7 @@ impl Described {
             feedback: Vec::new(),
             covariance: None,
             equations: model.equations(values).map_err(Failure::usage)?,
+            reading: None,
             notes: Vec::new(),
             warnings: Vec::new(),
         })

@@ -4,6 +4,7 @@
 mod analyze;
 mod check;
 mod compare;
+mod convert;
 mod demo;
 mod equations;
 mod lists;
@@ -76,6 +77,7 @@ enum Command {
     /// The shipped models, with their coordinates and parameter sets
     Models(lists::Options),
     Show(show::Options),
+    Convert(convert::Options),
     Equations(equations::Options),
     Simulate(Box<simulate::Options>),
     Turns(turns::Options),
@@ -105,6 +107,7 @@ fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
         Some(Command::Bicycles(options)) => lists::bicycles(&options),
         Some(Command::Models(options)) => lists::models(&options),
         Some(Command::Show(options)) => show::run(&options),
+        Some(Command::Convert(options)) => convert::run(&options),
         Some(Command::Equations(options)) => equations::run(&options),
         Some(Command::Simulate(options)) => simulate::run(&options),
         Some(Command::Turns(options)) => turns::run(&options),

@@ -33,5 +33,10 @@ const FAINT: Style = Style::new().dimmed();
 
 /// The parameters of a design as a file, with comments that stand back.
 pub fn render_parameters(design: &Design) -> String {
-    carvallo_design::file::write(design, &|comment| format!("{FAINT}{comment}{FAINT:#}"))
+    carvallo_design::file::write(design, &faint)
+}
+
+/// A text that stands back.
+pub fn faint(text: &str) -> String {
+    format!("{FAINT}{text}{FAINT:#}")
 }

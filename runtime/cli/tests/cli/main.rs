@@ -4,6 +4,7 @@ mod along;
 mod analyze;
 mod check;
 mod compare;
+mod convert;
 mod correlations;
 mod documents;
 mod equations;

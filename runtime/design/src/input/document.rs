@@ -16,6 +16,8 @@ pub struct Document {
     pub model: Option<String>,
     /// The laws of feedback.
     pub feedback: Vec<(Place, String)>,
+    /// Under which names and in which axes the parameters are, if the file says so, and where.
+    pub parameterization: Option<(Place, String)>,
     /// In the order of the file.
     pub entries: Vec<Entry>,
     /// What describes the file where its parameters stand in a group of their own.
@@ -34,7 +36,7 @@ pub struct Document {
 }
 
 /// One parameter as it was written.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Entry {
     pub name: String,
     pub place: Place,

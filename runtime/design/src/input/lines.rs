@@ -73,6 +73,8 @@ pub fn read(file: File, separator: char) -> Document {
                 }
                 continue;
             };
+            // Behind a text a semicolon ends the statement; elsewhere it is gone already.
+            let value = if is_matlab { value.trim().trim_end_matches(';') } else { value };
             let (name, value) = (unquoted(name.trim()), unquoted(value.trim()));
             if separator == '=' && name.ends_with(['+', '-', '*', '/', '^', '%']) {
                 let message = format!("`{content}` computes with an earlier value; expected `name = value`");
@@ -86,10 +88,7 @@ pub fn read(file: File, separator: char) -> Document {
             } else if value.starts_with(['|', '>']) {
                 block_indent = Some(indent);
             } else if name == "parameterization" {
-                if value != "benchmark" {
-                    let message = format!("the parameterization is `{value}`; only `benchmark` can be read");
-                    document.problem(place.clone(), message);
-                }
+                document.parameterization = Some((place.clone(), value.to_owned()));
             } else if document.take_heading(name, value) {
             } else if !inside {
                 if indent == 0 {

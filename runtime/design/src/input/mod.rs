@@ -1,6 +1,8 @@
 //! Parameters of a model: shipped ones by name, and files in any of the formats that people have.
 
 #[cfg(feature = "full")]
+mod cells;
+#[cfg(feature = "full")]
 mod correlations;
 mod document;
 mod entries;
@@ -24,17 +26,25 @@ mod value;
 use std::io::Read as _;
 use std::path::Path;
 
-use self::document::{Document, Entry, File};
+use self::document::File;
+#[cfg(feature = "full")]
+pub(crate) use self::document::Written;
+pub(crate) use self::document::{Document, Entry};
 use crate::design::Design;
 use crate::failure::{Failure, Place, Problem};
 use crate::model::{Shipped, WHIPPLE};
 
 pub use self::matrices::{list, matrix_of_rows};
-pub use self::names::position;
-pub use self::names::{Expected, Known, known};
+#[cfg(feature = "full")]
+pub(crate) use self::names::without_owner;
+pub use self::names::{Expected, Known, known, position};
 pub use self::raw::{Named, Node, Raw, Value, load_raw, read_raw};
+#[cfg(feature = "full")]
+pub(crate) use self::scope::Scope;
 pub use self::shipped::{DEFAULT_BICYCLE, default_name, kind, names};
 pub use self::value::{evaluated, measured};
+#[cfg(feature = "full")]
+pub(crate) use self::value::{number as value_of, validate};
 
 /// Where the parameters come from.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -238,18 +248,21 @@ fn parse(label: &str, bytes: Vec<u8>) -> Result<Document, Failure> {
         Form::Toml => toml::read(file),
         Form::Json => json::read(file),
         Form::Lines(separator) => lines::read(file, separator),
+        #[cfg(feature = "full")]
+        Form::Cells => cells::read(file),
     })
 }
 
 /// The contents of a file as text.
 fn decode(label: &str, bytes: Vec<u8>) -> Result<String, Failure> {
-    let mut text = String::from_utf8(bytes).map_err(|error| {
-        let line = 1 + error.as_bytes().iter().take(error.utf8_error().valid_up_to()).filter(|&&b| b == b'\n').count();
-        Failure::Input(vec![Problem {
-            place: Place::Line(label.to_owned(), line),
-            message: "this is not UTF-8 text".to_owned(),
-        }])
-    })?;
+    let mut text = match String::from_utf8(bytes) {
+        Ok(text) => text,
+        Err(error) => latin_script(label, error.as_bytes()).ok_or_else(|| {
+            let before = error.as_bytes().iter().take(error.utf8_error().valid_up_to());
+            let line = 1 + before.filter(|&&byte| byte == b'\n').count();
+            Failure::at(Place::Line(label.to_owned(), line), "this is not UTF-8 text")
+        })?,
+    };
     // Some editors begin a file with a byte order mark.
     if text.starts_with('\u{feff}') {
         text.remove(0);
@@ -263,6 +276,9 @@ enum Form {
     Json,
     /// One of each a line, with this between them.
     Lines(char),
+    /// One of each a line, in columns that have names.
+    #[cfg(feature = "full")]
+    Cells,
 }
 
 impl Form {
@@ -286,6 +302,10 @@ impl Form {
         let text = if lines::is_matlab(file) { file.text } else { &folded.text };
         let mut lines = text.lines().map(str::trim).filter(|line| !is_comment(line));
         let first = lines.next().unwrap_or_default();
+        #[cfg(feature = "full")]
+        if cells::is_heading(first) {
+            return Self::Cells;
+        }
         if first.starts_with('{') {
             Self::Json
         } else if first.starts_with('[') || lines.any(is_of_toml) {
@@ -296,6 +316,13 @@ impl Form {
             Self::Lines('=')
         }
     }
+}
+
+/// A script of MATLAB in Latin-1, as older programs write them, for the sake of comments such as `% ©`.
+fn latin_script(label: &str, bytes: &[u8]) -> Option<String> {
+    let text: String = bytes.iter().map(|&byte| char::from(byte)).collect();
+    let is_text = !text.contains(|sign: char| sign.is_control() && !sign.is_whitespace());
+    (is_text && lines::is_matlab(File { label, text: &text })).then_some(text)
 }
 
 /// Whether a line, alone, tells that a file is in TOML.

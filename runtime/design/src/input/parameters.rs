@@ -26,12 +26,16 @@ const UNITS: [&str; 2] = ["unit", "units"];
 /// # Errors
 /// Everything that is wrong.
 pub fn resolve(
-    document: Document,
+    mut document: Document,
     label: &str,
     model: &'static Shipped,
-    Changes { overrides, laws }: Changes,
+    Changes { mut overrides, laws }: Changes,
 ) -> Result<Design, Vec<Problem>> {
     let info = model.info;
+    #[cfg(feature = "full")]
+    let reading = crate::conventions::read(&mut document, label, info, &mut overrides);
+    #[cfg(not(feature = "full"))]
+    only_paper(&mut document, &mut overrides);
     let file = || Place::File(label.to_owned());
     let is_unreadable = !document.problems.is_empty();
     let mut remarks = Remarks::new(document.problems);
@@ -124,7 +128,20 @@ pub fn resolve(
     warnings.extend(magnitude::warnings(info, &values));
     warnings.extend(plausible::warnings(info, &values));
     let (kind, source) = (document.kind, document.source);
-    Ok(Design { name, kind, source, model, parameters, covariance, feedback: laws, equations, notes, warnings })
+    Ok(Design {
+        name,
+        kind,
+        source,
+        model,
+        parameters,
+        covariance,
+        feedback: laws,
+        equations,
+        #[cfg(feature = "full")]
+        reading,
+        notes,
+        warnings,
+    })
 }
 
 /// The laws of a file, and those of the command line in their place where both are of one force.
@@ -143,6 +160,14 @@ fn resolve_laws(
     laws.retain(|law| others.iter().all(|other| other.input != law.input));
     laws.extend(others);
     laws
+}
+
+/// Other parameterizations than that of the paper are not read.
+#[cfg(not(feature = "full"))]
+fn only_paper(document: &mut Document, _: &mut Vec<Entry>) {
+    if let Some((place, name)) = document.parameterization.take().filter(|(_, name)| name != "benchmark") {
+        document.problem(place, format!("the parameterization is `{name}`; only `benchmark` can be read"));
+    }
 }
 
 /// What stands outside of the group of the parameters may have been meant for one.

@@ -41,14 +41,18 @@ pub fn read_raw(label: &str, bytes: Vec<u8>) -> Result<Raw, Failure> {
     let members = match Form::of(file) {
         Form::Toml => toml::members(file, &mut problems),
         Form::Json => json::members(file, &mut problems),
-        Form::Lines(separator) => {
-            let document = lines::read(file, separator);
-            problems = document.problems;
-            let name = document.name.map(|name| Entry::from_text("name", Place::File(label.to_owned()), &name));
-            name.into_iter().chain(document.entries).chain(document.outside).map(Named::from).collect()
-        }
+        Form::Lines(separator) => flat(label, lines::read(file, separator), &mut problems),
+        #[cfg(feature = "full")]
+        Form::Cells => flat(label, super::cells::read(file), &mut problems),
     };
     if problems.is_empty() { Ok(Raw { label: label.to_owned(), members }) } else { Err(Failure::Input(problems)) }
+}
+
+/// What is in a file without groups.
+fn flat(label: &str, document: Document, problems: &mut Vec<Problem>) -> Vec<Named> {
+    problems.extend(document.problems);
+    let name = document.name.map(|name| Entry::from_text("name", Place::File(label.to_owned()), &name));
+    name.into_iter().chain(document.entries).chain(document.outside).map(Named::from).collect()
 }
 
 impl Named {

@@ -69,6 +69,7 @@ impl Document {
             match value {
                 Value::Text(text) if self.take_heading(&name, &text) || self.take_law(&name, &place, &text) => {}
                 Value::List(laws) if name == FEEDBACK => self.take_laws(laws),
+                Value::Text(text) if name == "parameterization" => self.parameterization = Some((place, text)),
                 Value::Text(text) if !has_parameters && matrices::is_text(&name, &text) => {
                     self.take_matrix_text(&name, &text, &|_| place.clone());
                 }

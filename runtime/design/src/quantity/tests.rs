@@ -74,6 +74,25 @@ fn units_of_the_same_quantity() {
     for text in ["27 deg", "27°", "27 degrees", "27 [deg]", "radians(27)", "27*pi/180"] {
         check(text, "rad", 27.0 * std::f64::consts::PI / 180.0, None);
     }
+    // The definitions of the international yard and pound, and the figures of NIST SP 811 for what follows from them.
+    for (text, unit, value) in [
+        ("40 in", "m", 1.016),
+        ("1 inch", "m", 0.0254),
+        ("3.5 ft", "m", 1.0668),
+        ("1 mile", "m", 1609.344),
+        ("25 lb", "kg", 11.339_809_25),
+        ("16 oz", "kg", 0.453_592_37),
+        ("1 lbf", "N", 4.448_221_615_260_5),
+        ("1 kgf", "N", 9.806_65),
+        ("1 lb in^2", "kg*m^2", 2.926_396_534_292e-4),
+        ("32.2 ft/s^2", "N/kg", 9.814_56),
+        ("2 N/mm", "N/m", 2000.0),
+        ("500 kg*cm^2", "kg*m^2", 0.05),
+    ] {
+        check(text, unit, value, None);
+    }
+    let slug = crate::quantity::number("1 slug", super::Context { unit: "kg", names: &super::no_names }).unwrap();
+    assert!((slug - 14.593_90).abs() < 5e-6, "{slug}");
     check("0.4 rad", "rad", 0.4, None);
     check("0.3*cos(60 deg) m", "m", 0.3 * (std::f64::consts::PI / 3.0).cos(), None);
 }
@@ -86,7 +105,9 @@ fn units_of_another_quantity_are_refused() {
         ("18 deg", "m", "deg"),
         ("1.02 rad", "m", "rad"),
         ("3 m", "rad", "m"),
-        ("1 lb", "kg", "lb"),
+        ("1 lb", "m", "lb"),
+        ("1 lbf", "kg", "lbf"),
+        ("1 furlong", "m", "furlong"),
         ("1.02 [m", "m", "[m"),
         ("1.02 m/", "m", "m/"),
         ("5 N m/deg", "N*m/rad", "N m/deg"),

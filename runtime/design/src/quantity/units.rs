@@ -1,7 +1,8 @@
 //! Units behind numbers: `m`, `[kg*m^2]`, `km/h`, `N m s/rad`.
 //!
 //! A unit is a product of powers of metre, kilogram, second, newton, gram, minute, hour, radian and degree, with the
-//! usual prefixes of metre; an angle is a pure number. It fits if it is the same quantity as the declared unit.
+//! usual prefixes of metre, and of inch, foot, mile, pound, ounce, slug, pound-force and kilogram-force; an angle is a pure
+//! number. It fits if it is the same quantity as the declared unit.
 
 use std::f64::consts::PI;
 
@@ -13,10 +14,12 @@ pub struct Scale {
 }
 
 impl Scale {
+    /// A number in the other unit.
     pub fn apply(self, value: f64) -> f64 {
         value * self.numerator / self.denominator
     }
 
+    /// Whether both units are the same.
     pub fn is_one(self) -> bool {
         self.numerator == self.denominator
     }
@@ -93,6 +96,16 @@ impl Unit {
             "mm" => ([0, 1, 0], 1.0, 1e3),
             "cm" => ([0, 1, 0], 1.0, 1e2),
             "km" => ([0, 1, 0], 1e3, 1.0),
+            // The international yard and pound of 1959 define these exactly.
+            "in" | "inch" | "inches" => ([0, 1, 0], 254.0, 1e4),
+            "ft" | "foot" | "feet" => ([0, 1, 0], 3048.0, 1e4),
+            "mi" | "mile" | "miles" => ([0, 1, 0], 1_609_344.0, 1e3),
+            "lb" | "lbs" | "lbm" | "pound" | "pounds" => ([1, 0, 0], 45_359_237.0, 1e8),
+            "oz" | "ounce" | "ounces" => ([1, 0, 0], 45_359_237.0, 16e8),
+            "lbf" => ([1, 1, -2], 44_482_216_152_605.0, 1e13),
+            "kgf" | "kp" => ([1, 1, -2], 980_665.0, 1e5),
+            // What a pound-force accelerates by one foot per second squared.
+            "slug" | "slugs" => ([1, 0, 0], 44_482_216_152_605.0, 3_048e9),
             "s" | "sec" | "second" | "seconds" => ([0, 0, 1], 1.0, 1.0),
             "ms" => ([0, 0, 1], 1.0, 1e3),
             "min" => ([0, 0, 1], 60.0, 1.0),

@@ -1,0 +1,114 @@
+//! `carvallo convert`: the parameters of a bicycle in the names and axes of others.
+
+use std::path::PathBuf;
+
+use carvallo_design::conventions::{Convention, Form, convert, write};
+use carvallo_design::{Failure, Place};
+use clap::{Args, ValueEnum};
+
+use crate::options::{DesignOptions, UnitOptions};
+use crate::output;
+use crate::terminal::{WARNING, deliver, note};
+
+const HELP: &str = "\
+Parameterizations:
+  paper       The 26 parameters of Meijaard, Papadopoulos, Ruina & Schwab (2007)
+  moore       d1, l1, ic11, … of Moore's thesis (2012), HumanControl and DynamicistToolKit
+  pydy        WRrad, framecg1, … of PyDy's bicycle and of the tests of SymPy
+  principal   Principal radii of gyration and angles, as Moore & Hubbard (2019)
+  gyrostats   Each wheel with its frame as one body (Peterson): rr, lr, IDxx, …
+  jbike6      The seven bodies of JBike6, y upward; as a script of MATLAB, its own form
+  geometry    Head angle, fork offset, wheel base and wheel sizes, as manufacturers print them
+
+A file in any of them is recognised by its names, by this and by all other commands, or by parameterization = \"…\" in it.
+Numbers are computed to the last digits of a double, and standard deviations carried to first order.
+
+Forms: toml, json, yaml, csv, python, matlab, or text as BicycleParameters has it. All are read again.
+
+Examples:
+  carvallo convert pista --to moore
+  carvallo convert benchmark --to jbike6 --output JBini_Benchmark.m
+  carvallo convert mine.m --to paper --format json
+  carvallo convert browser --to geometry --units in,deg
+
+Exit codes: 0 done; 1 a file cannot be read or written; 2 wrong usage or input, or the bicycle cannot be expressed so.";
+
+/// The parameters in the names and axes of others
+#[derive(Args, Debug)]
+#[command(after_help = HELP)]
+pub struct Options {
+    #[command(flatten)]
+    design: DesignOptions,
+    /// The parameterization: paper, moore, pydy, principal, gyrostats, jbike6 or geometry
+    #[arg(long, value_name = "NAME")]
+    to: String,
+    /// toml, json, yaml, csv, python, matlab or text [default: by the ending of --output, or toml; matlab for jbike6]
+    #[arg(long, value_enum, hide_possible_values = true)]
+    format: Option<Format>,
+    #[command(flatten)]
+    units: UnitOptions,
+    /// Writes to a file instead of the standard output
+    #[arg(long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+/// The form of the file.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Format {
+    Toml,
+    Json,
+    #[value(alias = "yml")]
+    Yaml,
+    Csv,
+    #[value(alias = "py")]
+    Python,
+    #[value(alias = "m")]
+    Matlab,
+    #[value(alias = "txt")]
+    Text,
+}
+
+impl Format {
+    fn form(self) -> Form {
+        match self {
+            Self::Toml => Form::Toml,
+            Self::Json => Form::Json,
+            Self::Yaml => Form::Yaml,
+            Self::Csv => Form::Csv,
+            Self::Python => Form::Python,
+            Self::Matlab => Form::Matlab,
+            Self::Text => Form::Text,
+        }
+    }
+}
+
+pub fn run(options: &Options) -> Result<(), Failure> {
+    let place = || Place::Option(format!("--to {}", options.to));
+    let convention = Convention::called(&options.to).map_err(|failure| Failure::at(place(), failure.to_string()))?;
+    if let Some(output) = &options.output
+        && options.design.request().reads(output)
+    {
+        let place = Place::Option(format!("--output {}", output.display()));
+        return Err(Failure::at(place, "the parameters are read from this file"));
+    }
+    let units = options.units.units()?;
+    let by_ending = || {
+        let ending = options.output.as_ref()?.extension()?.to_str()?.to_lowercase();
+        Format::from_str(&ending, true).ok()
+    };
+    let usual = if convention.name == "jbike6" { Format::Matlab } else { Format::Toml };
+    let form = options.format.or_else(by_ending).unwrap_or(usual).form();
+    if !form.has_units() && !units.is_si() {
+        let place = Place::Option("--units".to_owned());
+        return Err(Failure::at(place, "this form has no place for units; toml, json, yaml and csv have"));
+    }
+    let converted = convert(&options.design.load()?, convention)?;
+    for text in &converted.notes {
+        note(WARNING, "note", &format!("{}: {text}", converted.name));
+    }
+    if !form.has_deviations() && converted.parameters.iter().any(|parameter| parameter.given.deviation.is_some()) {
+        note(WARNING, "note", &format!("{}: a script has no place for standard deviations: left out", converted.name));
+    }
+    let text = write(&converted, form, &units, &output::faint);
+    deliver(options.output.as_deref(), |output| output.write_all(text.as_bytes()))
+}

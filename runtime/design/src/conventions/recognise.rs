@@ -1,0 +1,36 @@
+//! In which convention a file is, by the names that it has.
+
+use carvallo::ModelInfo;
+
+use super::{Convention, OTHERS};
+use crate::input::{Entry, position};
+
+/// The convention of which a file has the largest part of what is needed, if that is larger than of the paper's and more than a
+/// half.
+pub fn recognise(entries: &[Entry], info: &ModelInfo) -> Option<&'static Convention> {
+    let needed: Vec<usize> =
+        (0..info.parameters.len()).filter(|&at| info.parameters[at].used && info.gravity != Some(at)).collect();
+    let is_given = |at: &&usize| entries.iter().any(|entry| position(&entry.name, info) == Some(**at));
+    let paper = share(needed.iter().filter(is_given).count(), needed.len()).max(0.5);
+    let shares = OTHERS.into_iter().map(|convention| (convention, share_of(convention, entries, info)));
+    let best = shares.max_by(|(_, a), (_, b)| a.total_cmp(b)).filter(|(_, share)| *share > paper);
+    best.map(|(convention, _)| convention)
+}
+
+/// How much of what a convention needs is given.
+fn share_of(convention: &Convention, entries: &[Entry], info: &ModelInfo) -> f64 {
+    let mut entries = entries.to_vec();
+    (convention.prepare)(&mut entries, &mut Vec::new());
+    let parameters = || entries.iter().filter_map(|entry| Some((entry, convention.parameter(&entry.name)?)));
+    // Names that the paper has, too, say nothing by themselves.
+    if parameters().all(|(entry, _)| position(&entry.name, info).is_some()) {
+        return 0.0;
+    }
+    let is_given = |group: &Vec<&str>| parameters().any(|(_, parameter)| group.contains(&parameter.name));
+    let groups = convention.needed();
+    share(groups.iter().filter(|group| is_given(group)).count(), groups.len())
+}
+
+fn share(given: usize, all: usize) -> f64 {
+    given as f64 / all.max(1) as f64
+}

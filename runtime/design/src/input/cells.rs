@@ -1,0 +1,73 @@
+//! Parameter files of one parameter a line, with its value, standard deviation and unit in columns: `name,value,std,unit`.
+
+use super::document::{Document, Entry, File, Written};
+
+/// What the columns are called; the first two are the first, and the others may be missing.
+const COLUMNS: [&str; 4] = ["name", "value", "std", "unit"];
+
+/// Whether a line names these columns.
+pub fn is_heading(line: &str) -> bool {
+    let cells = cells(line, separator(line));
+    cells.len() > 1 && cells[..2] == COLUMNS[..2]
+}
+
+/// Reads lines of cells, of which the first names the columns.
+pub fn read(file: File) -> Document {
+    let mut document = Document::default();
+    let mut columns = Vec::new();
+    let first = file.text.lines().find(|line| !is_empty(line)).unwrap_or_default();
+    let separator = separator(first);
+    for (index, line) in file.text.lines().enumerate().filter(|(_, line)| !is_empty(line)) {
+        let place = file.line(index + 1);
+        let cells = cells(line, separator);
+        if std::ptr::eq(line, first) {
+            columns = cells;
+            if let Some(unknown) = columns.iter().find(|column| !COLUMNS.contains(&column.as_str())) {
+                document.problem(place, format!("a column is called `{unknown}`; expected {}", COLUMNS.join(", ")));
+                return document;
+            }
+            continue;
+        }
+        let cell = |name: &str| {
+            let at = columns.iter().position(|column| column == name)?;
+            cells.get(at).map(String::as_str).filter(|cell| !cell.is_empty())
+        };
+        let (Some(name), Some(value)) = (cell("name"), cell("value")) else {
+            document.problem(place, format!("`{line}` is not of the form `name,value`"));
+            continue;
+        };
+        if cells.len() > columns.len() {
+            document.problem(place, format!("`{line}` has {} cells; expected {}", cells.len(), columns.join(", ")));
+            continue;
+        }
+        if document.take_heading(name, value) {
+            continue;
+        }
+        if name == "parameterization" {
+            document.parameterization = Some((place, value.to_owned()));
+            continue;
+        }
+        let text = |text: &str| Written::Text(text.to_owned());
+        let members =
+            [("value", value), ("std", cell("std").unwrap_or_default()), ("unit", cell("unit").unwrap_or_default())];
+        let members = members.into_iter().filter(|(_, cell)| !cell.is_empty());
+        let members = members.map(|(member, cell)| (member.to_owned(), text(cell)));
+        let entry: Entry = document.entry_of_members(name.to_owned(), place, members, "a line without a value");
+        document.entries.push(entry);
+    }
+    document
+}
+
+fn is_empty(line: &str) -> bool {
+    line.trim().is_empty() || line.starts_with('#')
+}
+
+/// Programs in languages with decimal commas write semicolons.
+fn separator(line: &str) -> char {
+    [';', '\t'].into_iter().find(|&sign| line.contains(sign)).unwrap_or(',')
+}
+
+fn cells(line: &str, separator: char) -> Vec<String> {
+    let unquoted = |cell: &str| super::texts::unquoted(cell.trim()).to_owned();
+    line.split(separator).map(unquoted).collect()
+}
