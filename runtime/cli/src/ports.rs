@@ -28,19 +28,19 @@ pub struct PortOptions {
         value_name = "NAMES",
         value_delimiter = ',',
         allow_hyphen_values = true,
-        help = "What comes out, such as phi,delta,phi_rate [default: all states]"
+        help = "What comes out, such as phi,delta,phi_rate [default: all states or coordinates]"
     )]
     pub outputs: Vec<String>,
 }
 
 impl PortOptions {
-    /// The design, and its state space at the speed.
+    /// The design, and its state space at the speed; what comes out where no outputs are named, is given.
     ///
     /// # Errors
     /// Everything that is wrong with what was asked for; or that there are no equations of motion.
-    pub fn load(&self) -> Result<(Design, StateSpace), Failure> {
+    pub fn load(&self, usual: fn(&Ports) -> Vec<Output>) -> Result<(Design, StateSpace), Failure> {
         let design = self.design.load()?;
-        let (inputs, outputs) = self.ports(&design)?;
+        let (inputs, outputs) = self.ports(&design, usual)?;
         let speed = self.speed(&design)?;
         let space = StateSpace::new(&design, speed, &inputs, &outputs)?;
         Ok((design, space))
@@ -50,7 +50,7 @@ impl PortOptions {
     ///
     /// # Errors
     /// All names that there are none of, or that stand twice.
-    pub fn ports(&self, design: &Design) -> Result<(Vec<usize>, Vec<Output>), Failure> {
+    fn ports(&self, design: &Design, usual: fn(&Ports) -> Vec<Output>) -> Result<(Vec<usize>, Vec<Output>), Failure> {
         let ports = Ports::of(design);
         let mut problems = Vec::new();
         let inputs = named("--inputs", &self.inputs, |name| ports.input(name), &mut problems);
@@ -59,14 +59,14 @@ impl PortOptions {
             return Err(Failure::Input(problems));
         }
         let inputs = if inputs.is_empty() { ports.all_inputs() } else { inputs };
-        Ok((inputs, if outputs.is_empty() { ports.states() } else { outputs }))
+        Ok((inputs, if outputs.is_empty() { usual(&ports) } else { outputs }))
     }
 
     /// The speed in m/s of what has one.
     ///
     /// # Errors
     /// If there is none, and the equations depend on it.
-    pub fn speed(&self, design: &Design) -> Result<f64, Failure> {
+    fn speed(&self, design: &Design) -> Result<f64, Failure> {
         match (self.speed, design.model.depends_on_speed()) {
             (Some(Speed(speed)), true) => Ok(speed),
             (None, true) => {

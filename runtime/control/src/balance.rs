@@ -24,31 +24,27 @@ pub struct Balanced {
 impl Channel {
     /// From an input to an output, by their places.
     pub fn of(space: &StateSpace, input: usize, output: usize) -> Self {
-        Self {
+        let all = Self {
             a: space.a.clone(),
             b: space.b.columns(input, 1).into_owned(),
             c: space.c.rows(output, 1).into_owned(),
             d: space.d[(output, input)],
-        }
+        };
+        all.without_hidden()
     }
 
-    /// Takes out the states that reach nothing, the output included, or that nothing reaches, the input included, such as the
-    /// integrals of which only other outputs are; their eigenvalues, which are zeros as well as poles.
-    pub fn take_hidden(&mut self) -> Vec<f64> {
-        let mut hidden = Vec::new();
+    /// Without the states that reach nothing, the output included, such as integrals that other outputs ask for.
+    fn without_hidden(mut self) -> Self {
         let is_hidden = |channel: &Self, state: usize| {
-            let others = || (0..channel.a.nrows()).filter(move |other| *other != state);
-            channel.c[(0, state)] == 0.0 && others().all(|other| channel.a[(other, state)] == 0.0)
-                || channel.b[(state, 0)] == 0.0 && others().all(|other| channel.a[(state, other)] == 0.0)
+            let mut others = (0..channel.a.nrows()).filter(|other| *other != state);
+            channel.c[(0, state)] == 0.0 && others.all(|other| channel.a[(other, state)] == 0.0)
         };
-        while let Some(state) = (0..self.a.nrows()).find(|state| is_hidden(self, *state)) {
-            // Adding zero turns -0 into 0.
-            hidden.push(self.a[(state, state)] + 0.0);
+        while let Some(state) = (0..self.a.nrows()).find(|state| is_hidden(&self, *state)) {
             self.a = self.a.clone().remove_row(state).remove_column(state);
             self.b = self.b.clone().remove_row(state);
             self.c = self.c.clone().remove_column(state);
         }
-        hidden
+        self
     }
 
     /// With states in units that bring the rows of A and B about as close to their columns with C as powers of two do (Parlett &

@@ -52,8 +52,7 @@ impl Margins {
     /// If the iteration for eigenvalues does not converge, or one leaves the range of `f64`.
     pub fn new(space: &StateSpace, input: usize, output: usize) -> Result<Self, SystemError> {
         let function = TransferFunction::new(space, input, output)?.minimal();
-        let mut channel = Channel::of(space, input, output);
-        channel.take_hidden();
+        let channel = Channel::of(space, input, output);
         let response = |frequency: f64| function.at(Complex::new(0.0, frequency));
         let mut gain = Vec::new();
         let crossings = on_axis(parallel(&channel), |frequency| {

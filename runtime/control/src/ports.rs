@@ -63,6 +63,13 @@ impl Ports {
         of(Order::Position, States::Rate).chain(of(Order::Rate, States::Position)).collect()
     }
 
+    /// The outputs that are the coordinates: their positions, or where only the rate is a state, that.
+    pub fn coordinates(&self) -> Vec<Output> {
+        let order = |states: &States| if *states == States::Rate { Order::Rate } else { Order::Position };
+        let outputs = self.states.iter().enumerate();
+        outputs.map(|(quantity, states)| Output { quantity, order: order(states) }).collect()
+    }
+
     /// The place of an input by its name, in letters of either case.
     ///
     /// # Errors

@@ -13,7 +13,8 @@ use crate::zeros::zeros;
 /// G(s) = gain Π (s - zero) / Π (s - pole)
 /// ```
 ///
-/// with a pole for each state, also where a zero cancels it: [`cancelled`](Self::cancelled) tells which.
+/// with a pole for each state between the two, also where a zero cancels it: [`cancelled`](Self::cancelled) tells which. States
+/// that the output needs nothing of, as integrals for other outputs, count for nothing.
 ///
 /// ```
 /// use carvallo_control::{Ports, StateSpace, TransferFunction};
@@ -55,8 +56,9 @@ impl TransferFunction {
     /// # Panics
     /// If there is no such input or output.
     pub fn new(space: &StateSpace, input: usize, output: usize) -> Result<Self, SystemError> {
-        let (zeros, gain) = zeros(Channel::of(space, input, output))?;
-        let poles = matrix_eigenvalues(&space.a)?;
+        let channel = Channel::of(space, input, output);
+        let poles = matrix_eigenvalues(&channel.a)?;
+        let (zeros, gain) = zeros(channel)?;
         Ok(Self { input: space.inputs[input].clone(), output: space.outputs[output].clone(), zeros, poles, gain })
     }
 
@@ -116,16 +118,23 @@ impl TransferFunction {
     }
 }
 
-/// The coefficients of the polynomial with these roots, whose pairs are conjugate, from the highest power down, which is one.
+/// The coefficients of the polynomial with these roots, whose pairs are conjugate, from the highest power down, which is one. What
+/// is no more than the rounding of the terms that were added to form it is zero.
 fn polynomial(roots: &[Complex<f64>]) -> Vec<f64> {
     let mut coefficients = vec![Complex::new(1.0, 0.0)];
+    let mut sizes = vec![1.0];
     for root in roots {
         coefficients.push(Complex::new(0.0, 0.0));
+        sizes.push(0.0);
         for place in (1..coefficients.len()).rev() {
-            let before = coefficients[place - 1];
+            let (before, size) = (coefficients[place - 1], sizes[place - 1]);
             coefficients[place] -= root * before;
+            sizes[place] += root.norm() * size;
         }
     }
-    // Adding zero turns -0 into 0.
-    coefficients.into_iter().map(|coefficient| coefficient.re + 0.0).collect()
+    let rounding = 4.0 * f64::EPSILON * roots.len() as f64;
+    let rounded = |(coefficient, size): (Complex<f64>, f64)| {
+        if coefficient.re.abs() <= rounding * size { 0.0 } else { coefficient.re }
+    };
+    coefficients.into_iter().zip(sizes).map(rounded).collect()
 }

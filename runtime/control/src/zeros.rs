@@ -25,8 +25,7 @@ const ROUNDING: f64 = 1e-13;
 ///
 /// # Errors
 /// If the iteration for eigenvalues does not converge, or one leaves the range of `f64`.
-pub fn zeros(mut channel: Channel) -> Result<(Vec<Complex<f64>>, f64), SystemError> {
-    let hidden = channel.take_hidden();
+pub fn zeros(channel: Channel) -> Result<(Vec<Complex<f64>>, f64), SystemError> {
     let Balanced { channel: Channel { mut a, b, c, mut d }, power } = channel.balanced();
     let (mut b, mut c) = (b.column(0).into_owned(), c.row(0).transpose());
     let mut gain = 2_f64.powi(power);
@@ -45,9 +44,7 @@ pub fn zeros(mut channel: Channel) -> Result<(Vec<Complex<f64>>, f64), SystemErr
             c.fill(0.0);
         }
     }
-    let mut zeros = matrix_eigenvalues(&(a - b * c.transpose() / d))?;
-    zeros.extend(hidden.into_iter().map(|value| Complex::new(value, 0.0)));
-    zeros.sort_by(|x, y| x.re.total_cmp(&y.re).then(x.im.total_cmp(&y.im)));
+    let zeros = matrix_eigenvalues(&(a - b * c.transpose() / d))?;
     Ok((zeros, gain * d))
 }
 

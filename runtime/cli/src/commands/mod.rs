@@ -11,6 +11,7 @@ mod lists;
 mod sensitivity;
 mod show;
 mod statespace;
+mod transfer;
 mod turns;
 
 use std::error::Error as _;
@@ -82,6 +83,7 @@ enum Command {
     Simulate(Box<simulate::Options>),
     Turns(turns::Options),
     Statespace(statespace::Options),
+    Transfer(transfer::Options),
     Sweep(Box<sweep::Options>),
 }
 
@@ -112,6 +114,7 @@ fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
         Some(Command::Simulate(options)) => simulate::run(&options),
         Some(Command::Turns(options)) => turns::run(&options),
         Some(Command::Statespace(options)) => statespace::run(&options),
+        Some(Command::Transfer(options)) => transfer::run(&options),
         Some(Command::Sweep(options)) => sweep::run(&options),
     };
     done.map(|()| ExitCode::SUCCESS)

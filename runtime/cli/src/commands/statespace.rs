@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::str::FromStr;
 
-use carvallo_control::files;
+use carvallo_control::{Ports, files};
 use carvallo_design::{Failure, Place, Problem};
 use carvallo_plot::data;
 use clap::Args;
@@ -108,7 +108,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     if let Some(file) = file.filter(|file| options.ports.design.request().reads(&file.path)) {
         return Err(Failure::at(file.place(), "the parameters are read from this file"));
     }
-    let (design, space) = options.ports.load()?;
+    let (design, space) = options.ports.load(Ports::states)?;
     let path = file.map(|file| file.path.as_path());
     match (kind, path) {
         (Kind::Text(Format::Json), _) => deliver(path, |output| data::state_space::write_json(&design, &space, output)),

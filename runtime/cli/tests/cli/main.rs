@@ -26,6 +26,7 @@ mod show;
 mod simulate;
 mod statespace;
 mod sweep;
+mod transfer;
 mod turns;
 
 use std::io::Write as _;

@@ -69,7 +69,23 @@ fn integrals_have_poles_that_are_exactly_zero() {
     assert!(place.zeros.iter().any(|zero| zero.re > 0.0) && place.static_gain().is_none());
     let yaw_rate = TransferFunction::new(&space, 0, 1).expect("a transfer function");
     // Both integrals are states of the whole, of which this output needs none.
-    assert_eq!((yaw_rate.cancelled(), yaw_rate.minimal().poles.len()), (vec![Complex::new(0.0, 0.0); 2], 4));
+    assert_eq!((space.a.nrows(), yaw_rate.poles.len()), (6, 4));
+}
+
+/// A mode of decoupled oscillators that the input does not reach is a pole that a zero cancels.
+#[test]
+fn hidden_modes_are_cancelled() {
+    let mut space = state_space(&design("Pendulum", "seconds"), 0.0, &["Ttheta"], &["theta"]);
+    let rows = [0.0, 1.0, 0.0, 0.0, -4.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -9.0, -1.0];
+    space.a = nalgebra::DMatrix::from_row_slice(4, 4, &rows);
+    space.b = nalgebra::DMatrix::from_row_slice(4, 1, &[0.0, 0.0, 0.0, 2.0]);
+    space.c = nalgebra::DMatrix::from_row_slice(1, 4, &[1.0, 0.0, 1.0, 0.0]);
+    let found = TransferFunction::new(&space, 0, 0).expect("a transfer function");
+    let cancelled = found.cancelled();
+    assert!(cancelled.len() == 2 && cancelled.iter().all(|pole| (pole.im.abs() - 2.0).abs() < 1e-14), "{cancelled:?}");
+    let minimal = found.minimal();
+    assert!((found.gain - 2.0).abs() < 1e-14 && minimal.zeros.is_empty() && minimal.poles.len() == 2, "{minimal:?}");
+    assert!((found.static_gain().expect("a gain") - 2.0 / 9.0).abs() < 1e-15);
 }
 
 /// y'' + 3 y' + 2 y = u' + 4 u, at the output y + 0.5 u: (0.5 s² + 2.5 s + 5) over (s + 1)(s + 2).

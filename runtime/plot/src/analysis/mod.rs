@@ -8,6 +8,8 @@ pub mod sensitivity;
 pub mod simulation;
 pub mod strands;
 pub mod traced;
+#[cfg(feature = "control")]
+pub mod transfer;
 #[cfg(feature = "turns")]
 pub mod turns;
 

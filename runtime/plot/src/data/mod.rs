@@ -15,6 +15,8 @@ pub mod sensitivity;
 mod signals;
 #[cfg(feature = "control")]
 pub mod state_space;
+#[cfg(feature = "control")]
+pub mod transfer;
 #[cfg(feature = "turns")]
 pub mod turns;
 

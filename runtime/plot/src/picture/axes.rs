@@ -11,6 +11,22 @@ const MOST: u32 = 8;
 /// The least distance between labels.
 const APART: f32 = 12.0;
 
+/// How an axis is divided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scale {
+    /// At round numbers.
+    Even,
+    /// At powers of ten, and between them; the data are logarithms.
+    #[cfg(feature = "control")]
+    Decades,
+    /// At parts of a full turn, in degrees.
+    #[cfg(feature = "control")]
+    Turns,
+}
+
+/// Round numbers on both axes.
+pub const EVEN: [Scale; 2] = [Scale::Even; 2];
+
 /// A range of data on each axis, from left to right and from below, and the rectangle of the page that shows it. What grows
 /// downward has the larger end below.
 #[derive(Clone, Copy, Debug)]
@@ -19,9 +35,34 @@ pub struct Axes {
     pub y: (f64, f64),
     /// Left, top, right, bottom.
     pub area: [f32; 4],
+    /// Of both axes.
+    pub scales: [Scale; 2],
 }
 
 impl Axes {
+    /// With round numbers on both axes.
+    pub fn even(x: (f64, f64), y: (f64, f64), area: [f32; 4]) -> Self {
+        Self { x, y, area, scales: EVEN }
+    }
+
+    /// The ticks of the horizontal axis, each with what stands at it.
+    fn across(&self) -> Vec<(f64, String)> {
+        match self.scales[0] {
+            Scale::Even => across(self.x, self.area[2] - self.area[0]),
+            #[cfg(feature = "control")]
+            scale => super::scales::ticks(scale, self.x),
+        }
+    }
+
+    /// The ticks of the vertical axis, likewise.
+    fn upward(&self) -> Vec<(f64, String)> {
+        match self.scales[1] {
+            Scale::Even => upward(self.y),
+            #[cfg(feature = "control")]
+            scale => super::scales::ticks(scale, self.y),
+        }
+    }
+
     /// Where a point of the data goes on the page.
     pub fn place(&self, x: f64, y: f64) -> (f32, f32) {
         let [left, top, right, bottom] = self.area;
@@ -32,11 +73,11 @@ impl Axes {
     /// The grid, to be drawn under the data.
     pub fn draw_grid(&self, scene: &mut Scene) {
         let [left, top, right, bottom] = self.area;
-        for (x, _) in across(self.x, right - left) {
+        for (x, _) in self.across() {
             let (x, _) = self.place(x, self.y.0);
             scene.polyline(&[(x, top), (x, bottom)], line(1.0), GRID);
         }
-        for y in ticks(self.y, MOST) {
+        for (y, _) in self.upward() {
             let (_, y) = self.place(self.x.0, y);
             scene.polyline(&[(left, y), (right, y)], line(1.0), GRID);
         }
@@ -51,7 +92,7 @@ impl Axes {
             scene.polyline(&[(left, zero), (right, zero)], line(1.2), INK);
         }
         scene.rectangle(self.area, line(1.2), INK);
-        for (tick, text) in across(self.x, right - left) {
+        for (tick, text) in self.across() {
             let (x, _) = self.place(tick, self.y.0);
             scene.polyline(&[(x, bottom), (x, bottom + 5.0)], line(1.2), INK);
             if x_label.is_none() {
@@ -61,7 +102,7 @@ impl Axes {
             let x = x.min(scene.width - 4.0 - font::width(&text, TEXT_SIZE) / 2.0);
             scene.text((x, bottom + 20.0), Anchor::Middle, TEXT_SIZE, INK, &text);
         }
-        for (tick, text) in upward(self.y) {
+        for (tick, text) in self.upward() {
             let (_, y) = self.place(self.x.0, tick);
             scene.polyline(&[(left - 5.0, y), (left, y)], line(1.2), INK);
             scene.text((left - 9.0, y + 4.5), Anchor::End, TEXT_SIZE, INK, &text);

@@ -51,8 +51,7 @@ pub fn draw(Shown { title, x: (low, high), across, unit, panels, critical: event
     let height = page + beyond::ROW * notes.len() as f32;
     let mut scene = Scene::new(title.clone(), WIDTH, height);
     scene.text(((left + RIGHT) / 2.0, 32.0), Anchor::Middle, 18.0, INK, title);
-    let critical =
-        critical::critical(events, &Axes { x: (low, high), y: (0.0, 1.0), area: [left, 0.0, RIGHT, bottom] });
+    let critical = critical::critical(events, &Axes::even((low, high), (0.0, 1.0), [left, 0.0, RIGHT, bottom]));
     let top = 56.0 + critical::height(&critical);
 
     let room = bottom - top - GAP * (panels.len() - 1) as f32;
@@ -61,7 +60,7 @@ pub fn draw(Shown { title, x: (low, high), across, unit, panels, critical: event
     for (index, Panel { series, y, label, share, .. }) in panels.iter().enumerate() {
         let (is_first, is_last) = (index == 0, index + 1 == panels.len());
         let to = if is_last { bottom } else { from + share * room };
-        let axes = Axes { x: (low, high), y: *y, area: [left, from, RIGHT, to] };
+        let axes = Axes::even((low, high), *y, [left, from, RIGHT, to]);
         let mut labels = Labels::new(axes.area);
         let stable = stable_ranges(ranges, &axes);
         for &(left, right) in &stable {

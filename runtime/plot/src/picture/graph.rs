@@ -1,6 +1,6 @@
 //! One of several graphs above each other, with its lines named above it.
 
-use super::axes::{Axes, INK};
+use super::axes::{Axes, INK, Scale};
 use super::curves::{Curve, clip};
 use super::font;
 use super::scene::{Anchor, Color, Paint, Scene};
@@ -18,6 +18,8 @@ pub struct Graph {
     pub height: f32,
     pub x: (f64, f64),
     pub y: (f64, f64),
+    /// Of both axes.
+    pub scales: [Scale; 2],
     /// In painting order.
     pub lines: Vec<Line>,
     /// What else stands among the names, with the way it is painted.
@@ -39,7 +41,7 @@ impl Graph {
         let named = self.lines.iter().filter_map(|line| Some((line.paint, line.color, line.name.as_deref()?)));
         write_names(named.chain(self.note), left, top, scene);
         let top = top + NAMES;
-        let axes = Axes { x: self.x, y: self.y, area: [left, top, right, top + self.height] };
+        let axes = Axes { x: self.x, y: self.y, area: [left, top, right, top + self.height], scales: self.scales };
         axes.draw_grid(scene);
         for line in &self.lines {
             for piece in clip(&line.curve, axes.y) {

@@ -4,6 +4,8 @@ mod along;
 mod axes;
 mod bars;
 mod beyond;
+#[cfg(feature = "control")]
+mod bode;
 mod colors;
 mod contributions;
 mod critical;
@@ -15,12 +17,16 @@ mod labels;
 mod map;
 mod marks;
 mod motion;
+#[cfg(feature = "control")]
+mod nyquist;
 mod overlay;
 mod panels;
 mod path;
 mod places;
 #[cfg(feature = "png")]
 mod png;
+#[cfg(feature = "control")]
+mod scales;
 mod scene;
 mod series;
 mod side_view;
@@ -35,10 +41,14 @@ mod turns;
 mod tests;
 
 pub use self::along::draw_along;
+#[cfg(feature = "control")]
+pub use self::bode::draw_bode;
 pub use self::contributions::draw_contributions;
 pub use self::curves::{Curve, extent, samples};
 pub use self::map::{MapAxis, MapCell, draw_map};
 pub use self::motion::draw_motion;
+#[cfg(feature = "control")]
+pub use self::nyquist::draw_nyquist;
 pub use self::overlay::draw_overlay;
 pub use self::panels::{Panel, panels};
 pub use self::scene::{Color, Paint, Scene};
@@ -49,3 +59,10 @@ pub use self::speed::{Limits, draw_eigenvalues};
 pub use self::tornado::draw_tornado;
 #[cfg(feature = "turns")]
 pub use self::turns::draw_turns;
+
+/// What a picture of transfer functions is called.
+#[cfg(feature = "control")]
+fn transfer_title(what: &str, transfers: &crate::analysis::transfer::Transfers) -> String {
+    let speed = transfers.space.speed.map(|speed| format!(" at {} m/s", carvallo_design::number::shortest(speed)));
+    format!("{what} of {}{}", transfers.design.title(), speed.unwrap_or_default())
+}

@@ -1,6 +1,6 @@
 //! A motion against time: positions by their units, the speed, and below them the paths of wheels.
 
-use super::axes::{self, INK};
+use super::axes::{self, EVEN, INK};
 use super::curves::Curve;
 use super::graph::{Graph, Line, range, roomy};
 use super::path;
@@ -103,7 +103,7 @@ fn graph(Shown { title, height, curves }: Shown, end: f64) -> Graph {
         paint: line(2.2),
         curve: curve.clone(),
     });
-    Graph { title, height, x: (0.0, end), y, lines: beside.chain(own).collect(), note: None }
+    Graph { title, height, x: (0.0, end), y, scales: EVEN, lines: beside.chain(own).collect(), note: None }
 }
 
 /// What the vertical axis shows: all of the motion itself, and of a linear one beside it no more than it takes to see how that

@@ -3,7 +3,7 @@
 
 use carvallo_design::Failure;
 
-use super::axes::{INK, margin};
+use super::axes::{EVEN, INK, margin};
 use super::colors::design;
 use super::curves::{Curve, samples};
 use super::font;
@@ -63,7 +63,7 @@ pub fn draw_overlay(comparison: &Comparison, limits: Option<(f64, f64)>) -> Resu
                 curve: curve.clone(),
             })
         });
-        Graph { title, height, x, y, lines: curves.collect(), note: None }
+        Graph { title, height, x, y, scales: EVEN, lines: curves.collect(), note: None }
     };
     let has_pairs = all.iter().any(|curves| !curves.imaginary.is_empty());
     let label = "speed v (m/s)";

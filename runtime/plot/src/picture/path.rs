@@ -62,7 +62,7 @@ fn scaled(points: &[(f64, f64)], left: f32, right: f32, top: f32) -> Axes {
         (middle - half, middle + half)
     };
     let (above, below) = about(y, f64::from(height));
-    Axes { x: about(x, width), y: (below, above), area: [left, top, right, top + height] }
+    Axes::even(about(x, width), (below, above), [left, top, right, top + height])
 }
 
 /// As much of a path as the axes show.

@@ -8,6 +8,7 @@ mod models;
 mod motion;
 mod sensitivity;
 mod state_space;
+mod transfer;
 mod turns;
 
 pub use self::along::of_along;
@@ -18,6 +19,7 @@ pub use self::models::of_models;
 pub use self::motion::of_motion;
 pub use self::sensitivity::of_sensitivity;
 pub use self::state_space::of_state_space;
+pub use self::transfer::of_transfers;
 pub use self::turns::of_turns;
 
 use carvallo_design::Design;

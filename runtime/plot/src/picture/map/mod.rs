@@ -101,7 +101,7 @@ pub fn draw_map(name: &str, axes: &[MapAxis], cells: &[MapCell]) -> Scene {
     scene.text((width / 2.0, 30.0), Anchor::Middle, 18.0, INK, &title);
     for ((panel, scale), left) in PANELS.iter().zip(scales).zip([left, second_left]) {
         let area = [left, TOP, left + SIDE, TOP + SIDE - 40.0];
-        let axes = Axes { x: x_range, y: y_range, area };
+        let axes = Axes::even(x_range, y_range, area);
         scene.text((left + SIDE / 2.0, TOP - 14.0), Anchor::Middle, 15.0, INK, panel.title);
         fill(&mut scene, &axes, &edges, cells, |cell| match cell {
             MapCell::Stable(range) => (panel.value)(range).map_or(Shade::Endless, |value| scale.shade(value)),

@@ -106,7 +106,7 @@ impl Scale {
         if self.is_cut {
             scene.text((left, top - 7.0), Anchor::Start, TEXT, INK, "and more");
         }
-        let axes = Axes { x: (0.0, 1.0), y: range, area: [left, top, right, bottom] };
+        let axes = Axes::even((0.0, 1.0), range, [left, top, right, bottom]);
         for (value, text) in axes::upward(range) {
             let (_, y) = axes.place(0.0, value);
             scene.polyline(&[(right, y), (right + 5.0, y)], line(1.2), INK);

@@ -1,0 +1,103 @@
+//! Transfer functions: their poles, and a table for each.
+
+use carvallo::Complex;
+use carvallo_design::number::{fixed, shortest, unit};
+use carvallo_plot::analysis::transfer::{Transfer, Transfers};
+
+use super::state_space::at;
+use crate::output::typeset::{Cell, Column, Document, Table};
+
+/// The poles that all have in common, and what each has besides.
+pub fn of_transfers(transfers: &Transfers) -> Document {
+    let at = at(transfers.space);
+    let poles = Table {
+        title: format!("Poles{at}"),
+        columns: ["pole (1/s)", "frequency (rad/s)", "damping ratio"].map(Column::right).into(),
+        rows: transfers.poles.iter().filter(|pole| pole.im >= 0.0).map(|pole| modal(*pole)).collect(),
+        notes: Vec::new(),
+    };
+    let each = transfers.channels.iter().map(|channel| table(channel, &at));
+    super::about(transfers.design, [poles].into_iter().chain(each).collect())
+}
+
+/// A pole, or a pair, with its natural frequency and damping ratio.
+fn modal(pole: Complex<f64>) -> Vec<Cell> {
+    let size = pole.norm();
+    let ratio = if size == 0.0 { "-".to_owned() } else { fixed(-pole.re / size, 4) };
+    [root(pole), fixed(size, 4), ratio].map(Cell::number).to_vec()
+}
+
+/// A real root, or the pair that a root is half of.
+fn root(root: Complex<f64>) -> String {
+    let re = fixed(root.re, 6);
+    if root.im == 0.0 { re } else { format!("{re} ± {} i", fixed(root.im, 6)) }
+}
+
+fn table(channel: &Transfer, at: &str) -> Table {
+    let Transfer { function, margins, .. } = channel;
+    let number = |value: f64| if value == 0.0 { "0".to_owned() } else { fixed(value, 6) };
+    let unit = unit(&channel.unit());
+    let mut rows: Vec<[String; 2]> = vec![["gain k".to_owned(), number(function.gain)]];
+    let rest = function.static_gain().map_or("infinite".to_owned(), |gain| format!("{} {unit}", number(gain)));
+    rows.push(["static gain G(0)".to_owned(), rest]);
+    rows.push(["zeros (1/s)".to_owned(), roots(&function.zeros)]);
+    let cancelled = function.cancelled();
+    if !cancelled.is_empty() {
+        rows.push(["poles that zeros cancel".to_owned(), roots(&cancelled)]);
+    }
+    rows.push(["numerator".to_owned(), polynomial(&function.numerator())]);
+    rows.push(["denominator".to_owned(), polynomial(&function.denominator())]);
+    for margin in &margins.gain {
+        let decibels = fixed(20.0 * margin.factor.log10(), 3);
+        let text =
+            format!("{decibels} dB, a factor of {}, at {} rad/s", fixed(margin.factor, 4), fixed(margin.frequency, 4));
+        rows.push(["gain margin".to_owned(), text]);
+    }
+    for margin in &margins.phase {
+        let text = format!("{}° at {} rad/s", fixed(margin.angle.to_degrees(), 3), fixed(margin.frequency, 4));
+        rows.push(["phase margin".to_owned(), text]);
+    }
+    let verdict = if margins.closed_loop_is_stable { "stable" } else { "unstable" };
+    rows.push(["the loop u = -y".to_owned(), verdict.to_owned()]);
+    Table {
+        title: format!("{}{at}  {} to {}", channel.title(), function.input.label, function.output.label),
+        columns: ["", ""].map(Column::left).into(),
+        rows: rows.into_iter().map(|row| row.map(Cell::words).to_vec()).collect(),
+        notes: Vec::new(),
+    }
+}
+
+fn roots(roots: &[Complex<f64>]) -> String {
+    let roots: Vec<String> = roots.iter().filter(|value| value.im >= 0.0).map(|value| root(*value)).collect();
+    if roots.is_empty() { "none".to_owned() } else { roots.join(", ") }
+}
+
+/// `s² + 3 s + 2`, with the coefficients from the highest power down.
+fn polynomial(coefficients: &[f64]) -> String {
+    let degree = coefficients.len() - 1;
+    let mut text = String::new();
+    for (place, coefficient) in coefficients.iter().enumerate().filter(|(_, coefficient)| **coefficient != 0.0) {
+        let sign = match (text.is_empty(), *coefficient < 0.0) {
+            (true, true) => "-",
+            (true, false) => "",
+            (false, true) => " - ",
+            (false, false) => " + ",
+        };
+        let power = match degree - place {
+            0 => String::new(),
+            1 => "s".to_owned(),
+            power => format!("s^{power}"),
+        };
+        let size = coefficient.abs();
+        let size = if size == 1.0 && !power.is_empty() { String::new() } else { significant(size) };
+        let between = if size.is_empty() || power.is_empty() { "" } else { " " };
+        text += &format!("{sign}{size}{between}{power}");
+    }
+    if text.is_empty() { "0".to_owned() } else { text }
+}
+
+/// Six digits.
+fn significant(value: f64) -> String {
+    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    shortest(rounded)
+}

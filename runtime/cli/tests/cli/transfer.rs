@@ -1,0 +1,114 @@
+//! Transfer functions, their responses and margins.
+
+use serde_json::Value;
+
+use crate::Directory;
+
+const TO_LEAN: [&str; 7] = ["transfer", "--speed", "5", "--inputs", "Tdelta", "--outputs", "phi"];
+
+fn to_lean(more: &[&'static str]) -> Vec<&'static str> {
+    [&TO_LEAN[..], more].concat()
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().expect("a number")
+}
+
+fn close(found: f64, expected: f64) {
+    assert!((found - expected).abs() <= 1e-11 * expected.abs().max(1.0), "{found} is not {expected}");
+}
+
+/// Zeros with 60 digits from exact determinants (`transfer_functions.tsv` of the crate), responses and margins by python-control
+/// 0.10.2, of the benchmark at 5 m/s.
+#[test]
+fn every_format_has_the_same_numbers() {
+    let directory = Directory::of_this_test();
+    let json = directory.run(&to_lean(&["--format", "json", "--frequencies", "0.3,3"])).json();
+    let function = &json["transfer_functions"][0];
+    assert_eq!(
+        (&function["input"], &function["output"], &function["unit"]),
+        (&"Tdelta".into(), &"phi".into(), &"rad/(N*m)".into())
+    );
+    close(number(&function["gain"]), -0.1240920254115766);
+    for (place, zero) in [-59.25992316246232, -13.746499609246897].into_iter().enumerate() {
+        close(number(&function["zeros"][place]["re"]), zero);
+    }
+    assert_eq!(
+        (function["poles"].as_array().map(Vec::len), function["zeros"].as_array().map(Vec::len)),
+        (Some(4), Some(2))
+    );
+    // The static gain is that of -20 times it, 15.9326 at 0.3 rad/s and 3.8352 at 3 rad/s.
+    for (place, (gain, degrees)) in
+        [(15.932617359658188, -43.8814115275712), (3.835195804054283, -102.63967560728764)].into_iter().enumerate()
+    {
+        let point = &function["frequency_response"][place];
+        close(number(&point["gain"]), gain / 20.0);
+        close(number(&point["phase"]).to_degrees() - 180.0, degrees);
+    }
+    assert_eq!(function["closed_loop"], "unstable");
+    let without = directory.run(&to_lean(&["--format", "json"])).json();
+    assert!(without["transfer_functions"][0]["frequency_response"].is_null());
+
+    let csv = directory.run(&to_lean(&["--format", "csv", "--frequencies", "0.3"])).ok();
+    let lines: Vec<&str> = csv.lines().collect();
+    assert_eq!((lines.len(), lines[0]), (2, "frequency (rad/s),gain phi/Tdelta (rad/(N*m)),phase phi/Tdelta (rad)"));
+    assert_eq!(lines[1].split(',').nth(1), Some(function["frequency_response"][0]["gain"].to_string().as_str()));
+
+    let table = directory.run(&TO_LEAN).ok();
+    for line in [
+        "  zeros (1/s)       -59.259923, -13.746500",
+        "  static gain G(0)  -1.082932 rad/(N m)",
+        "  -0.775342 ± 4.464868 i             4.5317         0.1711",
+    ] {
+        assert!(table.contains(line), "{line} is not in {table}");
+    }
+}
+
+#[test]
+fn responses_are_drawn() {
+    let directory = Directory::of_this_test();
+    let asked = ["transfer", "pista", "--speed", "6", "--bode", "bode.svg", "--nyquist", "nyquist.png"];
+    let run = directory.run(&asked);
+    assert_eq!((run.code, run.stderr.as_str()), (Some(0), "wrote: bode.svg\nwrote: nyquist.png\n"));
+    let svg = std::fs::read_to_string(directory.0.join("bode.svg")).expect("a picture");
+    for text in [
+        "<title>Frequency response of pista at 6 m/s</title>",
+        "gain (dB)",
+        "phase (°)",
+        "Tdelta to delta",
+        "frequency ω (rad/s)",
+    ] {
+        assert!(svg.contains(text), "{text}");
+    }
+    assert!(!svg.contains("NaN") && !svg.contains("inf"));
+    assert!(std::fs::read(directory.0.join("nyquist.png")).expect("a picture").starts_with(b"\x89PNG"));
+}
+
+/// Without damping, poles are on the imaginary axis, where there is no gain.
+#[test]
+fn poles_on_the_axis_have_no_gain() {
+    let directory = Directory::of_this_test();
+    directory.write("spring.json", r#"{"M": [[1]], "Kc": [[4]]}"#);
+    let asked = ["transfer", "spring.json", "--frequencies", "1,2,3", "--bode", "b.svg", "--nyquist", "n.svg"];
+    let run = directory.run(&[&asked[..], &["--format", "csv"]].concat());
+    let gains: Vec<&str> = run.stdout.lines().skip(1).filter_map(|line| line.split(',').nth(1)).collect();
+    assert_eq!(gains[1], "", "{}", run.stdout);
+    close(gains[0].parse().expect("a gain"), 1.0 / 3.0);
+    close(gains[2].parse().expect("a gain"), 1.0 / 5.0);
+    let json = directory.run(&["transfer", "spring.json", "--frequencies", "2", "--format", "json"]).json();
+    assert_eq!(json["transfer_functions"][0]["frequency_response"][0]["gain"], Value::Null);
+}
+
+#[test]
+fn mistakes_are_told() {
+    let directory = Directory::of_this_test();
+    for (text, message) in [
+        ("0", "a frequency is 0; it must be > 0"),
+        ("10:1", "the range goes from 10 to 1 rad/s; it must ascend"),
+        ("1:2:3", "expected a list such as 1,2,5 or a range LOW:HIGH such as 0.1:100"),
+        ("1 kg", "`kg` is no unit for a frequency: it is in rad/s, or in Hz"),
+    ] {
+        let message = format!("error: --frequencies {text}: {message}\n");
+        directory.run(&["transfer", "--speed", "5", "--frequencies", text]).fails(2, &message);
+    }
+}

@@ -1,0 +1,7 @@
+//! Transfer functions as JSON, and their frequency responses as comma-separated values.
+
+mod csv;
+mod json;
+
+pub use self::csv::write_csv;
+pub use self::json::write_json;
