@@ -93,7 +93,7 @@ pub use number::{Number, Scalar, to_f32};
 #[cfg(feature = "std")]
 pub use sensitivity::{
     Covariance, CriticalDerivative, EigenvalueDerivative, EigenvalueSensitivity, Gradient, NotDifferentiable,
-    Sensitivity, SensitivityError, standard_deviation, variance_shares,
+    Sensitivity, SensitivityError, Sources, Uncertain, standard_deviation, variance_shares,
 };
 #[cfg(feature = "std")]
 pub use stability::{

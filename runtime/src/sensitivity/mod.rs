@@ -13,6 +13,7 @@ mod quartic;
 mod scaled;
 #[cfg(test)]
 mod tests;
+mod uncertain;
 mod unfolding;
 
 use pencil::Direction;
@@ -27,6 +28,7 @@ pub use critical::{CriticalDerivative, NotDifferentiable};
 pub use deviation::{standard_deviation, variance_shares};
 pub use eigenvalue::{EigenvalueDerivative, EigenvalueSensitivity};
 pub use error::SensitivityError;
+pub use uncertain::{Sources, Uncertain};
 
 /// The derivatives of a quantity with respect to the forward speed and to each parameter.
 ///
