@@ -31,6 +31,9 @@ pub struct DesignOptions {
     /// A force that follows from the motion, such as 'Tdelta = -10*phi_rate + 3*v*phi'; may be given several times
     #[arg(long, value_name = "FORCE=LAW", allow_hyphen_values = true)]
     feedback: Vec<String>,
+    /// Joins a body to a frame: a file, or 'mass=5 kg, at=(0.3, 0, -0.9), to=rear'; may be given several times
+    #[arg(long, value_name = "BODY")]
+    add: Vec<String>,
 }
 
 impl DesignOptions {
@@ -43,6 +46,7 @@ impl DesignOptions {
             parameters: self.design.clone(),
             overrides: settings.chain(gravity).collect(),
             feedback: self.feedback.iter().map(|law| (format!("--feedback '{law}'"), law.clone())).collect(),
+            bodies: self.add.iter().map(|body| (format!("--add '{body}'"), body.clone())).collect(),
         }
     }
 

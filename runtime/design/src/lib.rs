@@ -19,6 +19,8 @@ mod failure;
 pub mod feedback;
 pub mod file;
 pub mod input;
+#[cfg(feature = "full")]
+pub mod joined;
 pub mod matrices;
 mod model;
 mod nearest;

@@ -55,6 +55,9 @@ pub struct Options {
     /// A law of feedback that closes a loop of all designs, such as 'Tdelta = -10*phi_rate'; may be given several times
     #[arg(long, value_name = "LAW")]
     feedback: Vec<String>,
+    /// A body that is joined to a frame of all designs: a file, or 'mass=75 kg, at=(0.3, 0, -1.1)'; may be given several times
+    #[arg(long, value_name = "BODY")]
+    add: Vec<String>,
     /// All parameters, and not only those that differ
     #[arg(long)]
     all: bool,
@@ -144,5 +147,6 @@ fn request(argument: &str, options: &Options) -> Result<Request, Failure> {
         parameters: (!name.is_empty()).then(|| name.to_owned()),
         overrides: common.chain(gravity).chain(own).collect::<Result<_, Failure>>()?,
         feedback: options.feedback.iter().map(|law| (format!("--feedback '{law}'"), law.clone())).collect(),
+        bodies: options.add.iter().map(|body| (format!("--add '{body}'"), body.clone())).collect(),
     })
 }

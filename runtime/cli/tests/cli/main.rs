@@ -2,6 +2,7 @@
 
 mod along;
 mod analyze;
+mod bodies;
 mod check;
 mod compare;
 mod convert;

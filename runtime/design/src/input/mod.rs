@@ -32,6 +32,8 @@ pub(crate) use self::document::Written;
 pub(crate) use self::document::{Document, Entry};
 use crate::design::Design;
 use crate::failure::{Failure, Place, Problem};
+#[cfg(feature = "full")]
+use crate::joined::Body;
 use crate::model::{Shipped, WHIPPLE};
 
 pub use self::matrices::{list, matrix_of_rows};
@@ -57,12 +59,21 @@ pub struct Request {
     pub overrides: Vec<(String, String, String)>,
     /// Laws of feedback from the command line, each with the option as it was given. A file's law for the same force gives way.
     pub feedback: Vec<(String, String)>,
+    /// Bodies that are joined to frames, each with the option as it was given: files, or what they are in one line. What the
+    /// overrides make of a frame, they are joined to.
+    #[cfg(feature = "full")]
+    pub bodies: Vec<(String, String)>,
 }
 
 impl Request {
     /// Whether the parameters are read from this file, so that nothing must be written there.
     pub fn reads(&self, path: &Path) -> bool {
-        self.parameters.as_ref().is_some_and(|parameters| is_same_file(Path::new(parameters), path))
+        let is_same = |name: &String| is_same_file(Path::new(name), path);
+        #[cfg(feature = "full")]
+        let reads_body = self.bodies.iter().any(|(_, text)| is_same(text));
+        #[cfg(not(feature = "full"))]
+        let reads_body = false;
+        self.parameters.as_ref().is_some_and(is_same) || reads_body
     }
 }
 
@@ -71,6 +82,8 @@ impl Request {
 struct Changes {
     overrides: Vec<Entry>,
     laws: Vec<(Place, String)>,
+    #[cfg(feature = "full")]
+    bodies: Vec<Body>,
 }
 
 /// Whether two paths are of one file, which is there.
@@ -100,7 +113,29 @@ pub fn load(request: &Request) -> Result<Design, Failure> {
     };
     let (label, document) = open(shipped, name)?;
     let laws = request.feedback.iter().map(|(option, law)| (Place::Option(option.clone()), law.clone())).collect();
-    resolve(document, label, asked, Changes { overrides, laws })
+    #[cfg(feature = "full")]
+    let bodies = bodies(&request.bodies)?;
+    let changes = Changes {
+        overrides,
+        laws,
+        #[cfg(feature = "full")]
+        bodies,
+    };
+    resolve(document, label, asked, changes)
+}
+
+/// What is wrong with several of them is told at once.
+#[cfg(feature = "full")]
+fn bodies(texts: &[(String, String)]) -> Result<Vec<Body>, Failure> {
+    let (mut bodies, mut problems) = (Vec::new(), Vec::new());
+    for (option, text) in texts {
+        match crate::joined::read(option, text) {
+            Ok(body) => bodies.push(body),
+            Err(Failure::Input(found)) => problems.extend(found),
+            Err(failure) => return Err(failure),
+        }
+    }
+    if problems.is_empty() { Ok(bodies) } else { Err(Failure::Input(problems)) }
 }
 
 /// Reads and judges what ships for a model under a name, or a file for it.

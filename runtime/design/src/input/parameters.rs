@@ -29,8 +29,9 @@ pub fn resolve(
     mut document: Document,
     label: &str,
     model: &'static Shipped,
-    Changes { mut overrides, laws }: Changes,
+    changes: Changes,
 ) -> Result<Design, Vec<Problem>> {
+    let Changes { mut overrides, laws, .. } = changes;
     let info = model.info;
     #[cfg(feature = "full")]
     let reading = crate::conventions::read(&mut document, label, info, &mut overrides);
@@ -109,20 +110,26 @@ pub fn resolve(
     }
 
     remarks.notes.extend(neutral::replace_radii(label, model, &mut parameters, zero_radii)?);
+    #[cfg(feature = "full")]
+    let covariance = {
+        let is_set = |position: usize| settings.given.contains_key(&position);
+        let mut covariance = super::correlations::resolve(document.correlations, info, &parameters, &is_set)?;
+        if !changes.bodies.is_empty() {
+            crate::joined::join(&changes.bodies, info, &mut parameters, &mut covariance)?;
+        }
+        covariance
+    };
+    #[cfg(not(feature = "full"))]
+    let covariance = None;
     let model = model.with_feedback(&laws);
     let values: Vec<f64> = parameters.iter().map(|parameter| parameter.value).collect();
     let equations = model.equations(&values).map_err(|message: String| vec![Problem { place: file(), message }])?;
     if info.name == NAME {
         remarks.notes.extend(note_on_free(label, &*equations, info));
     }
-    #[cfg(feature = "full")]
-    let covariance = {
-        let is_set = |position: usize| settings.given.contains_key(&position);
-        super::correlations::resolve(document.correlations, info, &parameters, &is_set)?
-    };
-    #[cfg(not(feature = "full"))]
-    let covariance = None;
     let name = document.name.unwrap_or_else(|| label.to_owned());
+    #[cfg(feature = "full")]
+    let name = crate::joined::name(name, &changes.bodies);
     let notes = remarks.all_notes();
     let mut warnings = remarks.warnings;
     warnings.extend(magnitude::warnings(info, &values));

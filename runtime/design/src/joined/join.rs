@@ -1,0 +1,86 @@
+//! Bodies become part of the frames that they are joined to.
+
+use carvallo::{Covariance, ModelInfo, Sources, Uncertain};
+
+use super::body::{Body, Frame, as_numbers};
+use super::inertia::Inertia;
+use crate::bodies::body;
+use crate::design::{Deviation, Given};
+use crate::failure::Problem;
+use crate::number::shortest;
+
+/// Changes the parameters of the frames to those with the bodies, and how they vary together: the mass that is added moves the
+/// centre and the moments of inertia alike.
+///
+/// # Errors
+/// If a model has no such frame.
+pub fn join(
+    bodies: &[Body],
+    info: &ModelInfo,
+    parameters: &mut [Given],
+    covariance: &mut Option<Covariance>,
+) -> Result<(), Vec<Problem>> {
+    let unknown: Vec<Problem> = bodies.iter().filter_map(|body| without_frame(body, info)).collect();
+    if !unknown.is_empty() {
+        return Err(unknown);
+    }
+    let sources = Sources::default();
+    let values: Vec<f64> = parameters.iter().map(|given| given.value).collect();
+    let mut numbers: Vec<Uncertain> = match covariance {
+        Some(covariance) => sources.correlated(&values, covariance),
+        None => parameters.iter().map(|given| sources.measured(given.value, deviation(given))).collect(),
+    };
+    for body in bodies {
+        let Some(positions) = body.frame.positions(info) else { continue };
+        let number = |position: Option<usize>| position.map_or(sources.exact(0.0), |position| numbers[position]);
+        let [mass, x, z, xx, yy, zz, xz] = positions.map(number);
+        let joined = Inertia { mass, x, z, xx, yy, zz, xz }.with(body.inertia(&sources));
+        for (position, number) in positions.into_iter().zip(as_numbers(joined)) {
+            let Some(position) = position else { continue };
+            numbers[position] = number;
+            let deviation = Some(number.deviation()).filter(|&deviation| deviation > 0.0);
+            let deviation = deviation.map(|value| Deviation { written: shortest(value), value });
+            parameters[position] = Given { written: shortest(number.value()), value: number.value(), deviation };
+        }
+    }
+    *covariance = sources.covariance(&numbers).ok().filter(|together| !together.correlations().is_empty());
+    Ok(())
+}
+
+/// What a machine is called with the bodies.
+pub fn name(machine: String, bodies: &[Body]) -> String {
+    bodies.iter().fold(machine, |name, body| {
+        let body = body.name.clone().unwrap_or_else(|| format!("{} kg", shortest(body.mass[0])));
+        format!("{name} + {body}")
+    })
+}
+
+fn deviation(given: &Given) -> f64 {
+    given.deviation.as_ref().map_or(0.0, |deviation| deviation.value)
+}
+
+fn without_frame(Body { place, frame: frame @ Frame(letter), .. }: &Body, info: &ModelInfo) -> Option<Problem> {
+    if frame.positions(info).is_some() {
+        return None;
+    }
+    let name = info.name;
+    let frames: Vec<String> = Frame::all(info)
+        .iter()
+        .map(|letter| format!("`{letter}`, the {}", without_letter(&body(info, letter))))
+        .collect();
+    let message = match (letter.as_str(), frames.as_slice()) {
+        (_, []) => format!("{name} has no frame that a body can be joined to"),
+        ("R" | "F", _) if info.position(&format!("m{letter}")).is_some() => format!(
+            "a wheel turns, and nothing can be joined to it but what is symmetric about its axle: set `m{letter}`, \
+             `I{letter}xx` and `I{letter}yy`; frames are {}",
+            frames.join(" and ")
+        ),
+        _ => format!("{name} has no frame `{letter}`; there is {}", frames.join(" and ")),
+    };
+    Some(Problem { place: place.clone(), message })
+}
+
+/// `rear frame` of `rear frame B`.
+fn without_letter(body: &str) -> &str {
+    body.rsplit_once(' ').map_or(body, |(name, _)| name)
+}

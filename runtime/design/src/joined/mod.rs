@@ -1,0 +1,11 @@
+//! Bodies joined to a frame of a machine: a rider, a rack, a bag, a motor.
+
+mod body;
+mod inertia;
+mod join;
+mod read;
+
+pub use self::body::{Body, Frame};
+pub use self::inertia::Inertia;
+pub(crate) use self::join::{join, name};
+pub(crate) use self::read::read;
