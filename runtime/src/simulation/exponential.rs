@@ -9,10 +9,21 @@ const MOST_HALVINGS: i32 = 64;
 /// The last power of the series: beyond it terms of a matrix whose norm is at most 1/2 are below rounding.
 const LAST_POWER: u32 = 16;
 
-/// The solution of `x' = A x + u` after a step, with u linear in it.
-pub(super) struct Propagator {
+/// The solution of `x' = A x + u` after a step, with u linear in it, for any number of states: exact, by the matrix exponential.
+///
+/// ```
+/// use carvallo::nalgebra::{DMatrix, DVector};
+/// use carvallo::simulation::Propagator;
+///
+/// // x' = 1 - x from 0, and what it is after half a second.
+/// let half = Propagator::new(&DMatrix::from_element(1, 1, -1.0), 0.5).unwrap();
+/// let x = half.advance(&DVector::zeros(1), &DVector::from_element(1, 1.0), &DVector::zeros(1));
+/// assert!((x[0] - (1.0 - (-0.5_f64).exp())).abs() < 1e-16);
+/// ```
+#[derive(Clone, Debug)]
+pub struct Propagator {
     /// The length of the step in s.
-    pub step: f64,
+    pub(super) step: f64,
     /// exp(h A) - 1.
     from_state: DMatrix<f64>,
     /// h φ1(h A), with φ1(z) = (exp z - 1) / z: of what u is at the beginning.

@@ -36,6 +36,7 @@ mod nonlinear;
 mod state;
 
 pub use error::SimulationError;
+pub use exponential::Propagator;
 pub use force::{Force, ForceError};
 pub use linear::{LinearMotion, Snapshot};
 #[cfg(feature = "simulation")]

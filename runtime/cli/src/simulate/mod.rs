@@ -2,7 +2,7 @@
 
 mod options;
 mod progress;
-mod times;
+pub mod times;
 
 use std::path::Path;
 

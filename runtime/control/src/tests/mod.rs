@@ -2,6 +2,7 @@
 
 mod files;
 mod frequency_responses;
+mod responses;
 mod state_spaces;
 mod transfer_functions;
 

@@ -86,7 +86,10 @@ fn unknown(name: &str, givable: &[Givable], model: &str) -> String {
 }
 
 /// The value of a position or a rate in SI units.
-fn value(text: &str, quantity: &Quantity, is_rate: bool) -> Result<f64, String> {
+///
+/// # Errors
+/// What is wrong with it.
+pub fn value(text: &str, quantity: &Quantity, is_rate: bool) -> Result<f64, String> {
     let text = text.trim();
     let unit = if is_rate { quantity.unit_per_time(1) } else { quantity.unit.to_owned() };
     // Degrees are a part of expressions, and what they are divided by is none.

@@ -10,7 +10,7 @@ mod solver;
 
 pub use self::contacts::paths;
 pub use self::force::Channel;
-pub use self::initial::{Givable, Initial};
+pub use self::initial::{Givable, Initial, value};
 pub use self::linear::Linear;
 pub use self::motion::{Motion, Quantity, Row};
 pub use self::nonlinear::Nonlinear;
