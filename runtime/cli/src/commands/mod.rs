@@ -8,6 +8,7 @@ mod convert;
 mod demo;
 mod equations;
 mod lists;
+mod respond;
 mod sensitivity;
 mod show;
 mod statespace;
@@ -84,6 +85,7 @@ enum Command {
     Turns(turns::Options),
     Statespace(statespace::Options),
     Transfer(transfer::Options),
+    Respond(respond::Options),
     Sweep(Box<sweep::Options>),
 }
 
@@ -115,6 +117,7 @@ fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
         Some(Command::Turns(options)) => turns::run(&options),
         Some(Command::Statespace(options)) => statespace::run(&options),
         Some(Command::Transfer(options)) => transfer::run(&options),
+        Some(Command::Respond(options)) => respond::run(&options),
         Some(Command::Sweep(options)) => sweep::run(&options),
     };
     done.map(|()| ExitCode::SUCCESS)

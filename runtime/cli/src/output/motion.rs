@@ -97,7 +97,7 @@ fn four_decimals(value: f64) -> String {
 }
 
 /// No more digits than tell a time from its neighbours.
-fn time(t: f64) -> String {
+pub fn time(t: f64) -> String {
     if 0.0 < t && t < 1e-4 {
         return format!("{t:.3e}");
     }

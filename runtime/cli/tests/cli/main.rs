@@ -21,6 +21,7 @@ mod numbers;
 mod pictures;
 mod process;
 mod readings;
+mod respond;
 mod sensitivity;
 mod shapes;
 mod show;

@@ -4,6 +4,8 @@ pub mod along;
 pub mod compare;
 mod followed;
 pub mod reach;
+#[cfg(feature = "control")]
+pub mod response;
 pub mod sensitivity;
 pub mod simulation;
 pub mod strands;

@@ -10,6 +10,8 @@ mod layout;
 mod matrices;
 pub mod motion;
 pub mod parameters;
+#[cfg(feature = "control")]
+pub mod response;
 pub mod sensitivity;
 #[cfg(feature = "control")]
 mod signals;

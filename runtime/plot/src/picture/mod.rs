@@ -26,6 +26,8 @@ mod places;
 #[cfg(feature = "png")]
 mod png;
 #[cfg(feature = "control")]
+mod response;
+#[cfg(feature = "control")]
 mod scales;
 mod scene;
 mod series;
@@ -51,6 +53,8 @@ pub use self::motion::draw_motion;
 pub use self::nyquist::draw_nyquist;
 pub use self::overlay::draw_overlay;
 pub use self::panels::{Panel, panels};
+#[cfg(feature = "control")]
+pub use self::response::draw_response;
 pub use self::scene::{Color, Paint, Scene};
 pub use self::series::Series;
 pub use self::side_view::draw_side_view;

@@ -1,0 +1,174 @@
+//! `carvallo respond`: responses to steps, impulses and initial states.
+
+use carvallo_control::{Ports, Signal, StateSpace};
+use carvallo_design::quantity::{self, Context, Mistake, Reason, no_names};
+use carvallo_design::{Design, Failure, Place, Problem, nearest, number};
+use carvallo_plot::analysis::response::{Excitation, Responses};
+use carvallo_plot::analysis::simulation::{Quantity, value};
+use carvallo_plot::{data, picture};
+use clap::Args;
+
+use crate::options::{Format, Picture};
+use crate::output::documents;
+use crate::ports::PortOptions;
+use crate::simulate::times::times;
+use crate::terminal::{WARNING, note, print, write};
+
+/// Rows of a table for people, and of what is read by programs or drawn.
+const COARSE: u32 = 20;
+const FINE: u32 = 200;
+const DRAWN: u32 = 800;
+
+const HELP: &str = "\
+The linearized motion at one speed, solved exactly by the matrix exponential. Inputs and outputs are those of
+`carvallo statespace`; without --outputs they are the coordinates. For forces that change in time, and for the nonlinear
+equations, see `carvallo simulate`.
+
+Examples:
+  carvallo respond --speed 5 --input Tdelta --step --plot step.svg
+                                                What a steady torque of 1 N m does
+  carvallo respond --speed 5 --input Tdelta --impulse=0.5 --outputs phi,delta,psi --duration 3
+  carvallo respond --speed 5 --initial phi_rate=0.5 --outputs phi,delta --duration 5 --plot r.svg
+  carvallo respond pista --speed 6 --input Tdelta --step='2 N m' --outputs psi_rate --format csv
+
+The layout of JSON and CSV is in docs/control.md, beside the source of this program.
+
+Exit codes: 0 done, also where the response ended early, which is told; 1 there is none, or a file cannot be read or written;
+2 wrong usage or input.";
+
+/// Responses to a step, an impulse or an initial state
+#[derive(Args, Clone, Debug)]
+#[command(after_help = HELP)]
+pub struct Options {
+    #[command(flatten)]
+    ports: PortOptions,
+    #[arg(
+        long,
+        value_name = "SIZE",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "1",
+        conflicts_with_all = ["impulse", "initial"],
+        help = "The input is so large from time zero on [default: 1]"
+    )]
+    step: Option<String>,
+    #[arg(
+        long,
+        value_name = "SIZE",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "1",
+        conflicts_with = "initial",
+        help = "An impulse of the input, by its integral over time [default: 1]"
+    )]
+    impulse: Option<String>,
+    /// A state at time zero; may be given several times
+    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    initial: Vec<String>,
+    /// How long, in s
+    #[arg(long, value_name = "T", default_value = "5", allow_hyphen_values = true)]
+    duration: String,
+    /// table, markdown, latex, json or csv
+    #[arg(long, value_enum, default_value = "table", hide_possible_values = true)]
+    format: Format,
+    /// Draws the outputs against time; .svg or .png
+    #[arg(long, value_name = "FILE")]
+    plot: Option<Picture>,
+}
+
+pub fn run(options: &Options) -> Result<(), Failure> {
+    if let Some(picture) = &options.plot {
+        picture.check(&options.ports.design)?;
+    }
+    let rows = if options.format.is_read() { COARSE } else { FINE };
+    let moments = times(&options.duration, None, rows).map_err(Failure::Input)?;
+    let (design, space) = options.ports.load(Ports::coordinates)?;
+    let excitation = excitation(options, &design, &space)?;
+    let responses = Responses::new(&design, &space, excitation.clone(), &moments)?;
+    if let Some(picture) = &options.plot {
+        if moments.len() == 1 {
+            return Err(picture.problem("a picture needs a duration above 0"));
+        }
+        let end = responses.response.times.last().copied().unwrap_or(0.0);
+        let fine: Vec<f64> = (0..=DRAWN).map(|row| end * f64::from(row) / f64::from(DRAWN)).collect();
+        picture.write(&picture::draw_response(&Responses::new(&design, &space, excitation, &fine)?))?;
+    }
+    match options.format {
+        Format::Table => print(&documents::of_responses(&responses).at_terminal()),
+        Format::Document(language) => print(&documents::of_responses(&responses).write(language)),
+        Format::Json => write(|output| data::response::write_json(&responses, output)),
+        Format::Csv => write(|output| data::response::write_csv(&responses, output)),
+    }?;
+    responses.end.iter().for_each(|end| note(WARNING, "note", end));
+    Ok(())
+}
+
+/// What is asked for.
+fn excitation(options: &Options, design: &Design, space: &StateSpace) -> Result<Excitation, Failure> {
+    match (&options.step, &options.impulse) {
+        (Some(size), _) => sized("--step", size, space).map(|(input, size)| Excitation::Step { input, size }),
+        (None, Some(size)) => sized("--impulse", size, space).map(|(input, size)| Excitation::Impulse { input, size }),
+        (None, None) if options.initial.is_empty() => {
+            Err(Failure::usage("expected --step, --impulse or --initial NAME=VALUE, such as --initial phi_rate=0.5"))
+        }
+        (None, None) => initial(&options.initial, design, space).map(Excitation::Initial).map_err(Failure::Input),
+    }
+}
+
+/// The one input, and the size in its unit; of an impulse, that times s.
+fn sized(option: &str, text: &str, space: &StateSpace) -> Result<(usize, f64), Failure> {
+    let [input] = &space.inputs[..] else {
+        let names: Vec<&str> = space.inputs.iter().map(|input| input.name.as_str()).collect();
+        let place = Place::Option(option.to_owned());
+        return Err(Failure::at(place, format!("of which input? Name one by --input: {}", names.join(", "))));
+    };
+    let unit = match (option, input.unit.as_str()) {
+        ("--impulse", "1") => "s".to_owned(),
+        ("--impulse", unit) => format!("{unit}*s"),
+        (_, unit) => unit.to_owned(),
+    };
+    let fail = |message| Failure::at(Place::Option(format!("{option}={text}")), message);
+    read(text, &unit).map(|size| (0, size)).map_err(fail)
+}
+
+/// A number in a unit.
+fn read(text: &str, unit: &str) -> Result<f64, String> {
+    quantity::number(text, Context { unit, names: &no_names }).map_err(|Mistake { reason, .. }| match reason {
+        Reason::Unit(found) => format!("`{text}`: `{found}` is no unit for it; it is in {}", number::unit(unit)),
+        Reason::Other(reason) => format!("`{text}` must be a finite number: {reason}"),
+    })
+}
+
+/// All states, those that are given and zeros.
+fn initial(given: &[String], design: &Design, space: &StateSpace) -> Result<Vec<f64>, Vec<Problem>> {
+    let ports = Ports::of(design);
+    let mut state = vec![None; space.states.len()];
+    let mut problems = Vec::new();
+    for option in given {
+        if let Err(message) = add(option, &ports, space, &mut state) {
+            problems.push(Problem { place: Place::Option(format!("--initial {option}")), message });
+        }
+    }
+    if problems.is_empty() { Ok(state.into_iter().map(|value| value.unwrap_or(0.0)).collect()) } else { Err(problems) }
+}
+
+/// Reads one of them.
+fn add(option: &str, ports: &Ports, space: &StateSpace, state: &mut [Option<f64>]) -> Result<(), String> {
+    let (name, text) = option.split_once('=').ok_or("expected NAME=VALUE, such as phi=0.1 or phi_rate=0.5")?;
+    let named = ports.output(name).map(|output| (output, ports.signal(output)));
+    let is_state = |signal: &Signal| space.states.iter().position(|state| state.name == signal.name);
+    let found = named.ok().and_then(|(output, signal)| Some((output, is_state(&signal)?)));
+    let Some((output, place)) = found else {
+        let names: Vec<&str> = space.states.iter().map(|state| state.name.as_str()).collect();
+        let hint = nearest(name.trim(), names.iter().copied());
+        let hint = hint.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default();
+        return Err(format!("`{}` is no state{hint}\nthey are {}", name.trim(), names.join(", ")));
+    };
+    let quantity = ports.quantities[output.quantity];
+    let quantity = Quantity::new(quantity.name, quantity.label, quantity.unit);
+    let value = value(text, &quantity, output.order == carvallo_control::Order::Rate)?;
+    if state[place].replace(value).is_some() {
+        return Err("it is given twice".to_owned());
+    }
+    Ok(())
+}

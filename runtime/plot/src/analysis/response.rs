@@ -1,0 +1,95 @@
+//! Responses of a state space in time.
+
+use carvallo::simulation::SimulationError;
+use carvallo_control::{Response, StateSpace};
+use carvallo_design::number::{shortest, unit};
+use carvallo_design::{Design, Failure};
+
+use crate::analysis::extremes;
+
+/// What a response is to.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Excitation {
+    /// An input, by its place, that is so large from time zero on.
+    Step {
+        /// Its place.
+        input: usize,
+        /// In the unit of the input.
+        size: f64,
+    },
+    /// An impulse of an input, by its place.
+    Impulse {
+        /// Its place.
+        input: usize,
+        /// In the unit of the input times s.
+        size: f64,
+    },
+    /// A state at time zero, in SI units, in the order of the states.
+    Initial(Vec<f64>),
+}
+
+/// A response of a design at a speed.
+pub struct Responses<'a> {
+    /// What responds.
+    pub design: &'a Design,
+    /// With its inputs and outputs.
+    pub space: &'a StateSpace,
+    /// To what.
+    pub excitation: Excitation,
+    /// How.
+    pub response: Response,
+    /// Why it ends before its time, if it does.
+    pub end: Option<String>,
+}
+
+impl<'a> Responses<'a> {
+    /// The response at times in s that ascend from zero; as far as it stays in the range of doubles.
+    ///
+    /// # Errors
+    /// If there is none.
+    pub fn new(
+        design: &'a Design,
+        space: &'a StateSpace,
+        excitation: Excitation,
+        times: &[f64],
+    ) -> Result<Self, Failure> {
+        let run = |times: &[f64]| match &excitation {
+            Excitation::Step { input, size } => space.step_response(*input, *size, times),
+            Excitation::Impulse { input, size } => space.impulse_response(*input, *size, times),
+            Excitation::Initial(state) => space.respond(state, &vec![0.0; space.inputs.len()], times),
+        };
+        let fail = |error: SimulationError| Failure::Run(format!("{}: {error}{}", design.title(), extremes(design)));
+        let (response, end) = match run(times) {
+            Ok(response) => (response, None),
+            // What there is until then.
+            Err(SimulationError::OutOfRange { time }) => {
+                let reached = times.partition_point(|before| *before < time);
+                let reason = "the response then leaves the range of floating-point numbers";
+                let end = format!("it ends before {} s: {reason}", shortest(time));
+                (run(&times[..reached]).map_err(fail)?, Some(end))
+            }
+            Err(error) => return Err(fail(error)),
+        };
+        Ok(Self { design, space, excitation, response, end })
+    }
+
+    /// What it is: `Response to a step of 1 N m in Tdelta`.
+    pub fn title(&self) -> String {
+        let what = |article: &str, kind: &str, input: usize, size: f64, per: &str| {
+            let input = &self.space.inputs[input];
+            let of = [shortest(size), unit(&input.unit), per.to_owned()];
+            let of = of.iter().filter(|part| !part.is_empty()).cloned().collect::<Vec<_>>().join(" ");
+            format!("Response to {article} {kind} of {of} in {}", input.name)
+        };
+        match &self.excitation {
+            Excitation::Step { input, size } => what("a", "step", *input, *size, ""),
+            Excitation::Impulse { input, size } => what("an", "impulse", *input, *size, "s"),
+            Excitation::Initial(state) => {
+                let given = self.space.states.iter().zip(state).filter(|(_, value)| **value != 0.0);
+                let given: Vec<String> =
+                    given.map(|(state, value)| format!("{} = {}", state.name, shortest(*value))).collect();
+                format!("Response from {}", if given.is_empty() { "rest".to_owned() } else { given.join(", ") })
+            }
+        }
+    }
+}

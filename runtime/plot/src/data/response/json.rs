@@ -1,0 +1,78 @@
+//! A response as JSON; its form is documented in `docs/control.md`, and stays.
+
+use std::io::{Result, Write};
+
+use serde::{Serialize, Serializer};
+
+use crate::analysis::response::{Excitation, Responses};
+use crate::data::head::Head;
+use crate::data::layout::{Line, Members, write_document};
+use crate::data::signals::Told;
+
+#[derive(Serialize)]
+struct Document<'a> {
+    #[serde(flatten)]
+    head: Head<'a>,
+    parameters: Members<Line<f64>>,
+    /// Nothing where the equations do not depend on it.
+    speed: Option<f64>,
+    excitation: Line<To<'a>>,
+    outputs: Vec<Line<Told<'a>>>,
+    /// Why it ended before its time, if it did.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    end: Option<&'a str>,
+    rows: Vec<Line<AtTime<'a>>>,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "snake_case")]
+enum To<'a> {
+    Step { input: &'a str, size: f64 },
+    Impulse { input: &'a str, size: f64 },
+    Initial(Named<'a>),
+}
+
+#[derive(Serialize)]
+struct AtTime<'a> {
+    t: f64,
+    outputs: Named<'a>,
+}
+
+/// Numbers by their names, in their order.
+struct Named<'a>(Vec<(&'a str, f64)>);
+
+impl Serialize for Named<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().copied())
+    }
+}
+
+/// # Errors
+/// If it cannot be written.
+pub fn write_json(responses: &Responses, output: &mut dyn Write) -> Result<()> {
+    let Responses { design, space, excitation, response, end } = responses;
+    let parameters = design.info().parameters.iter().zip(&design.parameters);
+    let name = |input: &usize| space.inputs[*input].name.as_str();
+    let excitation = match excitation {
+        Excitation::Step { input, size } => To::Step { input: name(input), size: *size },
+        Excitation::Impulse { input, size } => To::Impulse { input: name(input), size: *size },
+        Excitation::Initial(state) => To::Initial(Named(
+            space.states.iter().map(|state| state.name.as_str()).zip(state.iter().copied()).collect(),
+        )),
+    };
+    let row = |(time, values): (&f64, &Vec<f64>)| {
+        // Adding zero turns -0 into 0.
+        let named = space.outputs.iter().map(|signal| signal.name.as_str()).zip(values.iter().map(|value| value + 0.0));
+        Line(AtTime { t: *time, outputs: Named(named.collect()) })
+    };
+    let document = Document {
+        head: Head::of(design),
+        parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
+        speed: space.speed,
+        excitation: Line(excitation),
+        outputs: Told::all(&space.outputs),
+        end: end.as_deref(),
+        rows: response.times.iter().zip(&response.outputs).map(row).collect(),
+    };
+    write_document(&document, output)
+}
