@@ -4,8 +4,9 @@
 //! Meijaard, Papadopoulos, Ruina & Schwab (2007), [`exact`] arithmetic at 320 bits, differences of nonlinear [`multibody`]
 //! dynamics, and the digits that were [`published`]. Designs to compare them on come from [`bicycles`] and, at random,
 //! from [`designs`]. Eigenvalues are held against [`roots`] of the characteristic [`quartic`], critical speeds against
-//! recomputed [`facts`], and derivatives of all of them against [`differences`] at 320 bits. What the compiler's own checks are worth is measured on `mutants`, declarations with one slip
-//! each. Other mechanisms than the bicycle have their matrices by hand in [`textbook`].
+//! recomputed [`facts`], and derivatives of all of them against [`differences`] at 320 bits. What the compiler's own checks are
+//! worth is measured on `mutants`, declarations with one slip each, and how many of these slips are [`explained`] by their
+//! numbers. Other mechanisms than the bicycle have their matrices by hand in [`textbook`].
 
 pub mod backward;
 pub mod bicycles;
@@ -13,6 +14,7 @@ pub mod chain;
 pub mod designs;
 pub mod differences;
 pub mod exact;
+pub mod explained;
 pub mod facts;
 #[cfg(feature = "compiler")]
 pub mod fractions;

@@ -14,19 +14,28 @@ pub mod slips;
 use carvallo_design::Design;
 
 pub use self::given::Given;
-pub use self::report::{Comparison, Explanation, Group, Report, Suspects};
+pub use self::report::{Comparison, Explanation, Group, Part, Report, Suspects, words};
+
+use self::machine::Machine;
 
 /// Holds somebody's numbers against those of a design, and explains where they do not agree.
 ///
 /// # Errors
 /// That nothing was given; that a number is of what the model does not have, such as a third row of a matrix of two; or that
-/// the model has no formulas, as matrices that are given themselves.
+/// its formulas are not those of the design: matrices that are given themselves have none, nor has feedback.
 pub fn check(given: &Given, design: &Design) -> Result<Report, String> {
-    given.fits(design.info())?;
-    let machine = machine::Machine::new(design)?;
+    Ok(Report { machine: design.title(), ..check_machine(given, &Machine::new(design)?)? })
+}
+
+/// The same of a machine that is kept, with everything that may be mistaken about it, for several checks.
+///
+/// # Errors
+/// As there.
+pub fn check_machine(given: &Given, machine: &Machine) -> Result<Report, String> {
+    given.fits(machine.info)?;
     let predictor = predict::Predictor::new(given, machine.info);
     let here = predictor.predict(&machine.world());
     let agrees = here.iter().enumerate().all(|(at, value)| predictor.agrees(at, *value));
-    let found = if agrees { Vec::new() } else { explain::explain(&machine, &predictor) };
-    Ok(Report::new(design.title(), &machine, &predictor, found))
+    let found = if agrees { Vec::new() } else { explain::explain(machine, &predictor) };
+    Ok(Report::new(machine, &predictor, found))
 }

@@ -1,11 +1,12 @@
 //! A machine with everything that may be mistaken about it.
 
-use std::cell::OnceCell;
+use std::sync::OnceLock;
 
 use carvallo::ModelInfo;
 use carvallo_design::Design;
 
 use crate::conventions::{self, Convention};
+use crate::explain::Cause;
 use crate::formula::Expression;
 use crate::formulas::{Formulas, Subject, Values};
 use crate::predict::World;
@@ -26,7 +27,18 @@ pub struct Machine {
     pub usual: Vec<Convention>,
     /// Entries and parameters that are mistaken by themselves.
     pub single: Vec<Convention>,
-    slips: OnceCell<Vec<FormulaSlip>>,
+    slips: OnceLock<Vec<FormulaSlip>>,
+    worlds: OnceLock<Worlds>,
+    others: OnceLock<Vec<Machine>>,
+}
+
+/// The matrices of every single cause.
+#[derive(Debug)]
+struct Worlds {
+    /// Of the usual conventions, then the others.
+    conventions: Vec<World>,
+    /// Of the slips; `None` where one makes none.
+    slips: Vec<Option<World>>,
 }
 
 /// A slip in a formula of a model, or in one that several entries share.
@@ -44,9 +56,13 @@ impl Machine {
     /// Everything about a design.
     ///
     /// # Errors
-    /// If its model has no formulas, as matrices that are given themselves.
+    /// If its model has no formulas, as matrices that are given themselves; or others than the design, which has feedback.
     pub fn new(design: &Design) -> Result<Self, String> {
-        Self::with(design.info(), &design.values())
+        let machine = Self::with(design.info(), &design.values())?;
+        match design.feedback.is_empty() {
+            true => Ok(machine),
+            false => Err("there are no formulas of feedback; expected a design without it".to_owned()),
+        }
     }
 
     /// The same from a model and the values of its parameters.
@@ -62,7 +78,8 @@ impl Machine {
         let mut single = conventions::entries(info, &values.entries);
         single.extend(conventions::parameters(info, parameters));
         let parameters = parameters.to_vec();
-        Ok(Self { info, formulas, parameters, values, usual, single, slips: OnceCell::new() })
+        let (slips, worlds, others) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
+        Ok(Self { info, formulas, parameters, values, usual, single, slips, worlds, others })
     }
 
     /// Every slip of every formula, in their order; those of a formula that several entries share in all of them, and in
@@ -86,6 +103,44 @@ impl Machine {
             }
         }
         found
+    }
+
+    /// Tells every single cause that is no other value of something, with the matrices that it makes.
+    pub fn singles<'a>(&'a self, tell: &mut dyn FnMut(Cause<'a>, &World)) {
+        let Worlds { conventions, slips } = self.worlds.get_or_init(|| self.all_worlds());
+        let all = self.usual.iter().chain(&self.single).zip(conventions);
+        all.for_each(|(convention, world)| tell(Cause::Convention(convention), world));
+        for (slip, world) in self.slips().iter().zip(slips) {
+            world.iter().for_each(|world| tell(Cause::Slip(slip), world));
+        }
+    }
+
+    fn all_worlds(&self) -> Worlds {
+        let gravity = self.gravity(&self.parameters);
+        let mut own = self.values.clone();
+        let mut world = |slip: &FormulaSlip| {
+            let is_any = self.slip(slip, &self.parameters, &self.values, &mut own);
+            is_any.then(|| World { entries: own.entries.clone(), gravity })
+        };
+        Worlds {
+            conventions: self.usual.iter().chain(&self.single).map(|own| self.world_with(own)).collect(),
+            slips: self.slips().iter().map(&mut world).collect(),
+        }
+    }
+
+    /// The machine with other parameters, twice, at which no two different formulas should agree.
+    pub fn others(&self) -> &[Self] {
+        self.others.get_or_init(|| {
+            let vary = |number: usize, (at, value): (usize, &f64)| {
+                // The golden ratio spreads them evenly.
+                let fraction = ((at + 1 + 37 * number) as f64 * 0.618_033_988_749_895).fract();
+                if *value == 0.0 { 0.05 + 0.1 * fraction } else { value * (0.9 + 0.2 * fraction) }
+            };
+            let other = |number: usize| -> Vec<f64> {
+                self.parameters.iter().enumerate().map(|own| vary(number, own)).collect()
+            };
+            (0..2).filter_map(|number| Self::with(self.info, &other(number)).ok()).collect()
+        })
     }
 
     /// The gravitational field strength among parameters.

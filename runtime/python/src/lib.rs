@@ -4,6 +4,7 @@
 
 mod at_speeds;
 mod changes;
+mod checking;
 mod columns;
 mod critical;
 mod designs;
@@ -39,6 +40,7 @@ fn _carvallo(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<designs::Designs>()?;
     module.add("MODELS", MODELS.iter().map(Kernel::new).collect::<Vec<_>>())?;
     module.add_function(wrap_pyfunction!(loaded::read, module)?)?;
+    module.add_function(wrap_pyfunction!(checking::check, module)?)?;
     module.add("VERDICTS", sheet::VERDICTS)?;
     module.add("__version__", env!("CARGO_PKG_VERSION"))
 }

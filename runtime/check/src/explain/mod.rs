@@ -42,7 +42,7 @@ pub enum Cause<'a> {
 pub fn explain<'a>(machine: &'a Machine, predictor: &Predictor) -> Vec<Found<'a>> {
     let search = Search { machine, predictor, here: predictor.predict(&machine.world()) };
     let mut found = Vec::new();
-    singles(machine, &mut |cause, world| {
+    machine.singles(&mut |cause, world| {
         if predictor.fits(world) {
             found.push(Found { causes: vec![cause], world: world.clone() });
         }
@@ -55,22 +55,6 @@ pub fn explain<'a>(machine: &'a Machine, predictor: &Predictor) -> Vec<Found<'a>
         found = search.definitions();
     }
     found
-}
-
-/// Tells every single cause that is no other value of something, with the matrices that it makes.
-pub fn singles<'a>(machine: &'a Machine, tell: &mut dyn FnMut(Cause<'a>, &World)) {
-    for own in machine.usual.iter().chain(&machine.single) {
-        tell(Cause::Convention(own), &machine.world_with(own));
-    }
-    let mut world = machine.world();
-    let mut values = machine.values.clone();
-    for slip in machine.slips() {
-        if machine.slip(slip, &machine.parameters, &machine.values, &mut values) {
-            std::mem::swap(&mut world.entries, &mut values.entries);
-            tell(Cause::Slip(slip), &world);
-            std::mem::swap(&mut world.entries, &mut values.entries);
-        }
-    }
 }
 
 struct Search<'a, 'b> {
@@ -123,7 +107,7 @@ impl<'a> Search<'a, '_> {
             let domain = machine.info.parameters[at].domain;
             let old = machine.parameters[at];
             let can_be = |x: &f64| domain.contains(*x) || relation(old, *x).is_some();
-            for x in solve::solve(self.predictor, old, &world).into_iter().filter(can_be) {
+            if let Some(x) = solve::solve(self.predictor, old, &world).filter(can_be) {
                 let causes = convention.map(Cause::Convention).into_iter().chain([Cause::Parameter(at, x)]);
                 found.extend(world(x).map(|world| Found { causes: causes.collect(), world }));
             }
@@ -145,8 +129,9 @@ impl<'a> Search<'a, '_> {
             }
             (factor > 0.0).then_some(world)
         };
-        let found = solve::solve(self.predictor, 1.0, &world).into_iter();
-        found.filter_map(|x| Some(Found { causes: vec![Cause::Speed(x)], world: world(x)? })).collect()
+        let found = solve::solve(self.predictor, 1.0, &world);
+        let found = found.and_then(|x| Some(Found { causes: vec![Cause::Speed(x)], world: world(x)? }));
+        found.into_iter().collect()
     }
 
     /// Those of the usual conventions that these numbers show at all.
@@ -230,7 +215,7 @@ impl<'a> Search<'a, '_> {
                 let done = machine.formulas.change(&[at], &number, &machine.parameters, &mut own);
                 done.then(|| World { entries: own.entries, gravity: machine.gravity(&machine.parameters) })
             };
-            for x in solve::solve(self.predictor, machine.values.definition(at), &world) {
+            if let Some(x) = solve::solve(self.predictor, machine.values.definition(at), &world) {
                 let doubles = double::find(machine, self.predictor, at, x);
                 if doubles.is_empty() {
                     found.extend(world(x).map(|world| Found { causes: vec![Cause::Definition(at, x)], world }));

@@ -5,33 +5,38 @@ use carvallo_design::number::shortest;
 use crate::predict::{Predictor, World};
 
 /// Where the search starts, as factors of the value.
-const STARTS: [f64; 8] = [1.001, -1.0, 2.0, 0.5, 0.1, 10.0, 0.0, 1.3];
-const STEPS: usize = 40;
+const STARTS: [f64; 6] = [1.001, -1.0, 2.0, 0.1, 10.0, 0.0];
+const STEPS: usize = 30;
 
-/// The values of an unknown that is `value` here with which everything fits, each with the fewest digits that do; `world`
-/// makes the matrices of it.
-pub fn solve(predictor: &Predictor, value: f64, world: &dyn Fn(f64) -> Option<World>) -> Vec<f64> {
+/// The value of an unknown that is `value` here with which everything fits, with the fewest digits that do; `world` makes the
+/// matrices of it.
+pub fn solve(predictor: &Predictor, value: f64, world: &dyn Fn(f64) -> Option<World>) -> Option<f64> {
     let predict = |x: f64| world(x).map(|world| predictor.predict(&world));
     let scale = if value == 0.0 { 1.0 } else { value };
-    let (Some(here), Some(near)) = (predict(value), predict(value + 1e-3 * scale)) else { return Vec::new() };
+    let (here, near) = (predict(value)?, predict(value + 1e-3 * scale)?);
     // What is wrong and changes with the unknown by most of its tolerance tells the value best.
     let effect = |at: usize| (near[at] - here[at]).abs() / predictor.tolerances()[at].max(f64::MIN_POSITIVE);
-    let wrong = (0..here.len()).filter(|&at| !predictor.agrees(at, here[at]) && effect(at) > 0.0);
-    let Some(told) = wrong.max_by(|&a, &b| effect(a).total_cmp(&effect(b))) else { return Vec::new() };
+    let wrong: Vec<usize> = (0..here.len()).filter(|&at| !predictor.agrees(at, here[at])).collect();
+    // What does not change with it, it does not mend.
+    if wrong.iter().any(|&at| effect(at) == 0.0) {
+        return None;
+    }
+    let told = wrong.into_iter().max_by(|&a, &b| effect(a).total_cmp(&effect(b)))?;
     let goal = predictor.numbers()[told].1.value;
     let difference = |x: f64| predict(x).map_or(f64::NAN, |found| found[told] - goal);
-    let mut found: Vec<f64> = Vec::new();
+    let fits = |x: f64| world(x).is_some_and(|world| predictor.fits(&world));
+    let mut tried: Vec<f64> = Vec::new();
     for start in STARTS {
         let Some(x) = root(start * scale, scale, &difference) else { continue };
-        let fits = |x: f64| world(x).is_some_and(|world| predictor.fits(&world));
-        if fits(x) {
-            let x = simplest(x, &fits);
-            if !found.iter().any(|known| (known - x).abs() <= 1e-6 * x.abs()) {
-                found.push(x);
-            }
+        if tried.iter().any(|known| (known - x).abs() <= 1e-6 * x.abs()) {
+            continue;
         }
+        if fits(x) {
+            return Some(simplest(x, &fits));
+        }
+        tried.push(x);
     }
-    found
+    None
 }
 
 /// A zero near a start, by secants.

@@ -25,7 +25,6 @@ pub fn groups(machine: &Machine, predictor: &Predictor, mut found: Vec<Found>) -
             None => sorted.push(vec![own]),
         }
     }
-    let others = [others(machine, 0), others(machine, 1)];
     let first = sorted.first().map(|group| group[0].world.clone());
     let mut groups = Vec::new();
     for (at, group) in sorted.into_iter().enumerate() {
@@ -33,7 +32,7 @@ pub fn groups(machine: &Machine, predictor: &Predictor, mut found: Vec<Found>) -
             first.as_ref().filter(|_| at > 0).and_then(|first| apart(machine, predictor, first, &group[0].world));
         let elsewhere: Vec<Vec<Option<World>>> = group
             .iter()
-            .map(|found| others.iter().flatten().map(|other| world(other, machine, found)).collect())
+            .map(|found| machine.others().iter().map(|other| world(other, machine, found)).collect())
             .collect();
         let mut classes: Vec<usize> = Vec::new();
         let mut explanations = Vec::new();
@@ -117,16 +116,6 @@ fn apart(machine: &Machine, predictor: &Predictor, first: &World, other: &World)
 /// Six digits, or fewer that are all.
 fn short(value: f64) -> String {
     shortest(format!("{value:.5e}").parse().unwrap_or(value))
-}
-
-/// The machine with other parameters, at which no two different formulas should agree.
-fn others(machine: &Machine, number: usize) -> Option<Machine> {
-    let vary = |(at, value): (usize, &f64)| {
-        let fraction = ((at + 1 + 37 * number) as f64 * 0.618_033_988_749_895).fract();
-        if *value == 0.0 { 0.05 + 0.1 * fraction } else { value * (0.9 + 0.2 * fraction) }
-    };
-    let parameters: Vec<f64> = machine.parameters.iter().enumerate().map(vary).collect();
-    Machine::with(machine.info, &parameters).ok()
 }
 
 /// What an explanation makes of another machine; `None` where that is not told.

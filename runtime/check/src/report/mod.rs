@@ -7,7 +7,8 @@ mod words;
 
 use serde::Serialize;
 
-pub use self::suspects::Suspects;
+pub use self::suspects::{Part, Suspects};
+pub use self::words::words;
 
 use crate::explain::Found;
 use crate::machine::Machine;
@@ -73,7 +74,7 @@ impl Report {
     }
 
     /// From everything that reproduces the numbers.
-    pub(crate) fn new(title: String, machine: &Machine, predictor: &Predictor, found: Vec<Found>) -> Self {
+    pub(crate) fn new(machine: &Machine, predictor: &Predictor, found: Vec<Found>) -> Self {
         let here = predictor.predict(&machine.world());
         let numbers: Vec<Comparison> = predictor
             .numbers()
@@ -95,7 +96,14 @@ impl Report {
         let is_unexplained = !agrees && found.is_empty();
         let unexplained = is_unexplained.then(|| Suspects::new(machine, predictor, &here));
         let explanations = groups::groups(machine, predictor, found);
-        Self { machine: title, model: machine.info.name.to_owned(), agrees, numbers, explanations, unexplained }
+        Self {
+            machine: machine.info.name.to_owned(),
+            model: machine.info.name.to_owned(),
+            agrees,
+            numbers,
+            explanations,
+            unexplained,
+        }
     }
 }
 

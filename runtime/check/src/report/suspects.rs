@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::words::words;
-use crate::explain::{Cause, singles};
+use crate::explain::Cause;
 use crate::formulas::Subject;
 use crate::given::Quantity;
 use crate::machine::Machine;
@@ -68,7 +68,7 @@ fn formulas(machine: &Machine, predictor: &Predictor, wrong: &[usize]) -> Vec<St
 fn parts(machine: &Machine, predictor: &Predictor, wrong: Vec<usize>, name: &dyn Fn(usize) -> String) -> Vec<Part> {
     let mut left = wrong.clone();
     let mut candidates: Vec<(Vec<usize>, u32, Cause)> = Vec::new();
-    singles(machine, &mut |cause, world| {
+    machine.singles(&mut |cause, world| {
         let values = predictor.predict(world);
         let agrees = |at: usize| predictor.agrees(at, values[at]);
         if (0..values.len()).all(|at| wrong.contains(&at) || agrees(at)) {

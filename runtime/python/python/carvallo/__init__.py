@@ -16,6 +16,7 @@ with a unit, as ``"18 deg"``. What is wrong is a ValueError that says so in the 
 from typing import TYPE_CHECKING
 
 from ._carvallo import __version__
+from .checking import Comparison, Explanation, Report, check
 from .design import Design, Eigenvectors, Modes, StateSpace, System, read
 from .model import Coordinate, Model, Parameter, models
 from .motion import Motion
@@ -33,17 +34,20 @@ if TYPE_CHECKING:
 
 
 __all__ = [
+    "Comparison",
     "Coordinate",
     "CriticalDerivatives",
     "CriticalSpeed",
     "Design",
     "Eigenvectors",
+    "Explanation",
     "Model",
     "Modes",
     "Motion",
     "Parameter",
     "Picture",
     "Range",
+    "Report",
     "Sensitivity",
     "Stability",
     "StateSpace",
@@ -51,6 +55,7 @@ __all__ = [
     "System",
     "Turns",
     "__version__",
+    "check",
     "models",
     "read",
     "stability",

@@ -8,13 +8,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._dicts import About, Asked, Curve, Derivatives, Loaded, Told
 
-__all__ = ["MODELS", "VERDICTS", "Designs", "Kernel", "__version__", "read"]
+__all__ = ["MODELS", "VERDICTS", "Designs", "Kernel", "__version__", "check", "read"]
 
 __version__: str
 VERDICTS: list[str]
 MODELS: list[Kernel]
 
 def read(path: str) -> Loaded: ...
+def check(path: str | None, json: str | None, bicycle: str | None, model: str | None) -> tuple[str, str]: ...
 @final
 class Kernel:
     @property

@@ -1,0 +1,250 @@
+//! What `carvallo check` makes of every slip in the formulas of the Whipple bicycle: somebody has it, and has numbers of the
+//! benchmark bicycle that come from it.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use carvallo::{Coefficients, CriticalKind, MatrixName, Model, Stability};
+use carvallo_check::explain::Cause;
+use carvallo_check::given::{CriticalSpeed, Eigenvalues, Given, Reading};
+use carvallo_check::machine::{FormulaSlip, Machine};
+use carvallo_check::slips::slips;
+use carvallo_check::{check_machine, words};
+use carvallo_models::Whipple;
+
+/// What somebody has of the bicycle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Evidence {
+    /// The matrices M, C1, K0 and K2, to so many digits.
+    Matrices(usize),
+    /// The eigenvalues at 2, 4 and 6 m/s.
+    Eigenvalues(usize),
+    /// The weave and capsize speeds.
+    CriticalSpeeds(usize),
+}
+
+/// All digits of a double.
+pub const FULL: usize = 17;
+
+/// At which eigenvalues are known, in m/s.
+const SPEEDS: [f64; 3] = [2.0, 4.0, 6.0];
+
+impl Evidence {
+    /// Those that are measured.
+    pub const ALL: [Self; 6] = [
+        Self::Matrices(FULL),
+        Self::Matrices(4),
+        Self::Eigenvalues(FULL),
+        Self::Eigenvalues(4),
+        Self::CriticalSpeeds(FULL),
+        Self::CriticalSpeeds(5),
+    ];
+}
+
+impl fmt::Display for Evidence {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (what, digits) = match self {
+            Self::Matrices(digits) => ("M, C1, K0, K2", *digits),
+            Self::Eigenvalues(digits) => ("eigenvalues at 2, 4 and 6 m/s", *digits),
+            Self::CriticalSpeeds(digits) => ("weave and capsize speeds", *digits),
+        };
+        let digits = if digits == FULL { "all digits".to_owned() } else { format!("{digits} digits") };
+        write!(f, "{what}, {digits}")
+    }
+}
+
+/// What comes of a slip.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Outcome {
+    /// It has no such numbers: it uses itself, divides by zero, or makes no critical speed.
+    NoNumbers,
+    /// Its numbers are the right ones, to the digits given.
+    Silent,
+    /// It is the one explanation.
+    Alone,
+    /// So are it and others that make the same numbers of every machine: they are one formula.
+    WithEquals,
+    /// With others that make the same matrices of this machine alone.
+    WithOthersHere,
+    /// Its group is the first of several that make these numbers.
+    First,
+    /// Its group is another one of these.
+    Among,
+    /// Only others make these numbers, by what is told.
+    Wrong,
+    /// Nothing is told.
+    Nothing,
+}
+
+impl Outcome {
+    /// All of them.
+    pub const ALL: [Self; 9] = [
+        Self::NoNumbers,
+        Self::Silent,
+        Self::Alone,
+        Self::WithEquals,
+        Self::WithOthersHere,
+        Self::First,
+        Self::Among,
+        Self::Wrong,
+        Self::Nothing,
+    ];
+}
+
+/// Outcomes, counted.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Tally {
+    /// How many slips have each.
+    pub outcomes: BTreeMap<Outcome, usize>,
+    /// How many reports that name the slip have so many explanations in all.
+    pub sizes: BTreeMap<usize, usize>,
+}
+
+impl Tally {
+    /// How many have an outcome.
+    pub fn count(&self, outcome: Outcome) -> usize {
+        self.outcomes.get(&outcome).copied().unwrap_or_default()
+    }
+
+    /// How many of those that make other numbers than the right ones are named, and how many there are.
+    pub fn named(&self) -> [usize; 2] {
+        use Outcome::{Alone, Among, First, Nothing, WithEquals, WithOthersHere, Wrong};
+        let sum = |outcomes: &[Outcome]| outcomes.iter().map(|own| self.count(*own)).sum::<usize>();
+        let named = sum(&[Alone, WithEquals, WithOthersHere, First, Among]);
+        [named, named + sum(&[Wrong, Nothing])]
+    }
+
+    /// How many reports that name the slip have explanations in this range.
+    pub fn of_size(&self, sizes: std::ops::RangeInclusive<usize>) -> usize {
+        self.sizes.range(sizes).map(|(_, count)| count).sum()
+    }
+
+    fn add(&mut self, outcome: Outcome, size: usize) {
+        *self.outcomes.entry(outcome).or_default() += 1;
+        if size > 0 {
+            *self.sizes.entry(size).or_default() += 1;
+        }
+    }
+
+    fn merge(&mut self, other: &Self) {
+        for (outcome, count) in &other.outcomes {
+            *self.outcomes.entry(*outcome).or_default() += count;
+        }
+        for (size, count) in &other.sizes {
+            *self.sizes.entry(*size).or_default() += count;
+        }
+    }
+}
+
+/// The benchmark bicycle, with all slips of its formulas.
+///
+/// # Panics
+/// If its formulas cannot be read.
+pub fn benchmark() -> Machine {
+    Machine::with(Whipple::<f64>::INFO, &Whipple::<f64>::BENCHMARK.to_array()).expect("formulas that can be read")
+}
+
+/// How many slips there are, those among them that are no formulas.
+pub fn count(machine: &Machine) -> usize {
+    machine.formulas.formulas.iter().map(|formula| slips(formula.text, &machine.formulas.names).len()).sum()
+}
+
+/// What comes of every so many of the slips, each in one formula, on all processors.
+pub fn measure(machine: &Machine, evidence: Evidence, every: usize) -> Tally {
+    let slips: Vec<&FormulaSlip> =
+        machine.slips().iter().filter(|slip| slip.formulas.len() == 1).step_by(every).collect();
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let mut tally = Tally::default();
+    std::thread::scope(|scope| {
+        let part = |first: usize| {
+            let own = slips.iter().skip(first).step_by(threads).copied().collect::<Vec<_>>();
+            scope.spawn(move || {
+                let mut tally = Tally::default();
+                for slip in own {
+                    let (outcome, size) = judge(machine, evidence, slip);
+                    tally.add(outcome, size);
+                }
+                tally
+            })
+        };
+        let parts: Vec<_> = (0..threads).map(part).collect();
+        for part in parts {
+            tally.merge(&part.join().expect("a check that does not panic"));
+        }
+    });
+    tally
+}
+
+/// What comes of a slip, and of how many explanations the report is that names it.
+pub fn judge(machine: &Machine, evidence: Evidence, slip: &FormulaSlip) -> (Outcome, usize) {
+    let mut values = machine.values.clone();
+    let is_any = machine.slip(slip, &machine.parameters, &machine.values, &mut values);
+    let given = if is_any { given(evidence, &values.entries) } else { None };
+    let Some(report) = given.and_then(|given| check_machine(&given, machine).ok()) else {
+        return (Outcome::NoNumbers, 0);
+    };
+    if report.agrees {
+        return (Outcome::Silent, 0);
+    }
+    if report.explanations.is_empty() {
+        return (Outcome::Nothing, 0);
+    }
+    let own = [words(machine, &Cause::Slip(slip))];
+    let found = report.explanations.iter().position(|group| group.explanations.iter().any(|it| it.causes == own));
+    let Some(found) = found else { return (Outcome::Wrong, 0) };
+    let group = &report.explanations[found].explanations;
+    let size = report.explanations.iter().map(|group| group.explanations.len()).sum();
+    let outcome = match (report.explanations.len(), group.len()) {
+        (1, 1) => Outcome::Alone,
+        (1, _) if group.iter().all(|it| it.class == group[0].class) => Outcome::WithEquals,
+        (1, _) => Outcome::WithOthersHere,
+        _ if found == 0 => Outcome::First,
+        _ => Outcome::Among,
+    };
+    (outcome, size)
+}
+
+/// The numbers of somebody whose matrices these are; `None` where there are none.
+fn given(evidence: Evidence, entries: &[f64]) -> Option<Given> {
+    if entries.iter().any(|entry| !entry.is_finite()) {
+        return None;
+    }
+    let rows = |matrix: usize| [0, 2].map(|row| [0, 1].map(|column| entries[4 * matrix + row + column]));
+    let coefficients = Coefficients::from_rows([0, 1, 2, 3, 4, 5, 6, 7].map(rows));
+    let gravity = Whipple::<f64>::BENCHMARK.g;
+    Some(match evidence {
+        Evidence::Matrices(digits) => {
+            let matrix = |name: MatrixName| {
+                let at = MatrixName::ALL.iter().position(|own| *own == name).unwrap_or_default();
+                (name, rows(at).map(|row| row.map(|entry| Some(Reading::rounded(entry, digits))).to_vec()).to_vec())
+            };
+            let matrices = [MatrixName::M, MatrixName::C1, MatrixName::K0, MatrixName::K2].map(matrix).to_vec();
+            Given { matrices, ..Given::default() }
+        }
+        Evidence::Eigenvalues(digits) => {
+            let at = |speed: f64| {
+                let values = coefficients.at(speed, gravity).ok()?.eigenvalues().ok()?;
+                let reading = |value: f64| Reading::rounded(value, digits);
+                let values = values.iter().map(|value| (reading(value.re), Some(reading(value.im)))).collect();
+                Some(Eigenvalues { speed, values })
+            };
+            let eigenvalues = SPEEDS.into_iter().map(at).collect::<Option<_>>()?;
+            Given { eigenvalues, ..Given::default() }
+        }
+        Evidence::CriticalSpeeds(digits) => {
+            let stability = Stability::new(&coefficients, gravity).ok()?;
+            let known = stability.critical_speeds.iter().filter(|own| own.kind != CriticalKind::DoubleRoot);
+            let critical_speeds: Vec<CriticalSpeed> = known
+                .map(|own| CriticalSpeed {
+                    kind: Some(own.kind),
+                    name: format!("{} speed", own.kind),
+                    speed: Reading::rounded(own.speed, digits),
+                })
+                .collect();
+            if critical_speeds.is_empty() {
+                return None;
+            }
+            Given { critical_speeds, ..Given::default() }
+        }
+    })
+}

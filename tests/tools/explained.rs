@@ -1,0 +1,33 @@
+//! Prints how many slips in the formulas of the Whipple bicycle `carvallo check` names, from what somebody has of the benchmark
+//! bicycle who made them.
+//!
+//! ```text
+//! cargo run --release -p carvallo-tools --no-default-features --bin explained [EVERY]
+//! ```
+//!
+//! With a number only every so many of them.
+
+use std::time::Instant;
+
+use carvallo_tests::explained::{Evidence, Outcome, benchmark, count, measure};
+
+fn main() {
+    let every = std::env::args().nth(1).map_or(1, |every| every.parse().expect("a number: every so many slips"));
+    let machine = benchmark();
+    println!("{} slips in {} formulas.\n", count(&machine), machine.formulas.formulas.len());
+    println!(
+        "| given | no such numbers | silent | alone | one formula | same matrices here | first of several | among several \
+         | another named | none named | named, of those not silent | explanations: 1, 2, 3 to 5, 6 to 20, more | a check |"
+    );
+    println!("|{}", " ---: |".repeat(13));
+    for evidence in Evidence::ALL {
+        let start = Instant::now();
+        let tally = measure(&machine, evidence, every);
+        let all: usize = tally.outcomes.values().sum();
+        let each = start.elapsed().as_secs_f64() * 1e3 / all as f64;
+        let counts = Outcome::ALL.map(|outcome| tally.count(outcome).to_string()).join(" | ");
+        let [named, of] = tally.named();
+        let sizes = [1..=1, 2..=2, 3..=5, 6..=20, 21..=usize::MAX].map(|own| tally.of_size(own).to_string()).join(", ");
+        println!("| {evidence} | {counts} | {:.2} % | {sizes} | {each:.1} ms |", 100.0 * named as f64 / of as f64);
+    }
+}
