@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use carvallo::{Coefficients, CriticalKind, MatrixName, Model, Stability};
+use carvallo::{Coefficients, CriticalKind, MatrixName, Stability};
 use carvallo_check::explain::Cause;
 use carvallo_check::given::{CriticalSpeed, Eigenvalues, Given, Reading};
 use carvallo_check::machine::{FormulaSlip, Machine};

@@ -1,8 +1,8 @@
 //! Somebody's numbers, and the slip that makes them.
 
 use carvallo_check::read;
-use carvallo_design::input::Request;
 use carvallo_design::Failure;
+use carvallo_design::input::Request;
 use pyo3::prelude::*;
 
 use crate::loaded::raise;

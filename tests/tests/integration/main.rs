@@ -16,6 +16,7 @@ mod eigenvalues;
 #[cfg(feature = "compiler")]
 mod enormous;
 mod events;
+mod explained;
 mod fast_stability;
 mod formulas;
 #[cfg(feature = "compiler")]

@@ -9,7 +9,10 @@ use crate::machine::{FormulaSlip, Machine};
 use crate::predict::{Predictor, World};
 
 pub use self::double::DoubleSlip;
-pub use self::solve::relation;
+pub use self::solve::{digits, relation};
+
+/// A value with up to so many significant digits may be what stood there.
+const PLAIN: usize = 5;
 
 /// What makes the numbers that were given, in the place of those of the machine: one cause, or two together.
 #[derive(Clone, Debug)]
@@ -47,7 +50,12 @@ pub fn explain<'a>(machine: &'a Machine, predictor: &Predictor) -> Vec<Found<'a>
             found.push(Found { causes: vec![cause], world: world.clone() });
         }
     });
+    // A value with many digits fits some number or other: it explains nothing where something else does.
+    let is_plain = |found: &Found| !matches!(found.causes[..], [Cause::Parameter(_, value)] if digits(value) > PLAIN);
     found.extend(search.parameters());
+    if found.iter().any(is_plain) {
+        found.retain(is_plain);
+    }
     if found.is_empty() {
         found = search.pairs();
     }

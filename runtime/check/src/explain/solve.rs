@@ -67,6 +67,13 @@ fn simplest(x: f64, fits: &dyn Fn(f64) -> bool) -> f64 {
     rounded.into_iter().find(|&x| fits(x)).unwrap_or(x)
 }
 
+/// How many significant digits a number has.
+pub fn digits(value: f64) -> usize {
+    let text = format!("{value:e}");
+    let mantissa = text.split('e').next().unwrap_or_default();
+    mantissa.chars().filter(char::is_ascii_digit).count()
+}
+
 /// How one number may have become another: `the other sign`, `one digit too many`, or nothing.
 pub fn relation(from: f64, to: f64) -> Option<&'static str> {
     if from == to {
@@ -107,7 +114,12 @@ pub fn relation(from: f64, to: f64) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use super::relation;
+    use super::{digits, relation};
+
+    #[test]
+    fn digits_are_counted_without_zeros() {
+        assert_eq!([19.2, 0.0051, 100.0, -2.5e-7, 0.30000000000000004].map(digits), [3, 2, 1, 2, 17]);
+    }
 
     #[test]
     fn slips_of_numbers_are_recognised() {

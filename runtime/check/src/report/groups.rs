@@ -6,7 +6,7 @@ use carvallo_design::number::shortest;
 use super::words::words;
 use super::{Explanation, Group};
 use crate::conventions::{Convention, Effect};
-use crate::explain::{Cause, Found, relation};
+use crate::explain::{Cause, Found, digits, relation};
 use crate::given::{Quantity, entry_name};
 use crate::machine::Machine;
 use crate::predict::{Predictor, World};
@@ -75,7 +75,7 @@ pub fn rank(machine: &Machine, cause: &Cause) -> u32 {
         Cause::Parameter(at, value) => match relation(machine.parameters[*at], *value) {
             Some(_) => 1,
             // A value of few digits may be what stood there.
-            None if shortest(*value).trim_start_matches(['-', '0', '.']).len() <= 4 => 3,
+            None if digits(*value) <= 3 => 3,
             None => 7,
         },
         Cause::Definition(..) => 8,
@@ -126,10 +126,13 @@ fn world(other: &Machine, machine: &Machine, found: &Found) -> Option<World> {
     for cause in &found.causes {
         match cause {
             Cause::Convention(own) => {
-                // Of factors that depend on the parameters each machine has its own.
-                let is_own = matches!(own.effect, Effect::Entries(_)) && !own.what.contains('g');
+                // What depends on the parameters each machine has its own of.
                 let mut all = other.usual.iter().chain(&other.single);
-                let own = if is_own { own } else { all.find(|known| known.what == own.what)? };
+                let own = match (&own.effect, all.find(|known| known.what == own.what)) {
+                    (_, Some(own)) => own,
+                    (Effect::Parameters(_), None) => return None,
+                    _ => own,
+                };
                 own.change_parameters(&mut parameters);
                 if !matches!(own.effect, Effect::Parameters(_)) {
                     of_matrices = Some(own);
