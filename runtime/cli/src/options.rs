@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use carvallo_design::input::{self, Request};
 use carvallo_design::units::Units;
-use carvallo_design::{Design, Failure, Place, Problem, speeds};
+use carvallo_design::{Design, DisplayUnit, Failure, Place, Problem, speeds};
 use carvallo_plot::picture::Scene;
 use clap::builder::{PathBufValueParser, PossibleValue, TypedValueParser as _, ValueParser, ValueParserFactory};
 use clap::{Args, ValueEnum};
@@ -87,6 +87,14 @@ impl UnitOptions {
     /// What is no unit.
     pub fn units(&self) -> Result<Units, Failure> {
         self.units.as_ref().map_or_else(|| Ok(Units::default()), |text| Units::parse(text))
+    }
+
+    /// What speeds are shown in.
+    ///
+    /// # Errors
+    /// What is no unit.
+    pub fn of_speeds(&self) -> Result<DisplayUnit, Failure> {
+        Ok(self.units()?.of("m/s"))
     }
 }
 

@@ -3,12 +3,18 @@
 use carvallo::{CoordinateInfo, States};
 
 use crate::design::{Design, Given};
+use crate::display::DisplayUnit;
 use crate::matrices::NAME;
-use crate::number::unit;
+use crate::number::shortest;
 
 /// The parameters as TOML, which reads back to the same design. What is said beside them, such as units, goes through
 /// `comment`: a terminal may have it in another style.
 pub fn write(design: &Design, comment: &dyn Fn(&str) -> String) -> String {
+    write_in(design, &DisplayUnit::declared, comment)
+}
+
+/// The same in other units, by what a declared one is shown in. Given matrices stay in those of the SI.
+pub fn write_in(design: &Design, unit_of: &dyn Fn(&str) -> DisplayUnit, comment: &dyn Fn(&str) -> String) -> String {
     let info = design.info();
     let mut text = String::new();
     let mut line = |line: String| text.extend([line.as_str(), "\n"]);
@@ -32,11 +38,9 @@ pub fn write(design: &Design, comment: &dyn Fn(&str) -> String) -> String {
         return text;
     }
     line("\n[parameters]".to_owned());
-    let rows = info.parameters.iter().zip(&design.parameters).map(|(info, given)| Row {
-        name: info.name,
-        entry: entry(given),
-        unit: unit(info.unit),
-        docs: info.docs,
+    let rows = info.parameters.iter().zip(&design.parameters).map(|(info, given)| {
+        let unit = unit_of(info.unit);
+        Row { name: info.name, entry: entry(given, &unit), unit: unit.unit(), docs: info.docs }
     });
     text.push_str(&write_rows(rows.collect(), comment));
     #[cfg(feature = "full")]
@@ -85,11 +89,23 @@ fn write_correlations(design: &Design, text: &mut String) {
     }
 }
 
-fn entry(given: &Given) -> String {
-    let value = number(&given.written);
-    match &given.deviation {
-        Some(deviation) => format!("{{ value = {value}, std = {} }}", number(&deviation.written)),
-        None => value,
+/// A value with its standard deviation: as they were written, or in another unit.
+pub(crate) fn entry(given: &Given, unit: &DisplayUnit) -> String {
+    let deviation = given.deviation.as_ref();
+    if unit.is_declared() {
+        let value = number(&given.written);
+        return match deviation {
+            Some(deviation) => format!("{{ value = {value}, std = {} }}", number(&deviation.written)),
+            None => value,
+        };
+    }
+    let shown = |value: f64| shortest(unit.value(value));
+    match deviation {
+        Some(deviation) => {
+            let [value, deviation] = [given.value, deviation.value].map(shown);
+            format!("{{ value = {value}, std = {deviation}, unit = {} }}", quoted(&unit.written))
+        }
+        None => quoted(&format!("{} {}", shown(given.value), unit.written)),
     }
 }
 
@@ -109,14 +125,15 @@ fn write_matrices(design: &Design, comment: &dyn Fn(&str) -> String, text: &mut 
     let matrices = design.model.open.matrices;
     let (entries, gravity) = design.parameters.split_at(matrices.len() * count * count);
     for (matrix, entries) in matrices.iter().zip(entries.chunks(count * count)) {
-        let entries: Vec<String> = entries.iter().map(entry).collect();
+        let plain = DisplayUnit::declared("1");
+        let entries: Vec<String> = entries.iter().map(|given| entry(given, &plain)).collect();
         let width = entries.iter().map(|entry| entry.chars().count()).max().unwrap_or(0);
         let row = |row: &[String]| row.iter().map(|entry| format!("{entry:>width$}")).collect::<Vec<_>>().join(", ");
         let rows: Vec<String> = entries.chunks(count).map(|entries| format!("    [{}],\n", row(entries))).collect();
         text.push_str(&format!("{matrix} = [\n{}]\n", rows.concat()));
     }
     for g in gravity {
-        text.push_str(&format!("g = {}  {}\n", entry(g), comment("# N/kg")));
+        text.push_str(&format!("g = {}  {}\n", entry(g, &DisplayUnit::declared("N/kg")), comment("# N/kg")));
     }
 }
 

@@ -15,6 +15,7 @@ mod capacity;
 #[cfg(feature = "full")]
 pub mod conventions;
 mod design;
+mod display;
 mod failure;
 pub mod feedback;
 pub mod file;
@@ -34,6 +35,7 @@ pub mod units;
 pub use self::bodies::body;
 pub use self::capacity::{Capacity, of_kind};
 pub use self::design::{Design, Deviation, Given};
+pub use self::display::DisplayUnit;
 pub use self::failure::{Failure, Place, Problem};
 pub use self::model::{Equations, MODELS, MachineVisitor, Sensitive, Shape, Shipped, Visitor, WHIPPLE};
 pub use self::nearest::nearest;

@@ -1,8 +1,8 @@
 //! Units in which results are shown, other than those of the SI.
 
+use crate::display::DisplayUnit;
 use crate::failure::{Failure, Place};
-use crate::number::unit as shown;
-use crate::quantity::{Scale, scale};
+use crate::quantity::scale;
 
 /// The units that `imperial` stands for.
 const IMPERIAL: [&str; 6] = ["in", "lb", "deg", "mph", "lb*in^2", "ft/s^2"];
@@ -10,14 +10,6 @@ const IMPERIAL: [&str; 6] = ["in", "lb", "deg", "mph", "lb*in^2", "ft/s^2"];
 /// What quantities are shown in; those that have no unit among them are in that of the SI.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Units(Vec<String>);
-
-/// The unit that a quantity is shown in, and what its values are multiplied with.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Shown {
-    /// As it can be written behind a number and is read again: `kg*cm^2`.
-    pub written: String,
-    scale: Option<Scale>,
-}
 
 impl Units {
     /// From units that stand behind commas, such as `mm,deg,km/h`; `imperial` is `in,lb,deg,mph,lb*in^2,ft/s^2`, and `si` none.
@@ -54,34 +46,17 @@ impl Units {
     }
 
     /// What a quantity is shown in whose unit is declared as `kg*m^2`.
-    pub fn of(&self, declared: &str) -> Shown {
+    pub fn of(&self, declared: &str) -> DisplayUnit {
         self.or(declared, None)
     }
 
     /// The same, in another unit where none is asked for.
-    pub fn or(&self, declared: &str, usual: Option<&str>) -> Shown {
+    pub fn or(&self, declared: &str, usual: Option<&str>) -> DisplayUnit {
         let mut units = self.0.iter().map(String::as_str).chain(usual);
         let found = units.find_map(|unit| Some((unit, scale(declared, unit)?)));
         match found.filter(|(_, scale)| !scale.is_one()) {
-            Some((unit, scale)) => Shown { written: unit.to_owned(), scale: Some(scale) },
-            None => Shown { written: declared.to_owned(), scale: None },
+            Some((unit, scale)) => DisplayUnit::new(unit, scale),
+            None => DisplayUnit::declared(declared),
         }
-    }
-}
-
-impl Shown {
-    /// A value in this unit.
-    pub fn value(&self, value: f64) -> f64 {
-        self.scale.map_or(value, |scale| scale.apply(value))
-    }
-
-    /// Whether values are in the declared unit.
-    pub fn is_declared(&self) -> bool {
-        self.scale.is_none()
-    }
-
-    /// The unit for people.
-    pub fn unit(&self) -> String {
-        shown(&self.written)
     }
 }

@@ -10,7 +10,7 @@ use carvallo_plot::picture::{Limits, draw_along, draw_eigenvalues};
 use clap::Args;
 
 use crate::limits::{EigenvalueLimits, SpeedLimits};
-use crate::options::{DesignOptions, Format, Picture, Speed, Speeds};
+use crate::options::{DesignOptions, Format, Picture, Speed, Speeds, UnitOptions};
 use crate::output::{self, documents};
 use crate::terminal::{WARNING, note, print, write};
 
@@ -74,6 +74,8 @@ pub struct Options {
     /// table, markdown, latex, json or csv
     #[arg(long, value_enum, default_value = "table", hide_possible_values = true)]
     format: Format,
+    #[command(flatten)]
+    units: UnitOptions,
     /// The shapes of the modes at each speed, too, in a table or as JSON
     #[arg(long)]
     eigenvectors: bool,
@@ -104,7 +106,8 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             return Err(picture.problem("a picture needs a range of speeds, such as --speeds 0:10:0.1"));
         }
     }
-    let analysis = Analysis::new(options.design.load()?)?;
+    let mut analysis = Analysis::new(options.design.load()?)?;
+    analysis.unit = options.units.of_speeds()?;
     let model = analysis.design.model;
     if !model.depends_on_speed() {
         let nothing = format!("nothing in the model {} depends on the speed", model.info.name);
@@ -118,7 +121,10 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let given = options.speeds.as_ref();
     let speeds_or = |is_coarse: bool| match given {
         Some(Speeds(speeds)) => speeds.clone(),
-        None => reach::speeds(analysis.reach, is_coarse),
+        None => {
+            let unit = &analysis.unit;
+            reach::speeds(unit.value(analysis.reach), is_coarse).into_iter().map(|speed| unit.back(speed)).collect()
+        }
     };
     let speeds = speeds_or(options.format.is_read());
     tell_of_rest(&analysis, &speeds)?;
@@ -143,6 +149,9 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 fn run_along(options: &Options, along: &Along) -> Result<(), Failure> {
     if options.eigenvectors {
         return Err(Failure::at(Place::Option("--eigenvectors".to_owned()), "there are none with --along"));
+    }
+    if !options.units.units()?.is_si() {
+        return Err(Failure::at(Place::Option("--units".to_owned()), "with --along all is in units of the SI"));
     }
     if let Some(picture) = &options.plot {
         picture.check(&options.design)?;

@@ -6,7 +6,7 @@ use carvallo_models::BICYCLES;
 use carvallo_plot::analysis::Analysis;
 use clap::Args;
 
-use crate::options::ListFormat;
+use crate::options::{ListFormat, UnitOptions};
 use crate::output::{self, documents};
 use crate::terminal::print;
 
@@ -18,15 +18,25 @@ pub struct Options {
     format: ListFormat,
 }
 
-pub fn bicycles(options: &Options) -> Result<(), Failure> {
+/// How bicycles are printed.
+#[derive(Args, Debug)]
+pub struct BicycleOptions {
+    #[command(flatten)]
+    list: Options,
+    #[command(flatten)]
+    units: UnitOptions,
+}
+
+pub fn bicycles(options: &BicycleOptions) -> Result<(), Failure> {
+    let unit = options.units.of_speeds()?;
     let analyses = BICYCLES.iter().map(|bicycle| {
         let request = Request { parameters: Some(bicycle.name.to_owned()), ..Request::default() };
         input::load(&request).and_then(Analysis::new)
     });
     let analyses = analyses.collect::<Result<Vec<_>, _>>()?;
-    match options.format {
-        ListFormat::Table => print(&output::render_bicycles(&analyses)),
-        ListFormat::Document(language) => print(&documents::of_bicycles(&analyses).write(language)),
+    match options.list.format {
+        ListFormat::Table => print(&output::render_bicycles(&analyses, &unit)),
+        ListFormat::Document(language) => print(&documents::of_bicycles(&analyses, &unit).write(language)),
     }
 }
 

@@ -75,7 +75,7 @@ enum Command {
     Compare(compare::Options),
     Sensitivity(sensitivity::Options),
     /// The shipped bicycles, with their critical speeds
-    Bicycles(lists::Options),
+    Bicycles(lists::BicycleOptions),
     /// The shipped models, with their coordinates and parameter sets
     Models(lists::Options),
     Show(show::Options),

@@ -4,7 +4,7 @@ use carvallo_design::Failure;
 use carvallo_plot::picture;
 use clap::Args;
 
-use crate::options::{DesignOptions, Picture};
+use crate::options::{DesignOptions, Picture, UnitOptions};
 use crate::output;
 use crate::terminal::{WARNING, note, print};
 
@@ -20,6 +20,8 @@ Exit codes: 0 done; 1 there is no picture, or a file cannot be read or written; 
 pub struct Options {
     #[command(flatten)]
     design: DesignOptions,
+    #[command(flatten)]
+    units: UnitOptions,
     /// Draws a side view to scale; .svg or .png
     #[arg(long, value_name = "FILE")]
     plot: Option<Picture>,
@@ -29,6 +31,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     if let Some(picture) = &options.plot {
         picture.check(&options.design)?;
     }
+    let units = options.units.units()?;
     let design = options.design.load()?;
     if let Some(picture) = &options.plot {
         let no_view = || Failure::Run(format!("the model {} has no side view", design.info().name));
@@ -38,5 +41,5 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         }
         picture.write(&scene)?;
     }
-    print(&output::render_parameters(&design))
+    print(&output::render_parameters(&design, &units))
 }

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use anstyle::Style;
 use carvallo::{Complex, Verdict};
+use carvallo_design::DisplayUnit;
 use carvallo_design::number::fixed;
 use carvallo_plot::analysis::strands::{Strand, strands};
 use carvallo_plot::analysis::{Eigenvalues, ROUNDING, Row, largest};
@@ -30,9 +31,9 @@ struct Column {
 /// Where the columns are wider than a line may be, there are several tables, one below the other.
 ///
 /// Writing to a string cannot fail, so that the results of `write!` are dropped.
-pub fn write_eigenvalues(rows: &[Row<Eigenvalues>], text: &mut String) {
+pub fn write_eigenvalues(rows: &[Row<Eigenvalues>], unit: &DisplayUnit, text: &mut String) {
     let _ = writeln!(text, "\n{HEADING}Eigenvalues{HEADING:#} (1/s)");
-    let speeds = speeds(rows);
+    let speeds = speeds(rows, unit);
     let v = width(&speeds, 9);
     let columns: Vec<Column> = strands(rows).into_iter().map(|strand| column(strand, rows)).collect();
     let mut rest = columns.as_slice();
@@ -44,7 +45,7 @@ pub fn write_eigenvalues(rows: &[Row<Eigenvalues>], text: &mut String) {
             taken += 1;
         }
         let (now, later) = rest.split_at(taken);
-        write_table(now, rows, (&speeds, v), text);
+        write_table(now, rows, (&speeds, v, unit), text);
         rest = later;
         if !rest.is_empty() {
             text.push('\n');
@@ -52,9 +53,15 @@ pub fn write_eigenvalues(rows: &[Row<Eigenvalues>], text: &mut String) {
     }
 }
 
-fn write_table(columns: &[Column], rows: &[Row<Eigenvalues>], (speeds, v): (&[String], usize), text: &mut String) {
+fn write_table(
+    columns: &[Column],
+    rows: &[Row<Eigenvalues>],
+    (speeds, v, unit): (&[String], usize, &DisplayUnit),
+    text: &mut String,
+) {
     let titles: String = columns.iter().map(|column| format!("{:>1$}", column.title, column.all)).collect();
-    let _ = writeln!(text, "{FAINT}{:>v$}{:10}{titles}{FAINT:#}", "v (m/s)", "");
+    let heading = format!("v ({})", unit.written);
+    let _ = writeln!(text, "{FAINT}{heading:>v$}{:10}{titles}{FAINT:#}", "");
     for (index, row) in rows.iter().enumerate() {
         let verdict = row.values.verdict;
         let style = if verdict == Verdict::Stable { GOOD } else { Style::new() };

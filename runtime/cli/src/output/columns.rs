@@ -1,5 +1,6 @@
 //! Columns of tables for people.
 
+use carvallo_design::DisplayUnit;
 use carvallo_design::number::shortest;
 use carvallo_plot::analysis::Row;
 
@@ -12,10 +13,16 @@ pub fn width<'a>(texts: impl IntoIterator<Item = &'a String>, least: usize) -> u
 }
 
 /// Speeds with as many decimals as one of them has, unless that would make them long.
-pub fn speeds<V>(rows: &[Row<V>]) -> Vec<String> {
-    let decimals = rows.iter().map(|row| row.speed.to_string().split_once('.').map_or(0, |(_, tail)| tail.len()));
+pub fn speeds<V>(rows: &[Row<V>], unit: &DisplayUnit) -> Vec<String> {
+    // What another unit leaves of rounding is none.
+    let shown = |speed: f64| match unit.is_declared() {
+        true => speed,
+        false => format!("{:.9}", unit.value(speed)).parse().unwrap_or(speed),
+    };
+    let speeds: Vec<f64> = rows.iter().map(|row| shown(row.speed)).collect();
+    let decimals = speeds.iter().map(|speed| speed.to_string().split_once('.').map_or(0, |(_, tail)| tail.len()));
     let decimals = decimals.max().unwrap_or(0);
-    let is_long = decimals > 6 || rows.iter().any(|row| row.speed >= 1e9);
-    let speeds = rows.iter().map(|row| row.speed);
+    let is_long = decimals > 6 || speeds.iter().any(|speed| *speed >= 1e9);
+    let speeds = speeds.into_iter();
     speeds.map(|speed| if is_long { shortest(speed) } else { format!("{speed:.decimals$}") }).collect()
 }

@@ -25,6 +25,7 @@ pub use self::table::render_table;
 
 use anstyle::{AnsiColor, Style};
 use carvallo_design::Design;
+use carvallo_design::units::Units;
 
 /// Styles of the terminal; they are stripped where the output is not a terminal.
 const HEADING: Style = Style::new().bold();
@@ -32,8 +33,8 @@ const GOOD: Style = AnsiColor::Green.on_default();
 const FAINT: Style = Style::new().dimmed();
 
 /// The parameters of a design as a file, with comments that stand back.
-pub fn render_parameters(design: &Design) -> String {
-    carvallo_design::file::write(design, &faint)
+pub fn render_parameters(design: &Design, units: &Units) -> String {
+    carvallo_design::file::write_in(design, &|declared| units.of(declared), &faint)
 }
 
 /// A text that stands back.

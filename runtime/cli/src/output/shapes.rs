@@ -54,7 +54,11 @@ pub fn cells(values: &[ModeValue], shapes: &[Shape]) -> Vec<(String, Vec<String>
 /// The speed that eigenvectors are at.
 pub fn at(analysis: &Analysis, speed: f64) -> String {
     let moves = analysis.design.model.depends_on_speed();
-    if moves { format!("at {} m/s", shortest(speed)) } else { "at every speed".to_owned() }
+    if moves {
+        format!("at {} {}", shortest(analysis.unit.value(speed)), analysis.unit.written)
+    } else {
+        "at every speed".to_owned()
+    }
 }
 
 /// Its name, where it has one, and its value.

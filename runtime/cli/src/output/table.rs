@@ -25,7 +25,7 @@ pub fn render_table(analysis: &Analysis, rows: &Rows, shapes: Option<&[Vec<Shape
     }
     match rows {
         Rows::Modes(rows) => write_modes(analysis, rows, &mut text),
-        Rows::Branches(rows) => branches::write_eigenvalues(rows, &mut text),
+        Rows::Branches(rows) => branches::write_eigenvalues(rows, &analysis.unit, &mut text),
         Rows::Sorted(rows) => sorted::write_eigenvalues(rows, &mut text),
     }
     if let Some(shapes) = shapes {
@@ -47,21 +47,22 @@ pub fn write_heading(design: &Design, text: &mut String) {
 }
 
 fn write_critical_speeds(analysis: &Analysis, text: &mut String) {
-    let stability = &analysis.stability;
-    let _ = writeln!(text, "\n{HEADING}Critical speeds{HEADING:#} (m/s)");
-    let speeds: Vec<String> = stability.critical_speeds.iter().map(|critical| shortest(critical.speed)).collect();
+    let Analysis { stability, unit, .. } = analysis;
+    let shown = |critical: &CriticalSpeed| shortest(unit.value(critical.speed));
+    let _ = writeln!(text, "\n{HEADING}Critical speeds{HEADING:#} ({})", unit.written);
+    let speeds: Vec<String> = stability.critical_speeds.iter().map(shown).collect();
     let width = width(&speeds, 20);
     for critical in &stability.critical_speeds {
         let name = analysis::name(critical, analysis.design.info()).replace('_', " ");
         let (at, change) = (critical_eigenvalue(critical), describe_effect(stability, critical));
-        let speed = shortest(critical.speed);
+        let speed = shown(critical);
         let _ = writeln!(text, "  {name:<13}{speed:<width$}{FAINT}{change}, at λ = {at}{FAINT:#}");
     }
     if stability.critical_speeds.is_empty() {
         let _ = writeln!(text, "  {}", if stability.undecided.is_empty() { "none" } else { "none found" });
     }
-    write_undecided(stability, text);
-    write_ranges(stability, text);
+    write_undecided(stability, unit, text);
+    write_ranges(stability, unit, text);
 }
 
 /// The eigenvalue, or the pair, at a critical speed.
@@ -128,7 +129,7 @@ impl ModeCells {
 }
 
 fn write_modes(analysis: &Analysis, rows: &[ModeRow], text: &mut String) {
-    let speeds = speeds(rows);
+    let speeds = speeds(rows, &analysis.unit);
     let ModeCells { casterings, capsizes, weaves, others } = ModeCells::of(rows);
     let [v, first, second] = [width(&speeds, 9), width(&casterings, 18), width(&capsizes, 18)];
     let third = width(&weaves, 26);
@@ -139,7 +140,7 @@ fn write_modes(analysis: &Analysis, rows: &[ModeRow], text: &mut String) {
     let _ = writeln!(text, "\n{HEADING}Eigenvalues{HEADING:#} (1/s)");
     let title = format!(
         "{:>v$}{:>first$}{:>second$}     {:<width$}{others:>fourth$}",
-        "v (m/s)",
+        format!("v ({})", analysis.unit.written),
         "castering",
         "capsize",
         "weave",

@@ -30,6 +30,7 @@ mod statespace;
 mod sweep;
 mod transfer;
 mod turns;
+mod units;
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};

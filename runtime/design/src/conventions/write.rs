@@ -2,9 +2,10 @@
 
 use super::convert::{Converted, Parameter};
 use super::jbike6::{BODIES, JBIKE6};
-use crate::file::{Row, number, quoted, write_rows};
+use crate::display::DisplayUnit;
+use crate::file::{Row, entry, quoted, write_rows};
 use crate::number::{shortest, unit};
-use crate::units::{Shown, Units};
+use crate::units::Units;
 
 /// The form of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,12 +54,12 @@ impl Form {
 
 impl Parameter {
     /// The unit that it is written in.
-    fn shown(&self, units: &Units) -> Shown {
+    fn shown(&self, units: &Units) -> DisplayUnit {
         units.or(self.name.unit, self.name.printed.filter(|_| units.is_si()))
     }
 
     /// Value and standard deviation as numbers in a unit; with their digits as they were written where that is the declared one.
-    fn numbers(&self, shown: &Shown) -> (String, Option<String>) {
+    fn numbers(&self, shown: &DisplayUnit) -> (String, Option<String>) {
         let number = |written: &str, value: f64| match written.parse::<f64>() {
             Ok(_) if shown.is_declared() => written.to_owned(),
             _ => shortest(shown.value(value)),
@@ -84,16 +85,7 @@ fn write_toml(converted: &Converted, units: &Units, comment: &dyn Fn(&str) -> St
     headings(converted).iter().for_each(|(key, value)| text.push_str(&format!("{key} = {}\n", quoted(value))));
     let rows = converted.parameters.iter().map(|parameter| {
         let shown = parameter.shown(units);
-        let (value, deviation) = parameter.numbers(&shown);
-        let written = if shown.is_declared() { number(&parameter.given.written) } else { value.clone() };
-        let entry = match (deviation, shown.is_declared()) {
-            (None, true) => written,
-            (None, false) => quoted(&format!("{value} {}", shown.written)),
-            (Some(deviation), true) => format!("{{ value = {written}, std = {} }}", number(&deviation)),
-            (Some(deviation), false) => {
-                format!("{{ value = {value}, std = {deviation}, unit = {} }}", quoted(&shown.written))
-            }
-        };
+        let entry = entry(&parameter.given, &shown);
         Row { name: parameter.name.name, entry, unit: shown.unit(), docs: parameter.name.docs }
     });
     text.push_str("\n[parameters]\n");
@@ -127,7 +119,7 @@ fn json_number(written: &str) -> String {
 }
 
 /// A number with its deviation and its unit behind both.
-fn measured(parameter: &Parameter, shown: &Shown) -> String {
+fn measured(parameter: &Parameter, shown: &DisplayUnit) -> String {
     let unit = |text: String| if shown.is_declared() { text } else { format!("{text} {}", shown.written) };
     match parameter.numbers(shown) {
         (value, None) => unit(value),

@@ -5,7 +5,8 @@ use super::matrices;
 use crate::failure::Place;
 
 /// What the output of an analysis, or of the sensitivity, holds besides the parameters; correlations are read before these.
-const RESULTS: [&str; 7] = [
+const RESULTS: [&str; 8] = [
+    "speed_unit",
     "matrices",
     "matrix_standard_deviations",
     "critical_speeds",

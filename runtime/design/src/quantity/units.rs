@@ -19,6 +19,11 @@ impl Scale {
         value * self.numerator / self.denominator
     }
 
+    /// The way back.
+    pub fn inverse(self) -> Self {
+        Self { numerator: self.denominator, denominator: self.numerator }
+    }
+
     /// Whether both units are the same.
     pub fn is_one(self) -> bool {
         self.numerator == self.denominator

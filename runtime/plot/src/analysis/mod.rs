@@ -23,7 +23,7 @@ use carvallo::{
     Verdict,
 };
 use carvallo_design::number::shortest;
-use carvallo_design::{Design, Failure, Shape};
+use carvallo_design::{Design, DisplayUnit, Failure, Shape};
 
 use self::followed::Followed;
 use self::reach::reach;
@@ -74,6 +74,8 @@ pub struct Analysis {
     followed: Followed,
     /// The speed in m/s up to which there is something to see.
     pub reach: f64,
+    /// What speeds are shown in: m/s, unless it is replaced.
+    pub unit: DisplayUnit,
 }
 
 /// What there is at one speed.
@@ -108,6 +110,18 @@ pub enum Rows {
 }
 
 impl Rows {
+    /// The same with speeds in the unit that they are shown in.
+    pub(crate) fn shown_in(self, unit: &DisplayUnit) -> Self {
+        fn shown<V>(rows: Vec<Row<V>>, unit: &DisplayUnit) -> Vec<Row<V>> {
+            rows.into_iter().map(|row| Row { speed: unit.value(row.speed), ..row }).collect()
+        }
+        match self {
+            Self::Modes(rows) => Self::Modes(shown(rows, unit)),
+            Self::Branches(rows) => Self::Branches(shown(rows, unit)),
+            Self::Sorted(rows) => Self::Sorted(rows),
+        }
+    }
+
     /// The speeds with their eigenvalues.
     pub fn values(&self) -> Vec<(f64, &[ModeValue])> {
         match self {
@@ -131,7 +145,7 @@ impl Analysis {
         let info = design.info();
         let reach = reach(&stability, leans_and_steers(info));
         let followed = Followed::new(design.model, &*design.equations, gravity, &stability, reach).map_err(fail)?;
-        Ok(Self { design, stability, followed, reach })
+        Ok(Self { design, stability, followed, reach, unit: DisplayUnit::declared("m/s") })
     }
 
     /// All of them, ascending.

@@ -28,18 +28,22 @@ pub fn draw_eigenvalues(analysis: &Analysis, limits: Limits) -> Result<Scene, Fa
     let turns = critical.iter().map(|critical| critical.speed).chain(analysis.meetings());
     let rows = analysis.rows(&samples(limits.x, turns))?;
     let speed = if matches!(rows, Rows::Modes(_)) { "forward speed" } else { "speed" };
+    let unit = &analysis.unit;
+    let rows = rows.shown_in(unit);
     let event = |critical: &CriticalSpeed| Event {
-        at: critical.speed,
+        at: unit.value(critical.speed),
         kind: critical.kind,
         name: name(critical, analysis.design.info()),
     };
+    let stable = analysis.stable_ranges().iter();
+    let stable = stable.map(|range| (unit.value(range.from), range.to.map_or(f64::INFINITY, |to| unit.value(to))));
     Ok(draw(&Shown {
         title: format!("Eigenvalues of {} against {speed}", analysis.design.title()),
-        x: limits.x,
-        across: format!("{speed} v (m/s)"),
-        unit: " m/s",
+        x: (unit.value(limits.x.0), unit.value(limits.x.1)),
+        across: format!("{speed} v ({})", unit.unit()),
+        unit: &format!(" {}", unit.unit()),
         panels: panels(&rows, limits.y),
         critical: critical.iter().map(event).collect(),
-        stable: analysis.stable_ranges().iter().map(|range| (range.from, range.to.unwrap_or(f64::INFINITY))).collect(),
+        stable: stable.collect(),
     }))
 }

@@ -1,5 +1,6 @@
 //! An analysis along the speed, in tables.
 
+use carvallo_design::DisplayUnit;
 use carvallo_design::Shape;
 use carvallo_design::number::shortest;
 use carvallo_plot::analysis::{self, Analysis, Rows};
@@ -41,27 +42,33 @@ pub fn of_analysis(analysis: &Analysis, rows: &Rows, shapes: Option<&[Vec<Shape>
     super::about(design, tables)
 }
 
+/// Above a column of speeds.
+fn heading(unit: &DisplayUnit) -> String {
+    format!("v ({})", unit.written)
+}
+
 fn critical_speeds(analysis: &Analysis) -> Table {
-    let (stability, info) = (&analysis.stability, analysis.design.info());
+    let (stability, info, unit) = (&analysis.stability, analysis.design.info(), &analysis.unit);
+    let heading = heading(unit);
     let row = |critical| {
         vec![
             Cell::words(analysis::name(critical, info).replace('_', " ")),
-            Cell::number(shortest(critical.speed)),
+            Cell::number(shortest(unit.value(critical.speed))),
             Cell::number(critical_eigenvalue(critical)),
             Cell::words(describe_effect(stability, critical)),
         ]
     };
-    let ranges = ranges(stability).into_iter().map(|(_, sentence)| sentence);
+    let ranges = ranges(stability, unit).into_iter().map(|(_, sentence)| sentence);
     Table {
         title: "Critical speeds".to_owned(),
         columns: vec![
             Column::left("critical speed"),
-            Column::right("v (m/s)"),
+            Column::right(heading),
             Column::right("λ (1/s)"),
             Column::left("what happens"),
         ],
         rows: stability.critical_speeds.iter().map(row).collect(),
-        notes: undecided(stability).into_iter().chain(ranges).collect(),
+        notes: undecided(stability, unit).into_iter().chain(ranges).collect(),
     }
 }
 
@@ -72,7 +79,7 @@ fn eigenvalues(analysis: &Analysis, rows: &Rows) -> Table {
     match rows {
         Rows::Modes(rows) => {
             let ModeCells { casterings, capsizes, weaves, others } = ModeCells::of(rows);
-            columns.push((Column::right("v (m/s)"), numbers(speeds(rows))));
+            columns.push((Column::right(heading(&analysis.unit)), numbers(speeds(rows, &analysis.unit))));
             columns.push((Column::right("castering"), numbers(casterings)));
             columns.push((Column::right("capsize"), numbers(capsizes)));
             let weaves = weaves.iter().map(|weave| weave.split_whitespace().collect::<Vec<_>>().join(" "));
@@ -85,7 +92,7 @@ fn eigenvalues(analysis: &Analysis, rows: &Rows) -> Table {
             columns.push((Column::left("motion"), verdicts.collect()));
         }
         Rows::Branches(rows) => {
-            columns.push((Column::right("v (m/s)"), numbers(speeds(rows))));
+            columns.push((Column::right(heading(&analysis.unit)), numbers(speeds(rows, &analysis.unit))));
             let verdicts = rows.iter().map(|row| Cell::words(row.values.verdict.to_string()));
             columns.push((Column::left("motion"), verdicts.collect()));
             let strands = branches::cells(rows).into_iter();

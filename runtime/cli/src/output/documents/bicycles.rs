@@ -1,19 +1,21 @@
 //! The shipped bicycles, in a table.
 
 use carvallo::CriticalKind;
+use carvallo_design::DisplayUnit;
 use carvallo_plot::analysis::Analysis;
 
 use crate::output::list::{ranges, speeds};
 use crate::output::typeset::{Cell, Column, Document, Table};
 
 /// With their critical speeds.
-pub fn of_bicycles(analyses: &[Analysis]) -> Document {
+pub fn of_bicycles(analyses: &[Analysis], unit: &DisplayUnit) -> Document {
+    let heading = |what: &str| format!("{what} ({})", unit.written);
     let row = |analysis: &Analysis| {
         vec![
             Cell::words(analysis.design.name.clone()),
-            Cell::number(speeds(analysis, CriticalKind::Weave)),
-            Cell::number(speeds(analysis, CriticalKind::Capsize)),
-            Cell::words(ranges(analysis.stable_ranges())),
+            Cell::number(speeds(analysis, CriticalKind::Weave, unit)),
+            Cell::number(speeds(analysis, CriticalKind::Capsize, unit)),
+            Cell::words(ranges(analysis.stable_ranges(), unit)),
             Cell::words(analysis.design.kind.clone().unwrap_or_default()),
         ]
     };
@@ -21,9 +23,9 @@ pub fn of_bicycles(analyses: &[Analysis]) -> Document {
         title: String::new(),
         columns: vec![
             Column::left("bicycle"),
-            Column::right("weave (m/s)"),
-            Column::right("capsize (m/s)"),
-            Column::left("stable (m/s)"),
+            Column::right(heading("weave")),
+            Column::right(heading("capsize")),
+            Column::left(heading("stable")),
             Column::left("kind"),
         ],
         rows: analyses.iter().map(row).collect(),

@@ -53,7 +53,10 @@ fn critical_speeds(comparison: &Comparison) -> Table {
             |speeds: Vec<String>| Cell::number(if speeds.is_empty() { "-".to_owned() } else { speeds.join(", ") });
         [Cell::words(kind.replace('_', " "))].into_iter().chain(cells.map(cell)).collect()
     };
-    let stable = comparison.designs.iter().map(|compared| Cell::words(ranges(compared.analysis.stable_ranges())));
+    let stable = comparison
+        .designs
+        .iter()
+        .map(|compared| Cell::words(ranges(compared.analysis.stable_ranges(), &compared.analysis.unit)));
     let stable = [Cell::words("self-stable")].into_iter().chain(stable).collect();
     Table {
         title: "Critical speeds (m/s)".to_owned(),

@@ -1,5 +1,6 @@
 //! How critical speeds change with the parameters, in tables.
 
+use carvallo_design::DisplayUnit;
 use carvallo_design::number::shortest;
 use carvallo_plot::analysis::name;
 use carvallo_plot::analysis::sensitivity::{Changes, decides};
@@ -28,6 +29,7 @@ pub fn of_sensitivity(changes: &Changes) -> Document {
 }
 
 fn critical_speeds(changes: &Changes) -> Table {
+    let unit = DisplayUnit::declared("m/s");
     let deciding = changes.critical_speeds.iter().filter(|critical| decides(&critical.speed));
     let row = deciding.map(|critical| {
         let reason = critical.derivatives.as_ref().err();
@@ -39,12 +41,12 @@ fn critical_speeds(changes: &Changes) -> Table {
             Cell::words(format!("{effect}{reason}")),
         ]
     });
-    let ranges = ranges(&changes.stability).into_iter().map(|(_, sentence)| sentence);
+    let ranges = ranges(&changes.stability, &unit).into_iter().map(|(_, sentence)| sentence);
     Table {
         title: "Critical speeds".to_owned(),
         columns: vec![Column::left("critical speed"), Column::right("v (m/s)"), Column::left("what happens")],
         rows: row.collect(),
-        notes: undecided(&changes.stability).into_iter().chain(ranges).collect(),
+        notes: undecided(&changes.stability, &unit).into_iter().chain(ranges).collect(),
     }
 }
 

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use carvallo::CriticalKind;
+use carvallo_design::DisplayUnit;
 use carvallo_design::number::{fixed, shortest, unit};
 use carvallo_plot::analysis::sensitivity::{Changes, Step, decides};
 use carvallo_plot::analysis::{kind, name};
@@ -55,8 +56,8 @@ fn write_critical_speeds(changes: &Changes, text: &mut String) {
             let _ = writeln!(text, "  {meaning:<13}{:<column$}{FAINT}{reason}{FAINT:#}", "-");
         }
     }
-    write_undecided(&changes.stability, text);
-    write_ranges(&changes.stability, text);
+    write_undecided(&changes.stability, &DisplayUnit::declared("m/s"), text);
+    write_ranges(&changes.stability, &DisplayUnit::declared("m/s"), text);
 }
 
 /// The columns of the ranking, each with its heading and a line for every parameter that has an effect: names, values, what 1 %

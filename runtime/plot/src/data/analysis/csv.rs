@@ -15,28 +15,31 @@ use crate::data::cells::{exact, write_rows};
 /// If it cannot be written.
 pub fn write_csv(analysis: &Analysis, rows: &Rows, output: &mut dyn Write) -> Result<()> {
     let mut lines: Vec<Vec<String>> = Vec::new();
+    let unit = &analysis.unit;
+    let heading = format!("speed ({})", unit.written);
     match rows {
         Rows::Modes(rows) => {
             let columns = mode_columns(&analysis.mode_columns());
-            lines
-                .push([vec!["speed (m/s)".to_owned()], header(columns.iter().map(|(.., name)| name.clone()))].concat());
+            lines.push([vec![heading.clone()], header(columns.iter().map(|(.., name)| name.clone()))].concat());
             for row in rows {
                 let value = |&(mode, index, _): &(Mode, usize, String)| {
                     row.values.iter().filter(|value| value.mode == mode).nth(index).map(|value| value.value)
                 };
-                lines.push([vec![exact(row.speed)], columns.iter().map(value).flat_map(cells).collect()].concat());
+                lines.push(
+                    [vec![exact(unit.value(row.speed))], columns.iter().map(value).flat_map(cells).collect()].concat(),
+                );
             }
         }
         Rows::Branches(rows) | Rows::Sorted(rows) => {
             // Where nothing depends on the speed there is no column for it.
             let speed = |text: String| if analysis.design.model.depends_on_speed() { vec![text] } else { Vec::new() };
             let names = (1..=analysis.design.model.eigenvalues()).map(|index| format!("eigenvalue {index}"));
-            lines.push([speed("speed (m/s)".to_owned()), header(names), vec!["verdict".to_owned()]].concat());
+            lines.push([speed(heading), header(names), vec!["verdict".to_owned()]].concat());
             for row in rows {
                 let verdict = vec![row.values.verdict.to_string()];
                 lines.push(
                     [
-                        speed(exact(row.speed)),
+                        speed(exact(unit.value(row.speed))),
                         row.values.values.iter().map(|value| Some(value.value)).flat_map(cells).collect(),
                         verdict,
                     ]

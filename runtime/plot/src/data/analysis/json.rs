@@ -3,7 +3,7 @@
 use std::io::{Result, Write};
 
 use carvallo::{Complex, CriticalSpeed, ModeValue, ModelInfo, Stability, StableRange, UndecidedRange};
-use carvallo_design::Shape;
+use carvallo_design::{DisplayUnit, Shape};
 use serde::Serialize;
 
 use crate::analysis::{Analysis, Eigenvalues, ModeRow, Row, Rows, name};
@@ -15,6 +15,9 @@ use crate::data::matrices::{Matrix, matrices};
 struct Document<'a> {
     #[serde(flatten)]
     head: Head<'a>,
+    /// What speeds are in, if not in m/s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    speed_unit: Option<&'a str>,
     parameters: Members<Line<f64>>,
     matrices: Members<Line<Vec<Vec<f64>>>>,
     critical_speeds: Vec<Line<Event>>,
@@ -68,27 +71,29 @@ pub fn write_json(
     shapes: Option<&[Vec<Shape>]>,
     output: &mut dyn Write,
 ) -> Result<()> {
-    let Analysis { design, stability, .. } = analysis;
+    let Analysis { design, stability, unit, .. } = analysis;
     let info = design.info();
     let parameters = info.parameters.iter().zip(&design.parameters);
     let matrices = matrices(design).into_iter();
+    let undecided = |UndecidedRange { from, to }: &UndecidedRange| Line((unit.value(*from), unit.value(*to)));
     let document = Document {
         head: Head::of(design),
+        speed_unit: (!unit.is_declared()).then_some(unit.written.as_str()),
         parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
         matrices: Members(matrices.map(|Matrix { name, rows, .. }| (name, Line(rows))).collect()),
-        critical_speeds: events(stability, info),
-        stable_ranges: ranges(stability),
-        undecided_ranges: stability.undecided.iter().map(|UndecidedRange { from, to }| Line((*from, *to))).collect(),
-        eigenvalues: eigenvalues(rows, shapes, design.model.depends_on_speed()),
+        critical_speeds: events(stability, info, unit),
+        stable_ranges: ranges(stability, unit),
+        undecided_ranges: stability.undecided.iter().map(undecided).collect(),
+        eigenvalues: eigenvalues(rows, shapes, design.model.depends_on_speed(), unit),
     };
     write_document(&document, output)
 }
 
 /// All critical speeds.
-pub fn events(stability: &Stability, info: &ModelInfo) -> Vec<Line<Event>> {
+pub fn events(stability: &Stability, info: &ModelInfo, unit: &DisplayUnit) -> Vec<Line<Event>> {
     let event = |critical: &CriticalSpeed| Event {
         kind: name(critical, info),
-        speed: critical.speed,
+        speed: unit.value(critical.speed),
         eigenvalue: critical.eigenvalue.into(),
         change: critical.change.to_string(),
         verdicts: stability.verdicts_around(critical).map(|verdict| verdict.to_string()),
@@ -97,12 +102,13 @@ pub fn events(stability: &Stability, info: &ModelInfo) -> Vec<Line<Event>> {
 }
 
 /// All stable ranges.
-pub fn ranges(stability: &Stability) -> Vec<Line<Range>> {
-    stability.stable_ranges.iter().map(|StableRange { from, to }| Line((*from, *to))).collect()
+pub fn ranges(stability: &Stability, unit: &DisplayUnit) -> Vec<Line<Range>> {
+    let range = |StableRange { from, to }: &StableRange| Line((unit.value(*from), to.map(|to| unit.value(to))));
+    stability.stable_ranges.iter().map(range).collect()
 }
 
 /// Where nothing depends on the speed there is none.
-fn eigenvalues(rows: &Rows, shapes: Option<&[Vec<Shape>]>, moves: bool) -> Vec<Line<AtSpeed>> {
+fn eigenvalues(rows: &Rows, shapes: Option<&[Vec<Shape>]>, moves: bool, unit: &DisplayUnit) -> Vec<Line<AtSpeed>> {
     let named = |(row, (_, values)): (usize, (f64, &[ModeValue]))| -> Vec<Named> {
         let shape = |index: usize| shapes.map(|shapes| &shapes[row][index]);
         values.iter().enumerate().map(|(index, value)| named(value, shape(index))).collect()
@@ -110,13 +116,13 @@ fn eigenvalues(rows: &Rows, shapes: Option<&[Vec<Shape>]>, moves: bool) -> Vec<L
     let values = rows.values().into_iter().enumerate().map(named);
     match rows {
         Rows::Modes(rows) => {
-            let at = |(row, values): (&ModeRow, _)| Line(AtSpeed::Modes { speed: row.speed, values });
+            let at = |(row, values): (&ModeRow, _)| Line(AtSpeed::Modes { speed: unit.value(row.speed), values });
             rows.iter().zip(values).map(at).collect()
         }
         Rows::Branches(rows) | Rows::Sorted(rows) => {
             let at = |(row, values): (&Row<Eigenvalues>, _)| {
                 let verdict = row.values.verdict.to_string();
-                Line(AtSpeed::Sorted { speed: moves.then_some(row.speed), verdict, values })
+                Line(AtSpeed::Sorted { speed: moves.then_some(unit.value(row.speed)), verdict, values })
             };
             rows.iter().zip(values).map(at).collect()
         }

@@ -87,8 +87,8 @@ fn of_design(Compared { label, analysis }: &Compared) -> Design<'_> {
         label,
         head: Head::of(&analysis.design),
         parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
-        critical_speeds: events(&analysis.stability, analysis.design.info()),
-        stable_ranges: ranges(&analysis.stability),
+        critical_speeds: events(&analysis.stability, analysis.design.info(), &analysis.unit),
+        stable_ranges: ranges(&analysis.stability, &analysis.unit),
     }
 }
 
