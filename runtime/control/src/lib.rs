@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod balance;
+mod feedback;
 pub mod files;
 mod frequency;
 mod margins;
@@ -11,6 +12,7 @@ mod state_space;
 mod transfer;
 mod zeros;
 
+pub use self::feedback::{Regulator, Riccati, RiccatiError, Schedule, Weights};
 pub use self::frequency::FrequencyResponse;
 pub use self::margins::{GainMargin, Margins, PhaseMargin};
 pub use self::ports::{Output, Ports};
