@@ -70,13 +70,15 @@ impl Regulator {
         let Riccati { solution: cost, residual } =
             Riccati::new(a, &(b * &to_gains), &(seen.transpose() * &seen)).map_err(|error| fail(error.to_string()))?;
         let gains = to_gains * &cost;
-        let eigenvalues = eigenvalues(a - b * &gains).ok_or_else(|| fail("its eigenvalues are not found".to_owned()))?;
+        let eigenvalues =
+            eigenvalues(a - b * &gains).ok_or_else(|| fail("its eigenvalues are not found".to_owned()))?;
         Ok(Self { gains, cost, eigenvalues, residual, space })
     }
 }
 
 /// An eigenvalue for messages.
 fn told(value: Complex<f64>) -> String {
-    let re = fixed(value.re, 4);
+    const ROUNDING: f64 = 1e-12;
+    let re = fixed(if value.re.abs() > ROUNDING * value.norm() { value.re } else { 0.0 }, 4);
     if value.im == 0.0 { format!("{re}/s") } else { format!("({re} ± {} i)/s", fixed(value.im.abs(), 4)) }
 }

@@ -3,6 +3,7 @@
 mod files;
 mod frequency_responses;
 mod responses;
+mod regulators;
 mod state_spaces;
 mod transfer_functions;
 
