@@ -86,6 +86,20 @@ impl PortOptions {
     }
 }
 
+/// The inputs that are named, by their places; without names all of them.
+///
+/// # Errors
+/// All names that there are none of, or that stand twice.
+pub fn inputs(ports: &Ports, names: &[String]) -> Result<Vec<usize>, Failure> {
+    let mut problems = Vec::new();
+    let inputs = named("--inputs", names, |name| ports.input(name), &mut problems);
+    match (problems.is_empty(), inputs.is_empty()) {
+        (false, _) => Err(Failure::Input(problems)),
+        (true, true) => Ok(ports.all_inputs()),
+        (true, false) => Ok(inputs),
+    }
+}
+
 /// What names stand for, each once.
 fn named<T: PartialEq>(
     option: &str,

@@ -12,7 +12,7 @@ mod state_space;
 mod transfer;
 mod zeros;
 
-pub use self::feedback::{Regulator, Riccati, RiccatiError, Schedule, Weights};
+pub use self::feedback::{Code, Regulator, Riccati, RiccatiError, Schedule, Weights};
 pub use self::frequency::FrequencyResponse;
 pub use self::margins::{GainMargin, Margins, PhaseMargin};
 pub use self::ports::{Output, Ports};

@@ -57,6 +57,14 @@ impl Signal {
     }
 }
 
+impl Signal {
+    /// The unit of a gain by which it follows another signal: `N*m/rad`, `N*m*s/rad`.
+    pub fn unit_by(&self, other: &Self) -> String {
+        let (of, time) = other.unit.strip_suffix("/s").map_or((other.unit.as_str(), ""), |of| (of, "*s"));
+        if of == "1" { format!("{}{time}", self.unit) } else { format!("{}{time}/{of}", self.unit) }
+    }
+}
+
 impl From<&CoordinateInfo> for Quantity {
     fn from(&CoordinateInfo { name, label, unit, .. }: &CoordinateInfo) -> Self {
         Self { name, label, unit }

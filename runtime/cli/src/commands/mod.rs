@@ -9,6 +9,7 @@ mod demo;
 mod equations;
 mod lists;
 mod respond;
+mod lqr;
 mod sensitivity;
 mod show;
 mod statespace;
@@ -86,6 +87,7 @@ enum Command {
     Statespace(statespace::Options),
     Transfer(transfer::Options),
     Respond(respond::Options),
+    Lqr(lqr::Options),
     Sweep(Box<sweep::Options>),
 }
 
@@ -118,6 +120,7 @@ fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
         Some(Command::Statespace(options)) => statespace::run(&options),
         Some(Command::Transfer(options)) => transfer::run(&options),
         Some(Command::Respond(options)) => respond::run(&options),
+        Some(Command::Lqr(options)) => lqr::run(&options),
         Some(Command::Sweep(options)) => sweep::run(&options),
     };
     done.map(|()| ExitCode::SUCCESS)

@@ -72,7 +72,7 @@ fn laws_are_read_in_units_and_in_other_words() {
         "steer = 47*lean_rate - 10*v*lean_rate",
         "tdelta = 10 kg*m*(4.7 m/s - v)*rate(phi)",
         "Tdelta = 10 [N s^2]*(4.7 m/s - v)*phi_rate",
-        "Tdelta = -(10)*v*phidot + 47 N*m*s*phi_rate + phi - phi",
+        "Tdelta = -(10)*v*phidot - -47 N*m*s*phi_rate + phi - phi",
         "Tdelta = (47*v^2 - 10*v³)*phi_rate/v^2",
     ] {
         assert_same(&matrices(law), &expected, 2e-15);

@@ -13,6 +13,7 @@ mod extremes;
 mod feedback;
 mod formats;
 mod hints;
+mod lqr;
 mod matrices;
 mod mistakes;
 mod mistakes_of_models;

@@ -6,7 +6,10 @@ use nalgebra::{Complex, DMatrix, Schur};
 const STEPS: usize = 10_000;
 
 /// Singular values below this part of the largest are zero but for rounding.
-const ZERO: f64 = 1e-10;
+pub const ZERO: f64 = 1e-10;
+
+/// Below this part gains grow beyond what doubles can tell.
+pub const NEARLY_ZERO: f64 = 1e-5;
 
 /// The eigenvalues in 1/s, sorted by real part, then by imaginary part; `None` if they are not found.
 pub fn eigenvalues(a: DMatrix<f64>) -> Option<Vec<Complex<f64>>> {
@@ -19,19 +22,25 @@ pub fn eigenvalues(a: DMatrix<f64>) -> Option<Vec<Complex<f64>>> {
     Some(values)
 }
 
-/// An eigenvalue whose mode does not die away by itself, and that no input reaches: `[A - s I, B]` has not full rank.
-pub fn unreached(a: &DMatrix<f64>, b: &DMatrix<f64>) -> Option<Complex<f64>> {
+/// An eigenvalue whose mode does not die away by itself, and that no input reaches: `[A - s I, B]` has not full rank, or
+/// singular values below a part of its largest.
+pub fn unreached(a: &DMatrix<f64>, b: &DMatrix<f64>, part: f64) -> Option<Complex<f64>> {
     let size = a.norm();
-    find(a, |value| value.re >= -ZERO * size, b)
+    find(a, |value| value.re >= -ZERO * size, b, part)
 }
 
 /// An eigenvalue on the imaginary axis that no row of C sees.
 pub fn unseen(a: &DMatrix<f64>, c: &DMatrix<f64>) -> Option<Complex<f64>> {
     let size = a.norm();
-    find(&a.transpose(), |value| value.re.abs() <= ZERO * size, &c.transpose())
+    find(&a.transpose(), |value| value.re.abs() <= ZERO * size, &c.transpose(), ZERO)
 }
 
-fn find(a: &DMatrix<f64>, matters: impl Fn(&Complex<f64>) -> bool, b: &DMatrix<f64>) -> Option<Complex<f64>> {
+fn find(
+    a: &DMatrix<f64>,
+    matters: impl Fn(&Complex<f64>) -> bool,
+    b: &DMatrix<f64>,
+    part: f64,
+) -> Option<Complex<f64>> {
     // Inputs are of any size: a force in N does less than one in MN.
     let size = a.norm();
     let columns = b.column_iter().filter(|column| column.norm() > 0.0).map(|column| column * (size / column.norm()));
@@ -54,6 +63,6 @@ fn find(a: &DMatrix<f64>, matters: impl Fn(&Complex<f64>) -> bool, b: &DMatrix<f
             real[(n + index, index)] = -value.im;
         }
         let singular = real.singular_values();
-        singular.min() <= ZERO * singular.max()
+        singular.min() <= part * singular.max()
     })
 }

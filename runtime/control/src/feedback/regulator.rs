@@ -4,7 +4,7 @@ use carvallo_design::number::{fixed, shortest};
 use carvallo_design::{Design, Failure};
 use nalgebra::{Complex, DMatrix, DVector};
 
-use super::modes::{eigenvalues, unreached, unseen};
+use super::modes::{NEARLY_ZERO, ZERO, eigenvalues, unreached, unseen};
 use super::riccati::Riccati;
 use super::weights::Weights;
 use crate::StateSpace;
@@ -55,10 +55,10 @@ impl Regulator {
             Failure::Run(format!("{}{at}: {message}", design.title()))
         };
         let (a, b) = (&space.a, &space.b);
-        if let Some(value) = unreached(a, b) {
-            let names: Vec<&str> = space.inputs.iter().map(|input| input.name.as_str()).collect();
-            let reaches = format!("{} does not reach the mode with the eigenvalue {}", names.join(", "), told(value));
-            return Err(fail(format!("{reaches}, which does not die away by itself: no gains stabilize it")));
+        let names = space.inputs.iter().map(|input| input.name.as_str()).collect::<Vec<_>>().join(", ");
+        let lost = "which does not die away by itself: no gains stabilize it";
+        if let Some(value) = unreached(a, b, ZERO) {
+            return Err(fail(format!("{names} does not reach the mode with the eigenvalue {}, {lost}", told(value))));
         }
         let seen = DMatrix::from_fn(q.len(), a.ncols(), |row, column| q[row].sqrt() * space.c[(row, column)]);
         if let Some(value) = unseen(a, &seen) {
@@ -67,8 +67,11 @@ impl Regulator {
         }
         let inverse = DMatrix::from_diagonal(&DVector::from_iterator(r.len(), r.iter().map(|r| 1.0 / r)));
         let to_gains = inverse * b.transpose();
-        let Riccati { solution: cost, residual } =
-            Riccati::new(a, &(b * &to_gains), &(seen.transpose() * &seen)).map_err(|error| fail(error.to_string()))?;
+        let solved = Riccati::new(a, &(b * &to_gains), &(seen.transpose() * &seen));
+        let Riccati { solution: cost, residual } = solved.map_err(|error| match unreached(a, b, NEARLY_ZERO) {
+            Some(value) => fail(format!("{names} hardly reaches the mode with the eigenvalue {}, {lost}", told(value))),
+            None => fail(error.to_string()),
+        })?;
         let gains = to_gains * &cost;
         let eigenvalues =
             eigenvalues(a - b * &gains).ok_or_else(|| fail("its eigenvalues are not found".to_owned()))?;

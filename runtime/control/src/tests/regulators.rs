@@ -83,13 +83,28 @@ fn what_cannot_be_stabilized_is_refused() {
     let expected = "Matrices matrices.json: Fq1 does not reach the mode with the eigenvalue 2.0000/s, which does not die away by \
                     itself: no gains stabilize it";
     assert_eq!(refused, expected);
-    // A bicycle without gyroscopic effects and trail, at rest: steering moves nothing that leans.
+    // One that stands and one that hangs.
     let seen = matrices(r#"{"M": [[1, 0], [0, 1]], "Kc": [[-1, 0], [0, 4]]}"#);
     let refused = regulator(&seen, 0.0, &["q1", "q2"], &["q1=1"]).unwrap_err().to_string();
     let expected = "Matrices matrices.json: no weight sees the mode with the eigenvalue (0.0000 ± 2.0000 i)/s, which neither grows \
                     nor dies away: a weight on one of its coordinates is needed";
     assert_eq!(refused, expected);
     assert!(regulator(&seen, 0.0, &["q1", "q2"], &["q1=1", "q2_rate=1"]).is_ok());
+    // Of a bicycle, at the one speed at which no torque on the steer catches a fall.
+    let bicycle = benchmark();
+    let first = |speed: f64| regulator(&bicycle, speed, &["Tdelta"], &[]).map(|found| found.gains[0]);
+    let (mut low, mut high) = (0.01, 0.1);
+    assert!(first(low).expect("gains") > 0.0 && first(high).expect("gains") < 0.0);
+    let refused = loop {
+        let middle = 0.5 * (low + high);
+        match first(middle) {
+            Ok(gain) if gain > 0.0 => low = middle,
+            Ok(_) => high = middle,
+            Err(failure) => break failure.to_string(),
+        }
+        assert!(high - low > 1e-15, "from {low} to {high}");
+    };
+    assert!(refused.contains("Tdelta hardly reaches the mode with the eigenvalue 3."), "{refused}");
 }
 
 #[test]
@@ -122,7 +137,7 @@ fn a_schedule_is_of_regulators_and_tells_where_it_fails_between_them() {
     assert_eq!(speeds, [Some(1.0), Some(2.0), Some(4.0)]);
     assert_eq!(schedule.regulators[1], Regulator::new(&bicycle, 2.0, &weights).expect("a regulator"));
     assert!(schedule.unstable.is_empty());
-    // From nearly standing still to a run: the mean of the gains is right for neither.
-    let far = Schedule::new(&bicycle, &[0.05, 30.0], &weights).expect("a schedule");
-    assert_eq!(far.unstable, [[0.05, 30.0]]);
+    // At some speed between them the torque reaches no unstable mode, and behind it has the opposite sign.
+    let across = Schedule::new(&bicycle, &[0.0, 0.5, 1.0], &weights).expect("a schedule");
+    assert_eq!(across.unstable, [[0.0, 0.5]]);
 }

@@ -63,9 +63,6 @@ impl<'a> Parser<'a, '_> {
                 self.depth -= 1;
                 return Ok(sum);
             };
-            if self.rest.starts_with(['+', '-']) {
-                return Err("a sign after a sign".to_owned());
-            }
             for term in self.product()? {
                 terms::add(&mut sum, Term { value: sign * term.value, ..term }).map_err(|()| OTHER_QUANTITIES)?;
             }

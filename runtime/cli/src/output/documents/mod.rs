@@ -7,6 +7,7 @@ mod compare;
 mod models;
 mod motion;
 mod response;
+mod schedule;
 mod sensitivity;
 mod state_space;
 mod transfer;
@@ -19,6 +20,7 @@ pub use self::compare::of_comparison;
 pub use self::models::of_models;
 pub use self::motion::of_motion;
 pub use self::response::of_responses;
+pub use self::schedule::of_schedule;
 pub use self::sensitivity::of_sensitivity;
 pub use self::state_space::of_state_space;
 pub use self::transfer::of_transfers;
@@ -32,7 +34,9 @@ use super::typeset::{Cell, Column, Document, Table};
 /// A document about a design.
 fn about(design: &Design, tables: Vec<Table>) -> Document {
     let kind = design.kind.as_ref().map(|kind| format!(": {kind}")).unwrap_or_default();
-    Document { title: format!("{}{kind}", design.title()), about: design.source.iter().cloned().collect(), tables }
+    let laws = design.feedback.iter().map(|law| format!("feedback {}", law.written));
+    let about = design.source.iter().cloned().chain(laws).collect();
+    Document { title: format!("{}{kind}", design.title()), about, tables }
 }
 
 /// The entries of matrices, a row of a matrix in each line.

@@ -1,0 +1,126 @@
+//! `carvallo lqr`: gains of a linear quadratic regulator, scheduled along speeds.
+
+use std::path::PathBuf;
+
+use carvallo_control::{Code, Ports, Schedule, Weights};
+use carvallo_design::number::shortest;
+use carvallo_design::{Design, Failure, Place};
+use carvallo_plot::data;
+use clap::{Args, ValueEnum};
+
+use crate::options::{DesignOptions, Format, Speeds};
+use crate::output::documents;
+use crate::ports;
+use crate::terminal::{WARNING, deliver, note};
+
+const HELP: &str = "\
+The gains K of u = -K x that keep the integral of the weighted squares of outputs and inputs as small as it can be, at each
+speed: the linear quadratic regulator. Inputs u and states x are those of `carvallo statespace`.
+
+--weight NAME=VALUE is that of the square of a position or rate (phi, delta_rate, in words lean), or of an input by the name of
+its force (Tdelta), each in SI units. Without one for an output, every state has the weight 1; with one, the others have none. An
+input that is not named has 1. A weight on the yaw psi or the lateral place y of a bicycle makes it go straight, or stay on its
+line.
+
+--emit writes a module of Rust without the standard library, or C99: the gains as a table, interpolated linearly along the speed,
+and those at its ends beyond. A note says between which speeds the interpolated gains do not hold the machine.
+
+Examples:
+  carvallo lqr --inputs Tdelta --speeds 1:8:0.5 Steered at each of these speeds
+  carvallo lqr --inputs Tdelta --speeds 1:8:0.5 --weight phi=10 --weight delta_rate=0.1 --weight Tdelta=0.5
+  carvallo lqr --inputs Tdelta --speeds 2:10:1 --weight y=1 --format json
+                                                To stay on a line
+  carvallo lqr --inputs Tdelta --speeds 1:8:0.5 --emit c --output regulator.c
+  carvallo lqr --model DoublePendulum --inputs Ttheta1
+
+The layout of JSON and CSV is in docs/control.md, beside the source of this program.
+
+Exit codes: 0 done; 1 no gains stabilize it, or a file cannot be read or written; 2 wrong usage or input.";
+
+/// The gains of a linear quadratic regulator along the speed, also as Rust and C
+#[derive(Args, Clone, Debug)]
+#[command(after_help = HELP)]
+pub struct Options {
+    #[command(flatten)]
+    design: DesignOptions,
+    #[arg(
+        long,
+        value_name = "NAMES",
+        alias = "input",
+        value_delimiter = ',',
+        help = "Forces and torques that it sets, such as Tdelta [default: all]"
+    )]
+    inputs: Vec<String>,
+    #[arg(
+        long,
+        value_name = "SPEEDS",
+        alias = "speed",
+        allow_hyphen_values = true,
+        help = "In m/s: LOW:HIGH:STEP, a list, or one"
+    )]
+    speeds: Option<Speeds>,
+    /// Of an output or an input; may be given several times [default: 1 for each state and each input]
+    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    weight: Vec<String>,
+    /// table, markdown, latex, json or csv
+    #[arg(long, value_enum, default_value = "table", hide_possible_values = true, conflicts_with = "emit")]
+    format: Format,
+    /// Source text with the gains in the place of a table: rust or c
+    #[arg(long, value_name = "LANGUAGE", hide_possible_values = true)]
+    emit: Option<Language>,
+    #[arg(long, value_name = "FILE", help = "Where the result goes [default: stdout]")]
+    output: Option<PathBuf>,
+}
+
+/// A language of source text.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Language {
+    Rust,
+    C,
+}
+
+pub fn run(options: &Options) -> Result<(), Failure> {
+    let path = options.output.as_deref();
+    if let Some(path) = path.filter(|path| options.design.request().reads(path)) {
+        let place = Place::Option(format!("--output {}", path.display()));
+        return Err(Failure::at(place, "the parameters are read from this file"));
+    }
+    let design = options.design.load()?;
+    let ports = Ports::of(&design);
+    let inputs = ports::inputs(&ports, &options.inputs)?;
+    let weights = Weights::read(&options.weight, &ports, &inputs)?;
+    let schedule = Schedule::new(&design, &speeds(options, &design)?, &weights)?;
+    for [from, to] in &schedule.unstable {
+        let [from, to] = [*from, *to].map(shortest);
+        let text =
+            format!("between {from} and {to} m/s the interpolated gains do not hold it: more speeds are needed there");
+        note(WARNING, "note", &text);
+    }
+    let text = match (options.emit, options.format) {
+        (Some(Language::Rust), _) => schedule.code(Code::Rust, &design, &weights),
+        (Some(Language::C), _) => schedule.code(Code::C, &design, &weights),
+        (None, Format::Json) => {
+            return deliver(path, |output| data::schedule::write_json(&design, &schedule, &weights, output));
+        }
+        (None, Format::Csv) => return deliver(path, |output| data::schedule::write_csv(&schedule, output)),
+        (None, Format::Document(language)) => documents::of_schedule(&design, &schedule).write(language),
+        (None, Format::Table) => documents::of_schedule(&design, &schedule).at_terminal(),
+    };
+    deliver(path, |output| output.write_all(text.as_bytes()))
+}
+
+/// The speeds of what has one.
+fn speeds(options: &Options, design: &Design) -> Result<Vec<f64>, Failure> {
+    match (&options.speeds, design.model.depends_on_speed()) {
+        (Some(Speeds(speeds)), true) => Ok(speeds.clone()),
+        (None, true) => {
+            Err(Failure::usage("expected --speeds, which the equations of motion depend on, such as --speeds 1:8:0.5"))
+        }
+        (None, false) => Ok(vec![0.0]),
+        (Some(_), false) => {
+            let model = design.info().name;
+            note(WARNING, "note", &format!("nothing in the model {model} depends on the speed: --speeds is ignored"));
+            Ok(vec![0.0])
+        }
+    }
+}

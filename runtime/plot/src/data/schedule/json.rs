@@ -1,0 +1,63 @@
+//! Scheduled gains as JSON; its form is documented in `docs/control.md`, and stays.
+
+use std::io::{Result, Write};
+
+use carvallo_control::{Ports, Regulator, Schedule, Weights};
+use carvallo_design::Design;
+use serde::Serialize;
+
+use crate::data::head::Head;
+use crate::data::layout::{Line, Members, Parts, write_document};
+use crate::data::signals::Told;
+
+#[derive(Serialize)]
+struct Document<'a> {
+    #[serde(flatten)]
+    head: Head<'a>,
+    parameters: Members<Line<f64>>,
+    states: Vec<Line<Told<'a>>>,
+    inputs: Vec<Line<Told<'a>>>,
+    weights: Vec<Line<Weight>>,
+    regulators: Vec<Line<Gains>>,
+    unstable_between: Vec<Line<[f64; 2]>>,
+}
+
+#[derive(Serialize)]
+struct Weight {
+    of: String,
+    value: f64,
+}
+
+#[derive(Serialize)]
+struct Gains {
+    /// Nothing where the equations do not depend on it.
+    speed: Option<f64>,
+    gains: Vec<Vec<f64>>,
+    eigenvalues: Vec<Parts>,
+    residual: f64,
+}
+
+/// # Errors
+/// If it cannot be written.
+pub fn write_json(design: &Design, schedule: &Schedule, weights: &Weights, output: &mut dyn Write) -> Result<()> {
+    let (ports, space) = (Ports::of(design), &schedule.regulators[0].space);
+    let of_outputs = weights.outputs.iter().map(|(output, value)| (ports.signal(*output).name, *value));
+    let of_inputs = weights.inputs.iter().map(|(input, value)| (ports.inputs[*input].name.clone(), *value));
+    let parameters = design.info().parameters.iter().zip(&design.parameters);
+    let gains = |own: &Regulator| Gains {
+        speed: own.space.speed,
+        gains: own.gains.row_iter().map(|row| row.iter().copied().collect()).collect(),
+        eigenvalues: own.eigenvalues.iter().copied().map(Parts::from).collect(),
+        residual: own.residual,
+    };
+    let document = Document {
+        head: Head::of(design),
+        parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
+        states: Told::all(&space.states),
+        inputs: Told::all(&space.inputs),
+        weights: of_outputs.chain(of_inputs).map(|(of, value)| Line(Weight { of, value })).collect(),
+        regulators: schedule.regulators.iter().map(gains).map(Line).collect(),
+        unstable_between: schedule.unstable.iter().copied().map(Line).collect(),
+    };
+    write_document(&document, output)
+}
