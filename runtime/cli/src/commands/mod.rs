@@ -8,8 +8,8 @@ mod convert;
 mod demo;
 mod equations;
 mod lists;
-mod respond;
 mod lqr;
+mod respond;
 mod sensitivity;
 mod show;
 mod statespace;
@@ -46,6 +46,8 @@ Examples:
   carvallo bicycles --format latex             A table for a paper, as most commands give one
   carvallo statespace --speed 5 --inputs Tdelta --output bicycle.mat
                                                A, B, C and D for MATLAB, Python and others
+  carvallo lqr --inputs Tdelta --speeds 1:8:0.5 --emit c
+                                               Gains that keep it upright, as C for a controller
   carvallo equations --format latex            The equations of motion, with all definitions
   carvallo check mine.toml                     Whether your matrices are right, and which slip makes them if not
   carvallo analyze --model Pendulum            Another model that ships, with its first parameter set

@@ -66,7 +66,8 @@ impl Riccati {
             let weight = q + &solution * g * &solution;
             let Some(better) = lyapunov(&closed, &weight) else { break };
             let left = self::residual(a, g, q, &better);
-            if !(left < residual) || !is_stable(&better) {
+            let is_better = left < residual && is_stable(&better);
+            if !is_better {
                 break;
             }
             (solution, residual) = (better, left);

@@ -2,8 +2,9 @@
 
 mod files;
 mod frequency_responses;
-mod responses;
 mod regulators;
+mod responses;
+
 mod state_spaces;
 mod transfer_functions;
 
