@@ -200,7 +200,7 @@ impl<M: Model<N, Scalar = f64> + 'static, const N: usize> Comparison<M, N> {
                 let parameters: Vec<f64> = design.parameters.iter().copied().map(rounded).collect();
                 let exact = reference.entries(&parameters);
                 for (code, errors) in all.iter_mut().flatten() {
-                    errors.add(&(code.entries)(&parameters), &exact, design);
+                    errors.add(N, &(code.entries)(&parameters), &exact, design);
                 }
             }
         }

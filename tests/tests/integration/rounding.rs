@@ -7,19 +7,20 @@ use carvallo_compare::Limits;
 use carvallo_tests::designs;
 use carvallo_tests::rounding::four_ways;
 
-/// As many as take a few seconds without optimization.
+/// As many as take a few seconds without optimization. Design 1295, among them, has the largest error of Appendix A by
+/// hand among the first 10,000.
 const DESIGNS: std::ops::Range<u64> = 1_000..1_600;
 
 #[test]
 fn generated_matrices_are_no_less_accurate_than_appendix_a_by_hand() {
     let report = four_ways(DESIGNS.map(designs::numbered)).report().expect("designs");
     let [formulas, bodies, by_hand, _] = &report.sides[..] else { panic!("four ways") };
-    let single = |side: &carvallo_compare::SideReport| side.single.as_ref().expect("single precision").ulps;
+    let single = |side: &carvallo_compare::SideReport| side.single.as_ref().expect("single precision").ulps_of_matrix;
     for generated in [formulas, bodies] {
-        assert!(generated.double.ulps <= by_hand.double.ulps, "{report}");
+        assert!(generated.double.ulps_of_matrix <= by_hand.double.ulps_of_matrix, "{report}");
         assert!(single(generated) <= single(by_hand), "{report}");
     }
-    // As derived at the head of `designs.rs`.
+    // Of its terms, each entry is off by what the head of `designs.rs` derives, in a unit that may be half as large.
     report.assert(Limits { ulps: 32.0, ..Limits::default() });
 }
 

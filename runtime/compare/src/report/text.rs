@@ -7,7 +7,7 @@ use crate::accuracy::{Accuracy, Worst};
 use crate::reference::ReferenceKind;
 
 /// The width of names of rows.
-const NAMES: usize = 34;
+const NAMES: usize = 36;
 /// Digits of values that are shown beside each other.
 const DIGITS: usize = 9;
 
@@ -60,9 +60,16 @@ impl Report {
                 }
             }
         }
-        row("largest error in f64, ulp of terms", &|side| ulps(Some(&side.double)))?;
-        if self.sides.iter().any(|side| side.single.is_some()) {
-            row("largest error in f32, ulp of terms", &|side| ulps(side.single.as_ref()))?;
+        let doubles = |side: &SideReport| Some(side.double.clone());
+        let singles = |side: &SideReport| side.single.clone();
+        let accuracies: [(&str, &dyn Fn(&SideReport) -> Option<Accuracy>); 2] = [("f64", &doubles), ("f32", &singles)];
+        for (scalar, accuracy) in accuracies {
+            if self.sides.iter().any(|side| accuracy(side).is_some()) {
+                let name = format!("largest error in {scalar}, ulp of terms");
+                row(&name, &|side| ulps(accuracy(side), |accuracy| accuracy.ulps))?;
+                let name = "  of the largest entry of the matrix";
+                row(name, &|side| ulps(accuracy(side), |accuracy| accuracy.ulps_of_matrix))?;
+            }
         }
         Ok(())
     }
@@ -119,11 +126,11 @@ fn width(name: &str) -> usize {
     name.chars().count().max(12)
 }
 
-fn ulps(accuracy: Option<&Accuracy>) -> String {
+fn ulps(accuracy: Option<Accuracy>, ulps: fn(&Accuracy) -> f64) -> String {
     match accuracy {
         None => "no function".into(),
         Some(accuracy) if !accuracy.differences.is_empty() => "differs".into(),
-        Some(accuracy) => format!("{:.2}", accuracy.ulps),
+        Some(accuracy) => format!("{:.2}", ulps(&accuracy)),
     }
 }
 
