@@ -51,6 +51,8 @@ const DICTIONARY: &[&str] = &[
     "R",
     "set",
     "gravity",
+    "compare",
+    "compare by_hand: f64;",
     "feedback",
     "feedback T on a = -b*rate(a);",
     "rate",

@@ -9,6 +9,7 @@ use crate::matrix_name::MatrixName;
 use crate::motion::MotionModel;
 use crate::report::Region;
 use crate::states::States;
+use crate::syntax::Compared;
 use crate::written::Written;
 
 /// A model that passed all checks, and whose claims are proved.
@@ -50,6 +51,8 @@ pub struct Model {
     pub kinematics: Option<Kinematics<Formula>>,
     /// What is free of the motion of a mechanism, if its nonlinear equations are asked for.
     pub motion: Option<MotionModel>,
+    /// Functions by hand that are to give the same matrices.
+    pub compared: Vec<Compared>,
     /// Where the derivatives of the matrices are asked for.
     pub derivatives: Option<Span>,
     /// The names in the declaration, for editors.

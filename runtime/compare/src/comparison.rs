@@ -175,7 +175,8 @@ impl<M: Model<N, Scalar = f64> + 'static, const N: usize> Comparison<M, N> {
             None => Vec::new(),
         };
         Ok(Report {
-            model: M::INFO.name,
+            model: M::INFO,
+            parameters: M::INFO.parameters.iter().map(|parameter| parameter.name).collect(),
             reference: reference.kind(),
             designs: designs.len(),
             seed: self.designs.is_none().then_some(self.seed),

@@ -22,16 +22,14 @@
 /// that makes `Coefficients`: the matrices of the model, or those themselves.
 #[macro_export]
 macro_rules! compare {
-    ($($model:ident)::+, $($hand:ident)::+) => {
-        $crate::compare!($($model)::+, $($hand)::+: f64)
-            .single($($hand)::+)
-            .counted($($hand)::+)
+    ($($model:ident)::+, $hand:path) => {
+        $crate::compare!($($model)::+, $hand: f64).single($hand).counted($hand)
     };
-    ($($model:ident)::+, $($hand:ident)::+: f64) => {
+    ($($model:ident)::+, $hand:path: f64) => {
         $crate::Comparison::<$($model)::+, _>::of($($model)::+::matrices)
             .single($($model)::+::matrices)
             .counted($($model)::+::matrices)
-            .against(::core::stringify!($($hand)::+), $($hand)::+)
+            .against(::core::stringify!($hand), $hand)
     };
 }
 
@@ -51,21 +49,39 @@ macro_rules! compare {
 /// carvallo_compare::test!(Pendulum, in_double: f64, carvallo_compare::Limits { ulps: 2.0, ..Default::default() });
 /// ```
 ///
-/// The test is `by_hand::gives_the_generated_matrices`: the module bears the name of the function, which must be in scope.
+/// The test is `by_hand::gives_the_generated_matrices`: its module bears the name of the function. Where there is such a module
+/// already, or for a path, it has a name before it: `test!(coin_by_hand: Coin, hand::by_hand)`. That is what the statement
+/// `compare hand::by_hand;` of a declaration makes. Model and function must be in scope where it stands.
 #[macro_export]
 macro_rules! test {
-    ($model:ident, $hand:ident $(: $scalar:ident)?) => {
-        $crate::test!($model, $hand $(: $scalar)?, $crate::Limits::default());
+    ($name:ident: $model:ident, $hand:path: f64 $(, $limits:expr)?) => {
+        $crate::__test!($name, $model, ($hand: f64), $crate::__test!(@limits $($limits)?));
     };
-    ($model:ident, $hand:ident $(: $scalar:ident)?, $limits:expr) => {
+    ($name:ident: $model:ident, $hand:path $(, $limits:expr)?) => {
+        $crate::__test!($name, $model, ($hand), $crate::__test!(@limits $($limits)?));
+    };
+    ($model:ident, $hand:ident: f64 $(, $limits:expr)?) => {
+        $crate::__test!($hand, $model, ($hand: f64), $crate::__test!(@limits $($limits)?));
+    };
+    ($model:ident, $hand:ident $(, $limits:expr)?) => {
+        $crate::__test!($hand, $model, ($hand), $crate::__test!(@limits $($limits)?));
+    };
+}
+
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __test {
+    (@limits) => { $crate::Limits::default() };
+    (@limits $limits:expr) => { $limits };
+    ($name:ident, $model:ident, ($($hand:tt)+), $limits:expr) => {
         #[cfg(test)]
-        mod $hand {
+        mod $name {
             #[allow(unused_imports)]
             use super::*;
 
             #[test]
             fn gives_the_generated_matrices() {
-                match $crate::compare!($model, $hand $(: $scalar)?).report() {
+                match $crate::compare!($model, $($hand)+).report() {
                     Ok(report) => report.assert($limits),
                     Err(error) => ::core::panic!("{error}"),
                 }

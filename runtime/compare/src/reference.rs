@@ -1,6 +1,6 @@
 //! What all sides are held against.
 
-use carvallo::{Evaluator, Model};
+use carvallo::{Evaluator, Formula, Model};
 use serde::Serialize;
 
 use crate::formula::Equations;
@@ -43,10 +43,17 @@ impl Reference {
         entries.unwrap_or_else(|| (self.program)(parameters))
     }
 
-    /// The formula of an entry, as the model tells it; `0` where it tells none.
+    /// The formula of an entry, as the model tells it; `0` where it tells none. Behind the name of a definition alone follows
+    /// what that is.
     pub fn formula(&self, entry: usize) -> String {
-        let equation = self.equations.as_ref().and_then(|equations| equations.equation_of(entry));
-        equation.map_or_else(|| "0".to_owned(), |equation| equation.formula.to_string())
+        let Some(equations) = &self.equations else { return String::new() };
+        let mut told = equations.equation_of(entry);
+        let mut text = told.map_or_else(|| "0".to_owned(), |equation| equation.formula.to_string());
+        while let Some(Formula::Name(name)) = told.map(|equation| &equation.formula) {
+            told = equations.all.iter().find(|equation| equation.definition == Some(name));
+            text.extend(told.map(|equation| format!(" = {}", equation.formula)));
+        }
+        text
     }
 }
 

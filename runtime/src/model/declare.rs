@@ -235,6 +235,13 @@
 /// At valid parameters every derivative exists. A root has none where its argument is zero, so a model with derivatives
 /// is refused unless domains or a `require` keep the arguments of its roots above zero.
 ///
+/// # A function by hand
+/// `compare by_hand;` names a function that has the matrices by hand, and makes a test of the crate of it: in `cargo test` both
+/// run over the domains of the parameters, and where the function differs, what was done is said. It takes
+/// `&Name<T>` for any [`Number`](crate::Number) T, or `&Name` alone if `: f64` stands behind it, and gives `NameMatrices` or
+/// [`Coefficients`](crate::Coefficients). The crate `carvallo-compare` has to be among the `[dev-dependencies]`, and is asked
+/// for in tests alone; see [`guide::comparing`](crate::guide::comparing).
+///
 /// # Attributes
 /// Attributes of Rust before `model` are those of the struct, and before a parameter those of its field:
 ///

@@ -82,6 +82,6 @@ fn main() -> ExitCode {
     eigenvalues::add(&mut summary);
     stability::add(&mut summary);
     motion::add(&mut summary);
-    println!("\n{}", summary.table);
+    print!("{}", summary.table);
     ExitCode::SUCCESS
 }

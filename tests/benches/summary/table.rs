@@ -18,10 +18,13 @@ impl Table {
 
 impl fmt::Display for Table {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.tasks.is_empty() {
+            return Ok(());
+        }
         let width = |texts: &mut dyn Iterator<Item = &str>| texts.map(|text| text.chars().count()).max().unwrap_or(0);
         let times = || self.tasks.iter().flat_map(|(_, times)| times);
         let name = width(&mut times().map(|time| time.name.as_str())) + 2;
-        writeln!(f, "{:name$} {:>12} {:>10} {:>10}", "", "time", "to first", "to limit")?;
+        writeln!(f, "\n{:name$} {:>12} {:>10} {:>10}", "", "time", "to first", "to limit")?;
         for (task, times) in &self.tasks {
             writeln!(f, "\n{task}")?;
             for time in times {

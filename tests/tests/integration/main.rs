@@ -7,6 +7,8 @@ mod bicycles;
 mod c;
 #[cfg(feature = "compiler")]
 mod claims;
+#[cfg(feature = "compiler")]
+mod compared;
 mod critical_speeds;
 mod derivatives;
 mod designs;

@@ -3,6 +3,7 @@
 mod body;
 #[cfg(feature = "files")]
 pub mod c;
+mod compared;
 mod conversions;
 mod derivatives;
 mod described;
@@ -92,6 +93,7 @@ fn emit_sections_with(model: &Model, programs: Option<&Programs>, driver: &Drive
     let [derivatives, partials] = if sized { derivatives::emit(model, &names, computed) } else { [None, None] };
     let (structure, sets) = structure::emit(model, &names);
     let arrays = conversions::emit(model, &names);
+    let compared = programs.and_then(|_| compared::emit(model));
     let references = names.among_items.then(|| references::emit(model, &names));
     let sections = [
         ("The parameters", Some(structure)),
@@ -103,6 +105,7 @@ fn emit_sections_with(model: &Model, programs: Option<&Programs>, driver: &Drive
         ("Parameters and matrices as arrays", Some(quote!(#arrays #matrix_arrays))),
         ("What the runtime knows of the model", Some(quote!(#trait_impl #described #lanes))),
         ("Which derivatives there are", partials),
+        ("Tests beside functions by hand", compared),
         ("What editors know of the declaration", references),
     ];
     sections.into_iter().filter_map(|(title, items)| Some(Section { title, items: items? })).collect()

@@ -92,6 +92,7 @@ pub fn weigh(checked: Checked<'_>, mut derived: Derived, report: &mut Report) ->
         feedback: declaration.feedback.iter().map(|feedback| tell(declaration, feedback)).collect(),
         kinematics: derived.kinematics,
         motion: derived.motion,
+        compared: declaration.compared.clone(),
         derivatives: declaration.derivatives,
         references: checked.references,
     }

@@ -27,9 +27,10 @@ impl Report {
     ///
     /// # Panics
     /// If it is not so: with what, where, its value and the limit, and then the report.
+    #[track_caller]
     pub fn assert(&self, limits: Limits) {
         let broken = self.broken(limits);
-        assert!(broken.is_empty(), "{}: {}\n\n{self}", self.model, broken.join("; "));
+        assert!(broken.is_empty(), "{}: {}\n\n{self}", self.model.name, broken.join("; "));
     }
 
     /// What does not keep to the limits, each in a sentence; nothing if all does.

@@ -3,6 +3,7 @@
 mod limits;
 mod text;
 
+use carvallo::ModelInfo;
 use serde::Serialize;
 
 use crate::accuracy::Accuracy;
@@ -16,8 +17,11 @@ pub use limits::Limits;
 /// What a comparison found: data, which reads as text by [`Display`](std::fmt::Display) and as [JSON](Report::to_json).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {
-    /// The name of the model.
-    pub model: &'static str,
+    /// The model; in JSON its name.
+    #[serde(serialize_with = "name_of")]
+    pub model: &'static ModelInfo,
+    /// The names of its parameters, in the order of those of designs.
+    pub parameters: Vec<&'static str>,
     /// What exact entries come from.
     pub reference: ReferenceKind,
     /// How many designs were compared.
@@ -62,6 +66,10 @@ impl From<(String, Vec<Time>)> for TaskReport {
     fn from((task, times): (String, Vec<Time>)) -> Self {
         Self { task, times }
     }
+}
+
+fn name_of<S: serde::Serializer>(model: &&'static ModelInfo, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(model.name)
 }
 
 impl Report {

@@ -2,12 +2,17 @@
 
 use std::fmt;
 
+use carvallo::ModelInfo;
+
 use super::{Report, SideReport, TaskReport};
 use crate::accuracy::{Accuracy, Worst};
+use crate::designs::Design;
 use crate::reference::ReferenceKind;
 
 /// The width of names of rows.
 const NAMES: usize = 36;
+/// So many parameters of a design stand in a line.
+const FEW: usize = 8;
 /// Digits of values that are shown beside each other.
 const DIGITS: usize = 9;
 
@@ -22,13 +27,13 @@ impl fmt::Display for Report {
             ReferenceKind::Formulas => "its formulas",
             ReferenceKind::Program => "its program",
         };
-        writeln!(f, "{}: {} beside {reference} in 320 bits, at {designs}\n", self.model, names.join(", "))?;
+        writeln!(f, "{}: {} beside {reference} in 320 bits, at {designs}\n", self.model.name, names.join(", "))?;
         self.table(f)?;
         for side in &self.sides {
             self.worst(f, side)?;
         }
         for side in self.sides.iter().filter(|side| !side.double.differences.is_empty()) {
-            side.differences(f)?;
+            side.differences(f, self.model)?;
         }
         if !self.times.is_empty() {
             let note = if self.optimized { "" } else { ", which mean nothing without optimization (--release)" };
@@ -74,35 +79,51 @@ impl Report {
         Ok(())
     }
 
+    /// Where a side that is right is farthest off.
     fn worst(&self, f: &mut fmt::Formatter<'_>, side: &SideReport) -> fmt::Result {
-        let Some(Worst { entry, computed, exact, design, .. }) = &side.double.worst else { return Ok(()) };
-        if !side.double.differences.is_empty() {
-            return Ok(());
+        match &side.double.worst {
+            Some(Worst { entry, computed, exact, design, .. }) if side.double.differences.is_empty() => {
+                let Design { name: at, .. } = design;
+                writeln!(f, "`{}` is farthest off in {entry} at {at}: {computed:?}, exactly {exact:?}", side.name)
+            }
+            _ => Ok(()),
         }
-        writeln!(f, "{} is farthest off at {}: {entry} = {computed:?}, exactly {exact:?}", side.name, design.name)
     }
 }
 
 impl SideReport {
-    fn differences(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let differences = &self.double.differences;
+    fn differences(&self, f: &mut fmt::Formatter<'_>, model: &ModelInfo) -> fmt::Result {
+        let (name, differences) = (&self.name, &self.double.differences);
         let entries = if differences.len() == 1 { "one entry" } else { &*format!("{} entries", differences.len()) };
-        writeln!(f, "\n`{}` differs in {entries}, most", self.name)?;
+        writeln!(f, "\n`{name}` differs in {entries}; where each is farthest off:")?;
         for Worst { entry, formula, computed, exact, design, .. } in differences {
-            writeln!(f, "  at {}: {entry} is {}, and should be {}", design.name, number(*computed), number(*exact))?;
-            writeln!(f, "    {entry} = {formula}")?;
+            let (computed, exact) = (number(*computed), number(*exact));
+            let equals = if formula.is_empty() { "" } else { " = " };
+            writeln!(f, "  {entry}{equals}{formula}")?;
+            writeln!(f, "    is {computed} and should be {exact}")?;
+            writeln!(f, "    at {}{}", design.name, parameters(model, design))?;
         }
+        writeln!(f, "what was done:")?;
         for explanation in &self.explanations {
             let of = explanation.entries.join(", ");
             let (first, others) = explanation.causes.split_first().expect("a cause");
-            writeln!(f, "that explains {of}: {first}")?;
-            others.iter().try_for_each(|other| writeln!(f, "  or {other}"))?;
+            writeln!(f, "  {first} ({of})")?;
+            others.iter().try_for_each(|other| writeln!(f, "    or {other}"))?;
         }
         if !self.unexplained.is_empty() {
-            writeln!(f, "no single slip explains {}", self.unexplained.join(", "))?;
+            writeln!(f, "  no single slip explains {}", self.unexplained.join(", "))?;
         }
         Ok(())
     }
+}
+
+/// The parameters of a design, if they are few: `: r = 0.5, m = 2`.
+fn parameters(model: &ModelInfo, Design { parameters, .. }: &Design) -> String {
+    if parameters.len() > FEW {
+        return String::new();
+    }
+    let all = model.parameters.iter().zip(parameters).map(|(parameter, value)| format!("{} = {value}", parameter.name));
+    format!(": {}", all.collect::<Vec<_>>().join(", "))
 }
 
 impl fmt::Display for TaskReport {

@@ -37,6 +37,7 @@ fn the_report_is_data() {
     let report = compare!(Pendulum, in_double: f64).random_designs(10).report().expect("designs");
     let json: serde_json::Value = serde_json::from_str(&report.to_json()).expect("JSON");
     assert_eq!(json["model"], "Pendulum");
+    assert_eq!(json["parameters"], serde_json::json!(["m", "l", "c", "g"]));
     assert_eq!(json["reference"], "formulas");
     assert_eq!(json["sides"][1]["name"], "in_double");
     assert_eq!(json["sides"][1]["operations"], serde_json::Value::Null);

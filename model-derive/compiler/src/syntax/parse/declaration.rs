@@ -45,6 +45,7 @@ pub fn parse_declaration(input: ParseStream<'_>, report: &mut Report) -> syn::Re
         mechanism: None,
         added: Vec::new(),
         feedback: Vec::new(),
+        compared: Vec::new(),
         derivatives: None,
         nonlinear: None,
         unread: Vec::new(),

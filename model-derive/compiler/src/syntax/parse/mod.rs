@@ -4,6 +4,7 @@
 
 mod attributes;
 mod blocks;
+mod compared;
 mod declaration;
 mod directions;
 mod docs;

@@ -5,6 +5,7 @@ use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::parse::discouraged::Speculative as _;
 
+use super::compared::parse_compared;
 use super::docs::{LOST, Supported, parse_rust_attributes, peek_behind_attributes};
 use super::domains::parse_comparison;
 use super::expressions::parse_expression;
@@ -24,7 +25,7 @@ use crate::syntax::tree::{Assertion, Declaration, Definition, Matrix, Requiremen
 /// What is said to be expected where no statement starts.
 const STATEMENTS: &str = "a statement: `parameters { … }`, `let name = …;`, `require … > 0;`, `assert … == …;`, \
                           `set name { … }`, `coordinates { … }`, `mechanism { … }`, `feedback T on q = …;`, \
-                          `derivatives;`, `nonlinear;`, `source \"…\";` or a matrix `M`, `C-1`, `C0`, `C1`, `Kc`, `K0`, `K1`, `K2`, or \
+                          `derivatives;`, `nonlinear;`, `compare by_hand;`, `source \"…\";` or a matrix `M`, `C-1`, `C0`, `C1`, `Kc`, `K0`, `K1`, `K2`, or \
                           `C` or `K` with the speed in it, with `symmetric` before it if that is to be proved, and `add` if it is added to that of a \
                           mechanism";
 
@@ -71,13 +72,14 @@ pub fn starts_statement(input: ParseStream<'_>) -> bool {
 }
 
 /// What may begin a statement, beside `let`.
-const KEYWORDS: [&str; 21] = [
+const KEYWORDS: [&str; 22] = [
     "source",
     "parameters",
     "coordinates",
     "mechanism",
     "derivatives",
     "nonlinear",
+    "compare",
     "require",
     "assert",
     "set",
@@ -130,6 +132,7 @@ fn parse_after_keyword(
             }
             parse_semicolon(input, "`;`", "`nonlinear`: it asks for the equations of the mechanism")
         }
+        "compare" => parse_compared(input, model, report),
         "require" => {
             let value = parse_expression(input)?;
             let Some(bound) = parse_comparison(input)? else {

@@ -42,12 +42,25 @@ pub struct Declaration {
     pub added: Vec<Matrix>,
     /// Forces and torques that follow from the motion.
     pub feedback: Vec<Feedback>,
+    /// Functions by hand that are to give the same matrices.
+    pub compared: Vec<Compared>,
     /// Where the derivatives of the matrices are asked for.
     pub derivatives: Option<Span>,
     /// Where the nonlinear equations of motion are asked for.
     pub nonlinear: Option<Span>,
     /// Names of statements that could not be read: they exist, so using them is no further mistake.
     pub unread: Vec<Ident>,
+}
+
+/// A function by hand that is to give the matrices of the model.
+#[derive(Clone, Debug)]
+pub struct Compared {
+    /// The path of the function.
+    pub function: TokenStream,
+    /// Its name, the last one of the path.
+    pub name: Ident,
+    /// Whether it takes `f64` alone, and not any number.
+    pub only_double: bool,
 }
 
 impl Declaration {
