@@ -9,6 +9,7 @@ mod demo;
 mod equations;
 mod lists;
 mod lqr;
+mod measure;
 mod respond;
 mod sensitivity;
 mod show;
@@ -38,6 +39,8 @@ Examples:
   carvallo sensitivity pista --plot pista.svg  Which parameters its critical speeds depend on most
   carvallo compare pista browser               What differs, and which parameters make the difference
   carvallo show benchmark > my-bike.toml       A file to start from: edit it and analyze it
+  carvallo measure measured.toml > my-bike.toml
+                                               Parameters from measurements, with deviations
   carvallo show browser --plot browser.svg     Parameters, and a side view to scale
   carvallo sweep --vary w=0.9:1.2:0.01 --vary 'lam=10 deg:30 deg:1 deg' --map map.svg --output designs.csv
                                                Many designs, with a map of their stability
@@ -82,6 +85,7 @@ enum Command {
     /// The shipped models, with their coordinates and parameter sets
     Models(lists::Options),
     Show(show::Options),
+    Measure(measure::Options),
     Convert(convert::Options),
     Equations(equations::Options),
     Simulate(Box<simulate::Options>),
@@ -115,6 +119,7 @@ fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
         Some(Command::Bicycles(options)) => lists::bicycles(&options),
         Some(Command::Models(options)) => lists::models(&options),
         Some(Command::Show(options)) => show::run(&options),
+        Some(Command::Measure(options)) => measure::run(&options),
         Some(Command::Convert(options)) => convert::run(&options),
         Some(Command::Equations(options)) => equations::run(&options),
         Some(Command::Simulate(options)) => simulate::run(&options),

@@ -15,6 +15,7 @@ mod formats;
 mod hints;
 mod lqr;
 mod matrices;
+mod measure;
 mod mistakes;
 mod mistakes_of_models;
 mod models;

@@ -364,6 +364,7 @@ fn latin_script(label: &str, bytes: &[u8]) -> Option<String> {
 fn is_of_toml(line: &str) -> bool {
     line.starts_with("[parameters]")
         || line.starts_with("[matrices]")
+        || line.starts_with("[measurements]")
         || line == "[[coordinates]]"
         || line.starts_with('{')
         || line.contains("= {")
