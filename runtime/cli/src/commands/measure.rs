@@ -4,6 +4,7 @@ use carvallo_design::Failure;
 use carvallo_plot::data;
 use clap::{Args, ValueEnum};
 
+use crate::options::UnitOptions;
 use crate::output;
 use crate::terminal::{WARNING, note, print, write};
 
@@ -34,6 +35,8 @@ pub struct Options {
     /// toml or json
     #[arg(long, value_enum, default_value = "toml", hide_possible_values = true)]
     format: Format,
+    #[command(flatten)]
+    units: UnitOptions,
     /// Prints a file of measurements to start from
     #[arg(long, conflicts_with_all = ["file", "format"])]
     example: bool,
@@ -48,6 +51,7 @@ enum Format {
 
 pub fn run(options: &Options) -> Result<(), Failure> {
     let Some(file) = &options.file else { return print(carvallo_measure::EXAMPLE) };
+    let units = options.units.units()?;
     let design = carvallo_measure::load(file)?;
     for text in &design.notes {
         note(WARNING, "note", text);
@@ -56,7 +60,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         note(WARNING, "warning", &format!("{}: {text}", design.name));
     }
     match options.format {
-        Format::Toml => print(&output::render_parameters(&design)),
+        Format::Toml => print(&output::render_parameters(&design, &units)),
         Format::Json => write(|output| data::parameters::write_json(&design, output)),
     }
 }
