@@ -6,7 +6,7 @@ use carvallo_plot::analysis::Analysis;
 use carvallo_plot::analysis::along::{Along, AlongAnalysis};
 use carvallo_plot::analysis::reach;
 use carvallo_plot::data;
-use carvallo_plot::picture::{Limits, draw_along, draw_eigenvalues};
+use carvallo_plot::picture::{Limits, MOST_SPEEDS, draw_along, draw_eigenvalues, draw_phasors};
 use clap::Args;
 
 use crate::limits::{EigenvalueLimits, SpeedLimits};
@@ -25,6 +25,8 @@ Examples:
                                                 With a motor that steers into the fall, up to 4.7 m/s
   carvallo analyze matrices.json                Matrices M, C1, K0, … of 1 to 12 coordinates
   carvallo analyze --speeds 5 --eigenvectors    The shapes of the modes: sizes and phases of lean and steer
+  carvallo analyze --speeds 5 --phasors modes.svg
+                                                The same as arrows on a dial for each mode
 
 DESIGN is a name that `carvallo bicycles` lists, or with --model a parameter set that `carvallo models` lists; the path
 of a file; or - for the standard input. A file that says `model = \"NAME\"` chooses its model by itself.
@@ -82,6 +84,9 @@ pub struct Options {
     /// Draws the eigenvalues against speed; .svg or .png
     #[arg(long, value_name = "FILE")]
     plot: Option<Picture>,
+    /// Draws the shapes of the modes as phasors, at each of --speeds; .svg or .png
+    #[arg(long, value_name = "FILE", conflicts_with = "along")]
+    phasors: Option<Picture>,
     /// The speeds that --plot shows, in m/s [default: those of --speeds]
     #[arg(long, value_name = "LOW:HIGH", requires = "plot")]
     xlim: Option<SpeedLimits>,
@@ -106,6 +111,9 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             return Err(picture.problem("a picture needs a range of speeds, such as --speeds 0:10:0.1"));
         }
     }
+    if let Some(picture) = &options.phasors {
+        check_phasors(picture, options)?;
+    }
     let mut analysis = Analysis::new(options.design.load()?)?;
     analysis.unit = options.units.of_speeds()?;
     let model = analysis.design.model;
@@ -117,6 +125,10 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         if options.speeds.is_some() {
             note(WARNING, "note", &format!("{nothing}: --speeds is ignored"));
         }
+    }
+    if let (Some(picture), true, None) = (&options.phasors, model.depends_on_speed(), &options.speeds) {
+        return Err(picture
+            .problem_of("--phasors", "expected --speeds with the speeds that it is drawn at, such as --speeds 4.5"));
     }
     let given = options.speeds.as_ref();
     let speeds_or = |is_coarse: bool| match given {
@@ -130,9 +142,13 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     tell_of_rest(&analysis, &speeds)?;
     let rows = analysis.rows(&speeds)?;
     let at_row = |(speed, values): (f64, &[ModeValue])| analysis.shapes(speed, values);
-    let shapes = options.eigenvectors.then(|| rows.values().into_iter().map(at_row).collect::<Result<Vec<_>, _>>());
+    let are_needed = options.eigenvectors || options.phasors.is_some();
+    let shapes = are_needed.then(|| rows.values().into_iter().map(at_row).collect::<Result<Vec<_>, _>>());
     let shapes = shapes.transpose()?;
-    let shapes = shapes.as_deref();
+    if let (Some(picture), Some(shapes)) = (&options.phasors, &shapes) {
+        picture.write(&draw_phasors(&analysis, &rows, shapes))?;
+    }
+    let shapes = shapes.as_deref().filter(|_| options.eigenvectors);
     if let Some(picture) = &options.plot {
         let x = options.xlim.map_or_else(|| extremes(&speeds_or(false)), |SpeedLimits(low, high)| (low, high));
         let y = options.ylim.map(|EigenvalueLimits(low, high)| (low, high));
@@ -143,6 +159,18 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         Format::Document(language) => print(&documents::of_analysis(&analysis, &rows, shapes).write(language)),
         Format::Json => write(|output| data::analysis::write_json(&analysis, &rows, shapes, output)),
         Format::Csv => write(|output| data::analysis::write_csv(&analysis, &rows, output)),
+    }
+}
+
+/// Whether phasors can be drawn as they are asked for.
+fn check_phasors(picture: &Picture, options: &Options) -> Result<(), Failure> {
+    picture.check_request("--phasors", &options.design.request())?;
+    match &options.speeds {
+        Some(Speeds(speeds)) if speeds.len() > MOST_SPEEDS => {
+            let message = format!("there are {} speeds; the picture has room for {MOST_SPEEDS}", speeds.len());
+            Err(picture.problem_of("--phasors", message))
+        }
+        _ => Ok(()),
     }
 }
 

@@ -12,6 +12,7 @@ pub mod motion;
 pub mod parameters;
 #[cfg(feature = "control")]
 pub mod response;
+#[cfg(feature = "control")]
 pub mod schedule;
 pub mod sensitivity;
 #[cfg(feature = "control")]

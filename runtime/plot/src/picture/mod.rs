@@ -22,6 +22,7 @@ mod nyquist;
 mod overlay;
 mod panels;
 mod path;
+mod phasors;
 mod places;
 #[cfg(feature = "png")]
 mod png;
@@ -53,6 +54,7 @@ pub use self::motion::draw_motion;
 pub use self::nyquist::draw_nyquist;
 pub use self::overlay::draw_overlay;
 pub use self::panels::{Panel, panels};
+pub use self::phasors::{MOST_SPEEDS, draw_phasors};
 #[cfg(feature = "control")]
 pub use self::response::draw_response;
 pub use self::scene::{Color, Paint, Scene};
