@@ -31,8 +31,10 @@ pub fn solve(predictor: &Predictor, value: f64, world: &dyn Fn(f64) -> Option<Wo
         if tried.iter().any(|known| (known - x).abs() <= 1e-6 * x.abs()) {
             continue;
         }
-        if fits(x) {
-            return Some(simplest(x, &fits));
+        if let Some(x) = middle(predictor, x, scale, &predict)
+            && let Some(x) = simplest(x, &fits)
+        {
+            return Some(x);
         }
         tried.push(x);
     }
@@ -61,10 +63,30 @@ fn root(start: f64, scale: f64, difference: &dyn Fn(f64) -> f64) -> Option<f64> 
     ((b - a).abs() <= 1e-9 * b.abs()).then_some(b)
 }
 
-/// With the fewest digits that fit.
-fn simplest(x: f64, fits: &dyn Fn(f64) -> bool) -> f64 {
+/// The middle of what all tolerances allow around a value with which one number comes out, to first order; `None` where they
+/// allow nothing in common.
+fn middle(predictor: &Predictor, x: f64, scale: f64, predict: &dyn Fn(f64) -> Option<Vec<f64>>) -> Option<f64> {
+    let step = 1e-6 * scale.abs().max(x.abs());
+    let (here, near) = (predict(x)?, predict(x + step)?);
+    let [mut low, mut high] = [f64::NEG_INFINITY, f64::INFINITY];
+    for (at, (_, reading)) in predictor.numbers().iter().enumerate() {
+        let (slope, tolerance) = ((near[at] - here[at]) / step, predictor.tolerances()[at]);
+        let off = reading.value - here[at];
+        // What hardly changes with it says nothing, and is told by what fits.
+        if slope.abs() * scale.abs() > tolerance {
+            let [a, b] = [off - tolerance, off + tolerance].map(|own| own / slope);
+            (low, high) = (low.max(a.min(b)), high.min(a.max(b)));
+        }
+    }
+    let middle = if low.is_finite() && high.is_finite() { x + (low + high) / 2.0 } else { x };
+    // To first order they may miss each other by a little.
+    (low <= high + step).then_some(middle)
+}
+
+/// With the fewest digits that fit; `None` if it fits with none.
+fn simplest(x: f64, fits: &dyn Fn(f64) -> bool) -> Option<f64> {
     let rounded = (0..16).filter_map(|digits| format!("{x:.digits$e}").parse().ok());
-    rounded.into_iter().find(|&x| fits(x)).unwrap_or(x)
+    rounded.chain([x]).find(|&x| fits(x))
 }
 
 /// How many significant digits a number has.
