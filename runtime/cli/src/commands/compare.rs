@@ -61,6 +61,16 @@ pub struct Options {
     /// All parameters, and not only those that differ
     #[arg(long)]
     all: bool,
+    #[command(flatten)]
+    pictures: Pictures,
+    /// table, markdown, latex, json or csv
+    #[arg(long, value_enum, default_value = "table", hide_possible_values = true)]
+    format: Format,
+}
+
+/// Pictures of several designs.
+#[derive(Args, Debug)]
+pub struct Pictures {
     /// Draws the eigenvalues of all against the speed; .svg or .png
     #[arg(long, value_name = "FILE")]
     plot: Option<Picture>,
@@ -73,19 +83,44 @@ pub struct Options {
     /// Draws what each parameter contributes to the differences of the last design from the first; .svg or .png
     #[arg(long, value_name = "FILE")]
     contributions: Option<Picture>,
-    /// table, markdown, latex, json or csv
-    #[arg(long, value_enum, default_value = "table", hide_possible_values = true)]
-    format: Format,
+}
+
+impl Pictures {
+    /// # Errors
+    /// If a picture would replace the file that parameters are read from.
+    pub fn check(&self, request: &Request) -> Result<(), Failure> {
+        let all = [("--plot", &self.plot), ("--side-view", &self.side_view), ("--contributions", &self.contributions)];
+        let mut given = all.into_iter().filter_map(|(option, picture)| Some((option, picture.as_ref()?)));
+        given.try_for_each(|(option, picture)| picture.check_request(option, request))
+    }
+
+    /// # Errors
+    /// If one cannot be drawn, or a file cannot be written.
+    pub fn draw(&self, comparison: &Comparison) -> Result<(), Failure> {
+        if let Some(file) = &self.plot {
+            let limits = self.xlim.map(|SpeedLimits(low, high)| (low, high));
+            file.write(&picture::draw_overlay(comparison, limits)?)?;
+        }
+        if let Some(file) = &self.side_view {
+            let none =
+                || file.problem_of("--side-view", "there is a side view of bicycles alone, and not all of these are");
+            file.write(&picture::draw_side_views(comparison).ok_or_else(none)?)?;
+        }
+        if let Some(file) = &self.contributions {
+            let (first, last) = (&comparison.designs[0], &comparison.designs[comparison.designs.len() - 1]);
+            let difference = &comparison.differences[comparison.differences.len() - 1];
+            let none = || {
+                file.problem_of("--contributions", "there is no critical speed of both with a difference to share out")
+            };
+            file.write(&picture::draw_contributions(first, last, difference).ok_or_else(none)?)?;
+        }
+        Ok(())
+    }
 }
 
 pub fn run(options: &Options) -> Result<(), Failure> {
     let requests = options.designs.iter().map(|argument| request(argument, options)).collect::<Result<Vec<_>, _>>()?;
-    let pictures =
-        [("--plot", &options.plot), ("--side-view", &options.side_view), ("--contributions", &options.contributions)];
-    for (option, picture) in pictures {
-        let Some(picture) = picture else { continue };
-        requests.iter().try_for_each(|request| picture.check_request(option, request))?;
-    }
+    requests.iter().try_for_each(|request| options.pictures.check(request))?;
     let designs = requests.iter().map(load).collect::<Result<Vec<_>, _>>()?;
     let mut labels: Vec<String> = designs.iter().map(|design| design.title()).collect();
     let different: HashSet<&String> = labels.iter().collect();
@@ -96,33 +131,13 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let compared =
         labels.into_iter().zip(designs).map(|(label, design)| Ok(Compared { label, analysis: Analysis::new(design)? }));
     let comparison = Comparison::new(compared.collect::<Result<_, Failure>>()?)?;
-    draw(options, &comparison)?;
+    options.pictures.draw(&comparison)?;
     match options.format {
         Format::Table => print(&documents::of_comparison(&comparison, options.all).at_terminal()),
         Format::Document(language) => print(&documents::of_comparison(&comparison, options.all).write(language)),
         Format::Json => write(|output| data::compare::write_json(&comparison, output)),
         Format::Csv => write(|output| data::compare::write_csv(&comparison, output)),
     }
-}
-
-fn draw(options: &Options, comparison: &Comparison) -> Result<(), Failure> {
-    if let Some(file) = &options.plot {
-        let limits = options.xlim.map(|SpeedLimits(low, high)| (low, high));
-        file.write(&picture::draw_overlay(comparison, limits)?)?;
-    }
-    if let Some(file) = &options.side_view {
-        let none =
-            || file.problem_of("--side-view", "there is a side view of bicycles alone, and not all of these are");
-        file.write(&picture::draw_side_views(comparison).ok_or_else(none)?)?;
-    }
-    if let Some(file) = &options.contributions {
-        let (first, last) = (&comparison.designs[0], &comparison.designs[comparison.designs.len() - 1]);
-        let difference = &comparison.differences[comparison.differences.len() - 1];
-        let none =
-            || file.problem_of("--contributions", "there is no critical speed of both with a difference to share out");
-        file.write(&picture::draw_contributions(first, last, difference).ok_or_else(none)?)?;
-    }
-    Ok(())
 }
 
 /// `NAME`, or `NAME:SETTING,SETTING`; what is the name of a file as a whole is one.

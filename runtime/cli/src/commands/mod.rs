@@ -10,6 +10,7 @@ mod equations;
 mod lists;
 mod lqr;
 mod measure;
+mod optimize;
 mod respond;
 mod sensitivity;
 mod show;
@@ -44,6 +45,8 @@ Examples:
   carvallo show browser --plot browser.svg     Parameters, and a side view to scale
   carvallo sweep --vary w=0.9:1.2:0.01 --vary 'lam=10 deg:30 deg:1 deg' --map map.svg --output designs.csv
                                                Many designs, with a map of their stability
+  carvallo optimize --vary 'lam=10 deg:30 deg' --vary c=0.02:0.12 --minimize weave-speed
+                                               The best head angle and trail
   carvallo simulate --speed 4.6 --initial phi_rate=0.5 --duration 10
                                                The motion of the benchmark bicycle after a push
   carvallo bicycles --format latex             A table for a paper, as most commands give one
@@ -84,6 +87,7 @@ enum Command {
     Bicycles(lists::BicycleOptions),
     /// The shipped models, with their coordinates and parameter sets
     Models(lists::Options),
+    Optimize(Box<optimize::Options>),
     Show(show::Options),
     Measure(measure::Options),
     Convert(convert::Options),
@@ -118,6 +122,7 @@ fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
         Some(Command::Sensitivity(options)) => sensitivity::run(&options),
         Some(Command::Bicycles(options)) => lists::bicycles(&options),
         Some(Command::Models(options)) => lists::models(&options),
+        Some(Command::Optimize(options)) => optimize::run(&options),
         Some(Command::Show(options)) => show::run(&options),
         Some(Command::Measure(options)) => measure::run(&options),
         Some(Command::Convert(options)) => convert::run(&options),

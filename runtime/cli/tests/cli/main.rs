@@ -20,6 +20,7 @@ mod mistakes;
 mod mistakes_of_models;
 mod models;
 mod numbers;
+mod optimize;
 mod pictures;
 mod process;
 mod readings;

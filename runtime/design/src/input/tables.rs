@@ -5,7 +5,7 @@ use super::matrices;
 use crate::failure::Place;
 
 /// What the output of an analysis, or of the sensitivity, holds besides the parameters; correlations are read before these.
-const RESULTS: [&str; 8] = [
+const RESULTS: [&str; 12] = [
     "speed_unit",
     "matrices",
     "matrix_standard_deviations",
@@ -14,6 +14,11 @@ const RESULTS: [&str; 8] = [
     "undecided_ranges",
     "eigenvalues",
     "correlations",
+    // Of an optimum.
+    "goal",
+    "varied",
+    "constraints",
+    "search",
 ];
 
 /// A name with its value and what is in that.

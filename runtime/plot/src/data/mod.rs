@@ -9,6 +9,8 @@ mod head;
 mod layout;
 mod matrices;
 pub mod motion;
+#[cfg(feature = "optimize")]
+pub mod optimum;
 pub mod parameters;
 #[cfg(feature = "control")]
 pub mod response;

@@ -25,7 +25,8 @@ fn columns(comparison: &Comparison) -> impl Iterator<Item = Column> + '_ {
     comparison.designs.iter().map(|compared| Column::right(compared.label.clone()))
 }
 
-fn critical_speeds(comparison: &Comparison) -> Table {
+/// The critical speeds of each kind, and the stable ranges, of all designs.
+pub fn critical_speeds(comparison: &Comparison) -> Table {
     let of = |compared: &Compared| -> Vec<(&'static str, f64)> {
         let Compared { analysis, .. } = compared;
         let named = |critical: &CriticalSpeed| (name(critical, analysis.design.info()), critical.speed);
@@ -99,7 +100,7 @@ fn parameters(comparison: &Comparison, all: bool) -> Table {
 }
 
 /// What each parameter contributes to the differences of the critical speeds, the largest contribution first.
-fn explained(first: &Compared, other: &Compared, difference: &Difference) -> Table {
+pub fn explained(first: &Compared, other: &Compared, difference: &Difference) -> Table {
     let title = format!("What makes the difference of {} from {} (m/s)", other.label, first.label);
     let (parameters, ways) = match difference {
         Difference::Explained { parameters, ways } => (parameters, ways),
@@ -161,7 +162,7 @@ fn part(way: &Way, first: &Compared, other: &Compared) -> Option<String> {
 }
 
 /// Six digits, which are enough beside a contribution.
-fn rounded(value: f64) -> String {
+pub fn rounded(value: f64) -> String {
     shortest(format!("{value:.5e}").parse().unwrap_or(value))
 }
 

@@ -1,0 +1,146 @@
+//! What must be kept: an inequality between expressions in the parameters and in measures of the design.
+
+use carvallo::ModelInfo;
+use carvallo_design::input::position;
+use carvallo_design::quantity::{self, Context, Mistake, Reason};
+use carvallo_design::{Failure, Place};
+
+use crate::goal::Measure;
+use crate::measures::Measures;
+use crate::range::Range;
+
+/// An inequality.
+#[derive(Clone, Debug)]
+pub struct Constraint {
+    /// As it was given, or what it is if it is built in.
+    pub written: String,
+    kind: Kind,
+}
+
+#[derive(Clone, Debug)]
+enum Kind {
+    /// Texts of which the first must be at most the second, and the unit that both are read in.
+    Texts { small: String, large: String, unit: &'static str },
+    /// A function of the parameters, and of a part of the machine, that must be zero or less.
+    Built { function: Excess, part: &'static str },
+}
+
+/// By how much something is too large, by the parameters of a model and the letter of a part of the machine.
+pub type Excess = fn(&ModelInfo, &[f64], &str) -> f64;
+
+/// Steps of differences, relative to the range: in expressions without noise they leave about ten digits.
+const STEP: f64 = 1e-6;
+
+impl Constraint {
+    /// Reads `EXPRESSION <= EXPRESSION`, or with `>=`; `<` and `>` mean the same, since the difference is one of rounding. Names
+    /// are those of parameters, and `stable_range`, `weave_speed`, `capsize_speed` and `flutter_speed`.
+    pub(crate) fn parse(written: &str, info: &ModelInfo, values: &[f64]) -> Result<Self, Failure> {
+        let fail = |message: String| Failure::at(Place::Option(format!("--keep '{written}'")), message);
+        let signs = ["<=", ">=", "≤", "≥", "<", ">"].into_iter();
+        let Some((sign, (left, right))) = signs.filter_map(|sign| Some((sign, written.split_once(sign)?))).next()
+        else {
+            return Err(fail("expected an inequality, such as xB >= 0.2 or rR + rF <= 0.8*w".to_owned()));
+        };
+        let (left, right) = (left.trim(), right.trim());
+        // Beside a parameter or a speed alone, numbers may have units.
+        let unit = |text: &str| match position(text, info) {
+            Some(position) => Some(info.parameters[position].unit),
+            None => Measure::of_speeds(text).map(Measure::unit),
+        };
+        let unit = unit(left).or_else(|| unit(right)).unwrap_or("1");
+        for side in [left, right] {
+            // Any value does for a speed that the design may not have.
+            let names = |name: &str| {
+                let parameter = position(name, info).map(|position| values[position]);
+                parameter.or_else(|| Measure::of_speeds(name).map(|_| 1.0)).map(Ok)
+            };
+            evaluate(side, unit, &names).map_err(|message| fail(format!("`{side}` is no value: {message}")))?;
+        }
+        let (small, large) = if sign.starts_with(['>', '≥']) { (right, left) } else { (left, right) };
+        Ok(Self {
+            written: written.to_owned(),
+            kind: Kind::Texts { small: small.to_owned(), large: large.to_owned(), unit },
+        })
+    }
+
+    /// One that needs not be asked for.
+    pub(crate) fn built(written: String, function: Excess, part: &'static str) -> Self {
+        Self { written, kind: Kind::Built { function, part } }
+    }
+
+    /// By how much it is missed: zero or less where it holds; `None` where a speed that stands in it is not there, or an
+    /// expression has no value.
+    pub(crate) fn excess(&self, info: &ModelInfo, values: &[f64], measures: Option<&Measures>) -> Option<f64> {
+        self.sides(info, values, &|measure| take(measures, measure)).map(|(small, large)| small - large)
+    }
+
+    /// The size of its sides, to tell what is little.
+    pub(crate) fn scale(&self, info: &ModelInfo, values: &[f64], measures: Option<&Measures>) -> f64 {
+        let sides = self.sides(info, values, &|measure| take(measures, measure));
+        let size = sides.map_or(0.0, |(small, large)| small.abs().max(large.abs()));
+        if size > 0.0 && size.is_finite() { size } else { 1.0 }
+    }
+
+    /// The derivatives of the excess by the shares of the ranges: of expressions by differences, of the speeds in them exactly.
+    pub(crate) fn gradient(
+        &self,
+        info: &ModelInfo,
+        values: &[f64],
+        measures: Option<&Measures>,
+        ranges: &[Range],
+    ) -> Vec<f64> {
+        let excess = |values: &[f64], changed: Option<(Measure, f64)>| {
+            let names = |measure: Measure| match changed {
+                Some((other, value)) if other == measure => Some(value),
+                _ => take(measures, measure),
+            };
+            self.sides(info, values, &names).map_or(0.0, |(small, large)| small - large)
+        };
+        let speeds = Measure::SPEEDS.into_iter().filter_map(|measure| {
+            let measured = measures?.take(measure).ok()??;
+            let step = STEP * measured.value.abs().max(STEP);
+            let [above, below] = [step, -step].map(|step| excess(values, Some((measure, measured.value + step))));
+            let slope = (above - below) / (2.0 * step);
+            (slope != 0.0).then_some((slope, measured.gradient))
+        });
+        let speeds: Vec<(f64, Vec<f64>)> = speeds.collect();
+        let by = |range: &Range| {
+            let step = STEP * (range.high - range.low);
+            let [above, below] = [step, -step].map(|step| {
+                let mut values = values.to_vec();
+                values[range.position] += step;
+                excess(&values, None)
+            });
+            let through_speeds: f64 = speeds.iter().map(|(slope, gradient)| slope * gradient[range.position]).sum();
+            ((above - below) / (2.0 * step) + through_speeds) * (range.high - range.low)
+        };
+        ranges.iter().map(by).collect()
+    }
+
+    fn sides(&self, info: &ModelInfo, values: &[f64], speed: &dyn Fn(Measure) -> Option<f64>) -> Option<(f64, f64)> {
+        match &self.kind {
+            Kind::Built { function, part } => Some((function(info, values, part), 0.0)),
+            Kind::Texts { small, large, unit } => {
+                let names = |name: &str| match position(name, info) {
+                    Some(position) => Some(Ok(values[position])),
+                    None => {
+                        let missing = || format!("there is no {name}");
+                        Some(speed(Measure::of_speeds(name)?).ok_or_else(missing))
+                    }
+                };
+                Some((evaluate(small, unit, &names).ok()?, evaluate(large, unit, &names).ok()?))
+            }
+        }
+    }
+}
+
+fn take(measures: Option<&Measures>, measure: Measure) -> Option<f64> {
+    measures?.value(measure)
+}
+
+fn evaluate(text: &str, unit: &str, names: &quantity::Lookup) -> Result<f64, String> {
+    quantity::number(text, Context { unit, names }).map_err(|Mistake { reason, .. }| match reason {
+        Reason::Unit(unit) => format!("`{unit}` is no unit for it"),
+        Reason::Other(reason) => reason,
+    })
+}

@@ -1,0 +1,98 @@
+//! What is to be as small, or as large, as can be.
+
+use std::fmt;
+
+use carvallo::{ModelInfo, ParameterInfo};
+use carvallo_design::parameter::find;
+
+/// A measure that is minimized or maximized.
+#[derive(Clone, Copy, Debug)]
+pub struct Goal {
+    /// What of the design.
+    pub measure: Measure,
+    /// Whether more of it is better.
+    pub maximize: bool,
+}
+
+/// What a design is measured by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Measure {
+    /// The width of the widest stable range of speeds, in m/s, as far as it is within the speeds that count.
+    StableRange,
+    /// The speed in m/s above which weave is stable: the highest at which it becomes so.
+    WeaveSpeed,
+    /// The lowest speed in m/s at which it becomes unstable by an eigenvalue that is zero: capsize, or divergence.
+    CapsizeSpeed,
+    /// The lowest speed in m/s at which it becomes unstable by an oscillation: flutter, wobble, or weave.
+    FlutterSpeed,
+    /// A parameter, by its position in the model, in its unit.
+    Parameter(usize, &'static ParameterInfo),
+}
+
+/// The names of what is no parameter, on the command line and in constraints.
+const NAMES: [(&str, Measure); 6] = [
+    ("stable-range", Measure::StableRange),
+    ("weave-speed", Measure::WeaveSpeed),
+    ("capsize-speed", Measure::CapsizeSpeed),
+    ("divergence-speed", Measure::CapsizeSpeed),
+    ("flutter-speed", Measure::FlutterSpeed),
+    ("wobble-speed", Measure::FlutterSpeed),
+];
+
+impl Goal {
+    /// As little of a measure as can be.
+    pub fn minimize(measure: Measure) -> Self {
+        Self { measure, maximize: false }
+    }
+
+    /// As much of a measure as can be.
+    pub fn maximize(measure: Measure) -> Self {
+        Self { measure, maximize: true }
+    }
+}
+
+impl Measure {
+    /// Those that are no parameters.
+    pub(crate) const SPEEDS: [Self; 4] = [Self::StableRange, Self::WeaveSpeed, Self::CapsizeSpeed, Self::FlutterSpeed];
+
+    /// The measure called `name`: `stable-range`, `weave-speed`, `capsize-speed`, `divergence-speed`, `flutter-speed` or
+    /// `wobble-speed`, or a parameter of the model.
+    ///
+    /// # Errors
+    /// If there is none.
+    pub fn called(name: &str, info: &ModelInfo) -> Result<Self, String> {
+        if let Some(measure) = Self::of_speeds(name) {
+            return Ok(measure);
+        }
+        match find(name, info) {
+            Ok(position) => Ok(Self::Parameter(position, &info.parameters[position])),
+            Err(message) => {
+                let names: Vec<&str> = NAMES.iter().map(|(name, _)| *name).collect();
+                Err(format!("{message}; expected a parameter, or one of {}", names.join(", ")))
+            }
+        }
+    }
+
+    /// The measure of speeds called `name`, with `-` or with `_` in it.
+    pub(crate) fn of_speeds(name: &str) -> Option<Self> {
+        NAMES.iter().find(|(known, _)| *known == name.replace('_', "-")).map(|(_, measure)| *measure)
+    }
+
+    /// The unit of it.
+    pub fn unit(self) -> &'static str {
+        if let Self::Parameter(_, info) = self { info.unit } else { "m/s" }
+    }
+}
+
+/// Reads as a sentence has it: `weave speed`.
+impl fmt::Display for Measure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::StableRange => "width of the stable range",
+            Self::WeaveSpeed => "weave speed",
+            Self::CapsizeSpeed => "speed of capsize or divergence",
+            Self::FlutterSpeed => "speed of flutter",
+            Self::Parameter(_, info) => info.name,
+        })
+    }
+}

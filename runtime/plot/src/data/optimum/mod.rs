@@ -1,0 +1,7 @@
+//! The best design within ranges, as JSON and as comma-separated values.
+
+mod csv;
+mod json;
+
+pub use self::csv::write_csv;
+pub use self::json::write_json;
