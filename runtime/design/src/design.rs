@@ -5,6 +5,7 @@ use carvallo_models::{WhippleMechanism, WhippleMechanismKinematics};
 
 use crate::feedback::Law;
 use crate::model::{Equations, MachineVisitor, Shipped};
+use crate::number::shortest;
 
 /// A machine as it was given by its parameters, with its equations of motion.
 #[derive(Debug)]
@@ -75,6 +76,32 @@ impl Design {
     /// The values of all parameters.
     pub fn values(&self) -> Vec<f64> {
         self.parameters.iter().map(|given| given.value).collect()
+    }
+
+    /// The same machine with other values of its parameters, in the order of the model: those that change lose their standard
+    /// deviations, and all of them their correlations.
+    ///
+    /// # Errors
+    /// The first of them, or of the model's requirements, that does not hold.
+    pub fn with_values(&self, values: &[f64]) -> Result<Self, String> {
+        let given = |(given, &value): (&Given, &f64)| match given.value == value {
+            true => given.clone(),
+            false => Given { written: shortest(value), value, deviation: None },
+        };
+        Ok(Self {
+            name: self.name.clone(),
+            kind: self.kind.clone(),
+            source: self.source.clone(),
+            model: self.model,
+            parameters: self.parameters.iter().zip(values).map(given).collect(),
+            covariance: None,
+            feedback: self.feedback.clone(),
+            equations: self.model.equations(values)?,
+            #[cfg(feature = "full")]
+            reading: None,
+            notes: Vec::new(),
+            warnings: Vec::new(),
+        })
     }
 
     /// Hands the machine that the nonlinear equations of motion are of to a visitor; whether there are any: with feedback there

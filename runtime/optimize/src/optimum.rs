@@ -1,7 +1,6 @@
 //! The best design that was found.
 
-use carvallo_design::number::shortest;
-use carvallo_design::{Design, Failure, Given};
+use carvallo_design::{Design, Failure};
 
 use crate::measures::Measures;
 use crate::problem::Problem;
@@ -67,7 +66,7 @@ impl Optimum {
     /// # Errors
     /// If it has no equations of motion.
     pub fn given(&self, problem: &Problem) -> Result<Design, Failure> {
-        with(problem.design, &problem.design.values())
+        problem.design.with_values(&problem.design.values()).map_err(Failure::Run)
     }
 
     /// The design itself.
@@ -77,28 +76,7 @@ impl Optimum {
     pub fn design(&self, problem: &Problem) -> Result<Design, Failure> {
         let from = problem.design;
         let source = from.source.as_ref().map(|source| format!("{source}; changed by carvallo optimize"));
-        Ok(Design { name: format!("{}-optimal", from.name), source, ..with(from, &self.values)? })
+        let changed = from.with_values(&self.values).map_err(Failure::Run)?;
+        Ok(Design { name: format!("{}-optimal", from.name), source, ..changed })
     }
-}
-
-/// A design with other values of its parameters.
-fn with(from: &Design, values: &[f64]) -> Result<Design, Failure> {
-    let equations = from.model.equations(values).map_err(Failure::Run)?;
-    let parameters = from.parameters.iter().zip(values).map(|(given, &value)| match given.value == value {
-        true => given.clone(),
-        // What was measured is another value.
-        false => Given { written: shortest(value), value, deviation: None },
-    });
-    Ok(Design {
-        name: from.name.clone(),
-        kind: from.kind.clone(),
-        source: from.source.clone(),
-        model: from.model,
-        parameters: parameters.collect(),
-        covariance: None,
-        feedback: from.feedback.clone(),
-        equations,
-        notes: Vec::new(),
-        warnings: Vec::new(),
-    })
 }

@@ -86,8 +86,8 @@ pub fn write_json(problem: &Problem, optimum: &Optimum, best: &Analysis, output:
         constraints: constraints
             .map(|(constraint, &tight)| Line(Kept { constraint: &constraint.written, tight }))
             .collect(),
-        critical_speeds: events(&best.stability, design.info()),
-        stable_ranges: ranges(&best.stability),
+        critical_speeds: events(&best.stability, design.info(), &best.unit),
+        stable_ranges: ranges(&best.stability, &best.unit),
         search: Line(Search {
             speeds: problem.settings.speeds,
             seed: problem.settings.seed,
