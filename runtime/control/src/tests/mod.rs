@@ -2,9 +2,9 @@
 
 mod files;
 mod frequency_responses;
+mod modal;
 mod regulators;
 mod responses;
-
 mod state_spaces;
 mod transfer_functions;
 
