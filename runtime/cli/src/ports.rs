@@ -15,6 +15,13 @@ pub struct PortOptions {
     /// Forward speed in m/s
     #[arg(long, value_name = "V", allow_hyphen_values = true)]
     pub speed: Option<Speed>,
+    #[command(flatten)]
+    pub names: PortNames,
+}
+
+/// Inputs and outputs by their names.
+#[derive(Args, Clone, Debug)]
+pub struct PortNames {
     #[arg(
         long,
         value_name = "NAMES",
@@ -40,26 +47,10 @@ impl PortOptions {
     /// Everything that is wrong with what was asked for; or that there are no equations of motion.
     pub fn load(&self, usual: fn(&Ports) -> Vec<Output>) -> Result<(Design, StateSpace), Failure> {
         let design = self.design.load()?;
-        let (inputs, outputs) = self.ports(&design, usual)?;
+        let (inputs, outputs) = self.names.ports(&design, usual)?;
         let speed = self.speed(&design)?;
         let space = StateSpace::new(&design, speed, &inputs, &outputs)?;
         Ok((design, space))
-    }
-
-    /// The inputs, by their places, and the outputs.
-    ///
-    /// # Errors
-    /// All names that there are none of, or that stand twice.
-    fn ports(&self, design: &Design, usual: fn(&Ports) -> Vec<Output>) -> Result<(Vec<usize>, Vec<Output>), Failure> {
-        let ports = Ports::of(design);
-        let mut problems = Vec::new();
-        let inputs = named("--inputs", &self.inputs, |name| ports.input(name), &mut problems);
-        let outputs = named("--outputs", &self.outputs, |name| ports.output(name), &mut problems);
-        if !problems.is_empty() {
-            return Err(Failure::Input(problems));
-        }
-        let inputs = if inputs.is_empty() { ports.all_inputs() } else { inputs };
-        Ok((inputs, if outputs.is_empty() { usual(&ports) } else { outputs }))
     }
 
     /// The speed in m/s of what has one.
@@ -97,6 +88,28 @@ pub fn inputs(ports: &Ports, names: &[String]) -> Result<Vec<usize>, Failure> {
         (false, _) => Err(Failure::Input(problems)),
         (true, true) => Ok(ports.all_inputs()),
         (true, false) => Ok(inputs),
+    }
+}
+
+impl PortNames {
+    /// The inputs, by their places, and the outputs.
+    ///
+    /// # Errors
+    /// All names that there are none of, or that stand twice.
+    pub fn ports(
+        &self,
+        design: &Design,
+        usual: fn(&Ports) -> Vec<Output>,
+    ) -> Result<(Vec<usize>, Vec<Output>), Failure> {
+        let ports = Ports::of(design);
+        let mut problems = Vec::new();
+        let inputs = named("--inputs", &self.inputs, |name| ports.input(name), &mut problems);
+        let outputs = named("--outputs", &self.outputs, |name| ports.output(name), &mut problems);
+        if !problems.is_empty() {
+            return Err(Failure::Input(problems));
+        }
+        let inputs = if inputs.is_empty() { ports.all_inputs() } else { inputs };
+        Ok((inputs, if outputs.is_empty() { usual(&ports) } else { outputs }))
     }
 }
 

@@ -4,6 +4,7 @@
 mod analyze;
 mod check;
 mod compare;
+mod controllability;
 mod convert;
 mod demo;
 mod equations;
@@ -97,6 +98,7 @@ enum Command {
     Statespace(statespace::Options),
     Transfer(transfer::Options),
     Respond(respond::Options),
+    Controllability(controllability::Options),
     Lqr(lqr::Options),
     Sweep(Box<sweep::Options>),
 }
@@ -132,6 +134,7 @@ fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
         Some(Command::Statespace(options)) => statespace::run(&options),
         Some(Command::Transfer(options)) => transfer::run(&options),
         Some(Command::Respond(options)) => respond::run(&options),
+        Some(Command::Controllability(options)) => controllability::run(&options),
         Some(Command::Lqr(options)) => lqr::run(&options),
         Some(Command::Sweep(options)) => sweep::run(&options),
     };

@@ -5,6 +5,7 @@ mod analyze;
 mod bodies;
 mod check;
 mod compare;
+mod controllability;
 mod convert;
 mod correlations;
 mod documents;

@@ -2,6 +2,8 @@
 
 pub mod along;
 pub mod compare;
+#[cfg(feature = "control")]
+pub mod controllability;
 mod followed;
 pub mod reach;
 #[cfg(feature = "control")]

@@ -5,6 +5,8 @@ pub mod along;
 pub mod analysis;
 mod cells;
 pub mod compare;
+#[cfg(feature = "control")]
+pub mod controllability;
 mod head;
 mod layout;
 mod matrices;

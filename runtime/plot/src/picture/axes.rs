@@ -59,7 +59,8 @@ impl Axes {
         match self.scales[1] {
             Scale::Even => upward(self.y),
             #[cfg(feature = "control")]
-            scale => super::scales::ticks(scale, self.y),
+            // Upward there is less room.
+            scale => super::scales::ticks(scale, self.y).into_iter().filter(|(_, text)| !text.is_empty()).collect(),
         }
     }
 

@@ -8,6 +8,8 @@ mod beyond;
 mod bode;
 mod colors;
 mod contributions;
+#[cfg(feature = "control")]
+mod controllability;
 mod critical;
 mod curves;
 mod eigenvalues;
@@ -47,6 +49,8 @@ pub use self::along::draw_along;
 #[cfg(feature = "control")]
 pub use self::bode::draw_bode;
 pub use self::contributions::draw_contributions;
+#[cfg(feature = "control")]
+pub use self::controllability::draw_controllability;
 pub use self::curves::{Curve, extent, samples};
 pub use self::map::{MapAxis, MapCell, draw_map};
 pub use self::motion::draw_motion;

@@ -2,12 +2,12 @@
 
 use std::io::{Result, Write};
 
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
 use crate::analysis::response::{Excitation, Responses};
 use crate::data::head::Head;
 use crate::data::layout::{Line, Members, write_document};
-use crate::data::signals::Told;
+use crate::data::signals::{Named, Told};
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -38,15 +38,6 @@ struct AtTime<'a> {
     outputs: Named<'a>,
 }
 
-/// Numbers by their names, in their order.
-struct Named<'a>(Vec<(&'a str, f64)>);
-
-impl Serialize for Named<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().copied())
-    }
-}
-
 /// # Errors
 /// If it cannot be written.
 pub fn write_json(responses: &Responses, output: &mut dyn Write) -> Result<()> {
@@ -56,14 +47,12 @@ pub fn write_json(responses: &Responses, output: &mut dyn Write) -> Result<()> {
     let excitation = match excitation {
         Excitation::Step { input, size } => To::Step { input: name(input), size: *size },
         Excitation::Impulse { input, size } => To::Impulse { input: name(input), size: *size },
-        Excitation::Initial(state) => To::Initial(Named(
-            space.states.iter().map(|state| state.name.as_str()).zip(state.iter().copied()).collect(),
-        )),
+        Excitation::Initial(state) => To::Initial(Named::new(&space.states, state.iter().copied())),
     };
     let row = |(time, values): (&f64, &Vec<f64>)| {
         // Adding zero turns -0 into 0.
-        let named = space.outputs.iter().map(|signal| signal.name.as_str()).zip(values.iter().map(|value| value + 0.0));
-        Line(AtTime { t: *time, outputs: Named(named.collect()) })
+        let outputs = Named::new(&space.outputs, values.iter().map(|value| value + 0.0));
+        Line(AtTime { t: *time, outputs })
     };
     let document = Document {
         head: Head::of(design),

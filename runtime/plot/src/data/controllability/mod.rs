@@ -1,0 +1,7 @@
+//! Modal controllability and observability as JSON and as comma-separated values.
+
+mod csv;
+mod json;
+
+pub use self::csv::write_csv;
+pub use self::json::write_json;
