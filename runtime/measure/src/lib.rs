@@ -5,6 +5,7 @@ mod geometry;
 mod names;
 mod part;
 mod pendulum;
+pub mod rider;
 mod table;
 
 use carvallo_design::input::{Raw, load_raw, read_raw};

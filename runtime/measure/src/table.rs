@@ -183,7 +183,7 @@ fn mean<'a>(
 }
 
 /// An angle without a unit is in degrees.
-fn in_degrees(value: Value) -> Value {
+pub fn in_degrees(value: Value) -> Value {
     match value {
         Value::Text(text) | Value::Number(text) => {
             let context = Context { unit: "1", names: &no_names };

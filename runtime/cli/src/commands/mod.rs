@@ -13,6 +13,7 @@ mod lqr;
 mod measure;
 mod optimize;
 mod respond;
+mod rider;
 mod sensitivity;
 mod show;
 mod statespace;
@@ -91,6 +92,7 @@ enum Command {
     Optimize(Box<optimize::Options>),
     Show(show::Options),
     Measure(measure::Options),
+    Rider(rider::Options),
     Convert(convert::Options),
     Equations(equations::Options),
     Simulate(Box<simulate::Options>),
@@ -127,6 +129,7 @@ fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
         Some(Command::Optimize(options)) => optimize::run(&options),
         Some(Command::Show(options)) => show::run(&options),
         Some(Command::Measure(options)) => measure::run(&options),
+        Some(Command::Rider(options)) => rider::run(&options),
         Some(Command::Convert(options)) => convert::run(&options),
         Some(Command::Equations(options)) => equations::run(&options),
         Some(Command::Simulate(options)) => simulate::run(&options),

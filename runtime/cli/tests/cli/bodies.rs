@@ -76,6 +76,37 @@ fn a_rider_is_combined_as_bicycle_parameters_does() {
     }
 }
 
+/// Published as `benchmark-pistarider.yml` of BicycleParameters, of the Pista and the same rider; its frame's moments of inertia
+/// were 1e-4 kg m^2 others.
+#[test]
+fn the_published_pista_with_its_rider_comes_out() {
+    let directory = Directory::of_this_test();
+    directory.write("jason.txt", JASON);
+    let joined = directory.run(&["sensitivity", "pista", "--add", "jason.txt", "--format", "json"]).json();
+    let published = directory.run(&["sensitivity", "pista-rider", "--format", "json"]).json();
+    for (name, bound) in [("mB", 5e-12), ("xB", 5e-12), ("zB", 5e-12), ("IBxx", 1e-4), ("IBzz", 1e-4), ("IBxz", 1e-4)] {
+        let [found, published] = [&joined, &published].map(|json| json["parameters"][name]["value"].as_f64().unwrap());
+        assert!((found - published).abs() < bound, "{name}: {found}, not {published}");
+    }
+}
+
+/// The rider of the example, which is measured on a Browser, is that of `JASON` to the rounded places.
+#[test]
+fn a_rider_from_a_few_measures_is_joined() {
+    let directory = Directory::of_this_test();
+    directory.write("me.toml", directory.run(&["rider", "--example"]).ok());
+    directory.write("rider.toml", directory.run(&["rider", "me.toml"]).ok());
+    directory.write("jason.txt", JASON.replace("+/-2.0", ""));
+    let [found, published] = ["rider.toml", "jason.txt"].map(|rider| directory.parameters_with(&[], &[rider]));
+    for name in ["mB", "xB", "zB", "IBxx", "IByy", "IBzz", "IBxz"] {
+        let [found, published] = [&found, &published].map(|all| all[name]["value"].as_f64().unwrap());
+        assert!((found - published).abs() < 2e-3, "{name}: {found}, not {published}");
+    }
+    let missing = directory.run_with_input(&["rider", "-"], "mass = 72\n");
+    assert_eq!(missing.code, Some(2));
+    assert!(missing.stderr.starts_with("error: <stdin>: missing: lean, lower_leg"), "{}", missing.stderr);
+}
+
 /// Beside nothing else a body is what it is: boxes, cylinders and spheres by their formulas.
 #[test]
 fn moments_of_inertia_are_those_of_the_shape() {
