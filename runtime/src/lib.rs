@@ -70,7 +70,6 @@ mod pencil;
 mod sensitivity;
 #[cfg(feature = "std")]
 pub mod simulation;
-#[cfg(feature = "std")]
 mod stability;
 mod system;
 #[cfg(feature = "turns")]
@@ -97,9 +96,10 @@ pub use sensitivity::{
 };
 #[cfg(feature = "std")]
 pub use stability::{
-    Branches, Change, CriticalKind, CriticalSpeed, CriticalValue, MarginalRange, Meeting, Mode, ModeValue, Modes,
-    ParameterRange, ParameterStability, ParameterStabilityError, Stability, StableRange, UndecidedRange, Verdict,
+    Branches, CriticalValue, MarginalRange, Meeting, ModeValue, Modes, ParameterRange, ParameterStability,
+    ParameterStabilityError, Stability, UndecidedRange,
 };
+pub use stability::{CertainStability, Change, CriticalKind, CriticalSpeed, Mode, StableRange, Verdict};
 pub use system::{Coefficients, Matrix, MatrixName, Rows, StateSpace, States, System, SystemError, rows};
 
 /// The other half of [`model!`].

@@ -4,8 +4,10 @@
 use core::ops::{Mul, Sub};
 
 use super::powers::{Powers, Variable};
+#[cfg(feature = "std")]
+use crate::numeric::Polynomial;
+use crate::numeric::Tracked;
 use crate::numeric::fixed::{add, map, product, square};
-use crate::numeric::{Polynomial, Tracked};
 
 /// The products that both conditions of a quartic have, in the variable V.
 pub(crate) struct QuarticConditions<'a, V: Variable> {
@@ -61,6 +63,7 @@ pub(crate) fn hurwitz_of_cubic<T: Mul<Output = T> + Sub<Output = T>>([p0, p1, p2
 }
 
 /// The discriminant of the cubic `a s^3 + b s^2 + c s + d`.
+#[cfg(feature = "std")]
 pub(crate) fn discriminant_of_cubic([d, c, b, a]: [&Polynomial; 4]) -> Polynomial {
     let (bc, ad) = (&(b * c), &(a * d));
     let cubes = &(&(b * b) * b) * d + &(&(c * c) * c) * a;
@@ -68,11 +71,12 @@ pub(crate) fn discriminant_of_cubic([d, c, b, a]: [&Polynomial; 4]) -> Polynomia
 }
 
 /// The discriminant of the quadratic `a s^2 + b s + c`.
+#[cfg(feature = "std")]
 pub(crate) fn discriminant_of_quadratic([c, b, a]: [&Polynomial; 3]) -> Polynomial {
     b * b - &(a * c) * 4.0
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "std"))]
 mod tests {
     use super::{QuarticConditions, discriminant_of_cubic, discriminant_of_quadratic, hurwitz_of_cubic};
     use crate::characteristic::powers::{Matrices, Powers};

@@ -9,12 +9,8 @@
 //! The determinant is that of two coordinates; units are for any number. Another matrix with its own powers of s and v, as
 //! C_-1 or K_1, is a line in `units` and its terms in `powers`.
 
-pub(crate) mod determinant;
-pub(crate) mod units;
-
-#[cfg(feature = "std")]
 pub(crate) mod conditions;
-#[cfg(feature = "std")]
+pub(crate) mod determinant;
 pub(crate) mod double_root;
-#[cfg(feature = "std")]
 pub(crate) mod powers;
+pub(crate) mod units;

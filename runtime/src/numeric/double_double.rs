@@ -35,7 +35,6 @@ impl DoubleDouble {
 }
 
 /// Operations of polynomials.
-#[cfg(feature = "std")]
 impl DoubleDouble {
     /// The product with one `f64`.
     #[inline]
@@ -45,6 +44,7 @@ impl DoubleDouble {
     }
 
     /// Times a power of two, exactly.
+    #[cfg(feature = "std")]
     pub(crate) fn ldexp(self, e: i32) -> Self {
         Self { hi: ldexp(self.hi, e), lo: ldexp(self.lo, e) }
     }

@@ -34,32 +34,40 @@ pub(crate) fn product<A: Fixed, B: Fixed, C: Fixed>(a: &A, b: &B) -> C {
 pub(crate) fn square<A: Fixed, C: Fixed>(a: &A) -> C {
     const { assert!(C::COUNT + 1 == 2 * A::COUNT) }
     let mut result = C::ZERO;
-    let (a, square) = (a.as_ref(), result.as_mut());
-    for power in 0..C::COUNT {
+    let a = a.as_ref();
+    let term = |i: usize, j: usize| coefficient(a, i) * coefficient(a, j);
+    for (power, square) in result.as_mut().iter_mut().enumerate() {
         // The terms before the middle one come twice.
         let first = (power + 1).saturating_sub(A::COUNT);
         let mut sum = Tracked::ZERO;
         for i in first..power.div_ceil(2) {
-            let term = a[i] * a[power - i];
+            let term = term(i, power - i);
             sum = if i == first { term } else { sum + term };
         }
         sum = sum.doubled();
-        square[power] = if power % 2 == 1 {
+        *square = if power % 2 == 1 {
             sum
         } else if power == 0 || power == C::COUNT - 1 {
-            a[power / 2] * a[power / 2]
+            term(power / 2, power / 2)
         } else {
-            sum + a[power / 2] * a[power / 2]
+            sum + term(power / 2, power / 2)
         };
     }
     result
+}
+
+/// A coefficient, which is always there. Indexing would link a panic into the programs of microcontrollers, where loops are not
+/// unrolled; here and below.
+#[inline(always)]
+fn coefficient(a: &[Tracked], power: usize) -> Tracked {
+    a.get(power).copied().unwrap_or(Tracked::ZERO)
 }
 
 /// The sum of two polynomials, of which the first may have more coefficients: those of the second are added from the power
 /// `shift` on.
 #[inline]
 pub(crate) fn add<A: Fixed, B: Fixed>(mut a: A, b: B, shift: usize) -> A {
-    for (a, &b) in a.as_mut()[shift..].iter_mut().zip(b.as_ref()) {
+    for (a, &b) in a.as_mut().iter_mut().skip(shift).zip(b.as_ref()) {
         *a = *a + b;
     }
     a
@@ -78,7 +86,7 @@ pub(crate) fn map<A: Fixed>(mut a: A, f: impl Fn(Tracked) -> Tracked) -> A {
 #[inline]
 pub(crate) fn padded<A: Fixed, B: Fixed>(a: A) -> B {
     let mut padded = B::ZERO;
-    padded.as_mut()[..A::COUNT].copy_from_slice(a.as_ref());
+    padded.as_mut().iter_mut().zip(a.as_ref()).for_each(|(padded, a)| *padded = *a);
     padded
 }
 

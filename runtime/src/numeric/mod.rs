@@ -10,23 +10,17 @@ pub(crate) use complex_double_double::ComplexDoubleDouble;
 pub(crate) use double_double::DoubleDouble;
 pub(crate) use scale::{exponent, ldexp};
 
-#[cfg(feature = "std")]
 pub(crate) mod fixed;
-#[cfg(feature = "std")]
 pub(crate) mod isolation;
 #[cfg(feature = "std")]
 mod polynomial;
-#[cfg(feature = "std")]
 mod refinement;
 #[cfg(feature = "std")]
 mod roots;
-#[cfg(feature = "std")]
 pub(crate) mod rounded;
 #[cfg(feature = "std")]
 mod square;
-#[cfg(feature = "std")]
 mod taylor;
-#[cfg(feature = "std")]
 mod tracked;
 
 #[cfg(feature = "std")]
@@ -35,7 +29,7 @@ pub(crate) use polynomial::Polynomial;
 pub(crate) use roots::{Root, candidates, positive_roots};
 #[cfg(feature = "std")]
 pub(crate) use square::Square;
-#[cfg(feature = "std")]
 pub(crate) use taylor::expand_taylor;
 #[cfg(feature = "std")]
-pub(crate) use tracked::{Exact, NOISE, Tracked};
+pub(crate) use tracked::NOISE;
+pub(crate) use tracked::{Exact, Tracked};

@@ -37,7 +37,7 @@ impl<const N: usize> Rounded<N> {
     /// The root in an interval by the formula for quadratics, or a guess where it is not precise enough for that.
     #[inline]
     fn quadratic_root(&self, bracket: &Bracket) -> f64 {
-        let [c, b, a] = [0, 1, 2].map(|i| self.value[i]);
+        let &[c, b, a, ..] = self.value.as_slice() else { return bracket.guess };
         // The numerator without cancellation.
         let q = -0.5 * (b + Number::sqrt((b * b - 4.0 * a * c).max(0.0)).copysign(b));
         let is_in = |x: &f64| *x > bracket.low && *x < bracket.high;

@@ -3,6 +3,9 @@
 use core::fmt;
 
 use nalgebra::Complex;
+// The norm of complex numbers without `std`.
+#[cfg(not(feature = "std"))]
+use nalgebra::Normed;
 
 use crate::characteristic::conditions::{QuarticConditions, hurwitz_of_cubic};
 use crate::characteristic::powers::Powers;
@@ -68,7 +71,7 @@ impl Verdict {
     /// The verdict on a polynomial of degree up to four, by its coefficients, ascending, the last one positive.
     pub(super) fn of_polynomial(coefficients: &[Tracked]) -> Self {
         let zeros = coefficients.iter().take_while(|p| p.sign() == 0).count();
-        let without_zeros = &coefficients[zeros..];
+        let without_zeros = coefficients.get(zeros..).unwrap_or_default();
         if without_zeros.iter().any(|p| p.sign() < 0) {
             return Self::Unstable;
         }

@@ -133,7 +133,6 @@ pub(crate) fn require_finite<T: Scalar>(quantity: &'static str, value: T) -> Res
 }
 
 /// Whether a speed is one of those from zero that an analysis along the speed runs over.
-#[cfg(feature = "std")]
 pub(crate) fn require_speed(speed: f64) -> Result<(), SystemError> {
     require_finite("speed", speed)?;
     if speed < 0.0 { Err(SystemError::NegativeSpeed { speed }) } else { Ok(()) }

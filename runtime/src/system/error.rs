@@ -20,10 +20,13 @@ pub enum SystemError {
     },
     /// The speed is zero where damping is divided by it: there is a C-1.
     AtRest,
-    /// There is a C-1 or a K1, or a coordinate of which only the position or the rate is a state: modes are not followed.
+    /// There is a C-1 or a K1, or a coordinate of which only the position or the rate is a state: modes are not followed, and
+    /// [certain](crate::CertainStability) critical speeds not found.
     OddPowers,
     /// The mass matrix M cannot be inverted: its determinant is zero as far as its entries can tell.
     SingularMass,
+    /// The critical speeds are not [certain](crate::CertainStability) in `f64`.
+    NotCertain,
     /// The numbers differ so much in size that an intermediate result leaves the range of its type, `f64` or
     /// `f32`.
     OutOfRange {
@@ -46,9 +49,12 @@ impl fmt::Display for SystemError {
                 f.write_str("the speed is 0 m/s, and the damping C-1/v has no value there; it must not be 0")
             }
             Self::OddPowers => {
-                f.write_str("with C-1, K1 or coordinates that are not of second order modes are not followed")
+                f.write_str(
+                "with C-1, K1 or coordinates that are not of second order modes are not followed, and critical speeds not certain",
+            )
             }
             Self::SingularMass => f.write_str("the mass matrix M is singular; it must be invertible"),
+            Self::NotCertain => f.write_str("the critical speeds are not certain in f64; they need feature `std`"),
             Self::OutOfRange { quantity } => write!(f, "{quantity} leaves the range of floating-point numbers"),
             Self::NotConverged { iterations } => {
                 write!(f, "the eigenvalues did not converge within {iterations} iterations")

@@ -14,7 +14,8 @@ mod written;
 
 pub use at_speed::System;
 #[cfg(feature = "std")]
-pub(crate) use at_speed::{require_finite, require_speed};
+pub(crate) use at_speed::require_finite;
+pub(crate) use at_speed::require_speed;
 pub use coefficients::{Coefficients, Matrix, MatrixName, rows};
 #[cfg(feature = "std")]
 pub(crate) use elimination::solve_in_place;

@@ -11,11 +11,13 @@ mod verdicts;
 
 use super::along_speed::Characteristic;
 use super::critical::CriticalSpeed;
-use super::ranges::Verdicts;
+use super::verdicts::{Stretch, Verdicts};
 use crate::system::SystemError;
 
 /// All critical speeds, ascending, and the verdicts between and at them.
-pub(super) fn find_stability(characteristic: &Characteristic) -> Result<(Vec<CriticalSpeed>, Verdicts), SystemError> {
+pub(super) fn find_stability(
+    characteristic: &Characteristic,
+) -> Result<(Vec<CriticalSpeed>, Verdicts<Vec<Stretch>>), SystemError> {
     let found = critical_speeds::find_critical_speeds(characteristic)?;
     let verdicts = verdicts::find_verdicts(characteristic, &found);
     Ok((found.iter().map(|found| found.critical).collect(), verdicts))

@@ -5,11 +5,11 @@ use core::cmp::Ordering;
 use super::found::{FoundSpeed, is_same};
 use crate::numeric::{DoubleDouble, positive_roots};
 use crate::stability::along_speed::Characteristic;
-use crate::stability::ranges::{Stretch, Verdicts};
 use crate::stability::verdict::Verdict;
+use crate::stability::verdicts::{Stretch, Verdicts};
 
 /// The verdict at every speed.
-pub(super) fn find_verdicts(characteristic: &Characteristic, found: &[FoundSpeed]) -> Verdicts {
+pub(super) fn find_verdicts(characteristic: &Characteristic, found: &[FoundSpeed]) -> Verdicts<Vec<Stretch>> {
     let at = |speed: DoubleDouble| Verdict::of_polynomial(&characteristic.at(speed));
     let bounds = find_verdict_changes(characteristic, found);
     let above = |i: usize| match (i.checked_sub(1).map(|i| bounds[i].speed), bounds.get(i)) {

@@ -3,6 +3,7 @@
 use arrayvec::ArrayVec;
 use nalgebra::Complex;
 
+use super::super::certain::MOST;
 use super::super::critical::{Change, CriticalKind, CriticalSpeed};
 use super::super::verdict::Verdict;
 use super::conditions::{Conditions, Variable};
@@ -21,7 +22,7 @@ pub(super) struct CertainSpeed {
 }
 
 /// As many as the conditions have roots at most.
-pub(super) type CertainSpeeds = ArrayVec<CertainSpeed, 24>;
+pub(super) type CertainSpeeds = ArrayVec<CertainSpeed, MOST>;
 
 /// The least relative distance between critical speeds, for their order to be certain.
 const APART: f64 = 1.0 / (1u64 << 36) as f64;
@@ -42,16 +43,18 @@ impl<const P: usize, const H: usize, const D: usize> Conditions<P, H, D> {
         self.find_capsizes(signs, &mut brackets, found)?;
         self.find_weaves(signs, &mut brackets, found)?;
         self.find_meetings(&mut brackets, found)?;
-        found.sort_unstable_by(|x, y| x.critical.speed.total_cmp(&y.critical.speed));
-        let distance = |pair: &[CertainSpeed]| pair[1].critical.speed - pair[0].critical.speed;
-        found.windows(2).all(|pair| distance(pair) > APART * pair[1].critical.speed).then_some(())
+        sort(found);
+        let is_apart =
+            |(x, y): (&CertainSpeed, &CertainSpeed)| y.critical.speed - x.critical.speed > APART * y.critical.speed;
+        found.iter().zip(found.iter().skip(1)).all(is_apart).then_some(())
     }
 
     /// Where the lowest coefficient is zero. Nearby the eigenvalue is about `-p_0 / p_1`.
     fn find_capsizes(&self, signs: &Signs<P, H>, brackets: &mut Brackets, found: &mut CertainSpeeds) -> Option<()> {
+        brackets.clear();
         signs.capsize().isolate(brackets)?;
-        for bracket in brackets.drain(..) {
-            let root = Root::simple(&self.p[0], signs.capsize(), &bracket)?;
+        for bracket in brackets.iter() {
+            let root = Root::simple(&self.p[0], signs.capsize(), bracket)?;
             let stabilizes = bracket.rises == signs.is_positive(1, root.x)?;
             let there = Some(signs.verdict(true, root.x)?.max(Verdict::Marginal));
             let critical = self.critical(CriticalKind::Capsize, &root, Complex::new(0.0, 0.0), change(stabilizes))?;
@@ -62,9 +65,10 @@ impl<const P: usize, const H: usize, const D: usize> Conditions<P, H, D> {
 
     /// Where the Hurwitz determinant is zero, if the two eigenvalues that sum to zero are imaginary.
     fn find_weaves(&self, signs: &Signs<P, H>, brackets: &mut Brackets, found: &mut CertainSpeeds) -> Option<()> {
+        brackets.clear();
         signs.hurwitz.isolate(brackets)?;
-        for bracket in brackets.drain(..) {
-            let root = Root::simple(&self.hurwitz, &signs.hurwitz, &bracket)?;
+        for bracket in brackets.iter() {
+            let root = Root::simple(&self.hurwitz, &signs.hurwitz, bracket)?;
             let is_damped = signs.is_positive(3, root.x)?;
             if signs.is_positive(1, root.x)? != is_damped {
                 continue;
@@ -96,13 +100,14 @@ impl<const P: usize, const H: usize, const D: usize> Conditions<P, H, D> {
     /// Where the discriminant is zero: simply, so that the double eigenvalue is real.
     fn find_meetings(&self, brackets: &mut Brackets, found: &mut CertainSpeeds) -> Option<()> {
         let discriminant = Rounded::new(&self.discriminant);
+        brackets.clear();
         discriminant.isolate(brackets)?;
         if brackets.is_empty() {
             return Some(());
         }
         let double_roots = DoubleRoots::new(self);
-        for bracket in brackets.drain(..) {
-            let at = double_roots.near(discriminant.refine(&bracket, CLOSE)?, &bracket)?;
+        for bracket in brackets.iter() {
+            let at = double_roots.near(discriminant.refine(bracket, CLOSE)?, bracket)?;
             let (sigma, sigma_rest) = at.sigma;
             let eigenvalue = match self.variable {
                 Variable::Speed => sigma + sigma_rest,
@@ -141,4 +146,16 @@ impl<const P: usize, const H: usize, const D: usize> Conditions<P, H, D> {
 
 fn change(stabilizes: bool) -> Change {
     if stabilizes { Change::Stabilizes } else { Change::Destabilizes }
+}
+
+/// Ascending, by insertion: they are few, and it has no panic, which that of the standard library has.
+fn sort(found: &mut [CertainSpeed]) {
+    for last in 1..found.len() {
+        for place in (0..last).rev() {
+            match found.get_mut(place..place + 2) {
+                Some([x, y]) if x.critical.speed > y.critical.speed => core::mem::swap(x, y),
+                _ => break,
+            }
+        }
+    }
 }

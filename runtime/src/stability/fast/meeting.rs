@@ -90,9 +90,9 @@ impl<const P: usize> DoubleRoots<P> {
     fn residuals(&self, sigma: f64, x: f64) -> [f64; 2] {
         let mut p = [DoubleDouble::ZERO; 5];
         for ((p, coefficients), (degree, factors)) in p.iter_mut().zip(&self.exact).zip(const { shape::<P>() }) {
-            *p = coefficients[degree];
+            *p = coefficient(coefficients, degree, DoubleDouble::ZERO);
             for i in (0..degree).rev() {
-                *p = p.times(x).add_roughly(coefficients[i]);
+                *p = p.times(x).add_roughly(coefficient(coefficients, i, DoubleDouble::ZERO));
             }
             for _ in 0..factors {
                 *p = p.times(x);
@@ -128,9 +128,9 @@ fn values_and_slopes<const P: usize>(coefficients: &[[f64; P]; 5], x: f64) -> [[
     let mut at = [[0.0; 5]; 2];
     for power in 0..5 {
         let (degree, factors) = const { shape::<P>() }[power];
-        let (mut value, mut slope) = (coefficients[power][degree], 0.0);
+        let (mut value, mut slope) = (coefficient(&coefficients[power], degree, 0.0), 0.0);
         for i in (0..degree).rev() {
-            (value, slope) = (value * x + coefficients[power][i], slope * x + value);
+            (value, slope) = (value * x + coefficient(&coefficients[power], i, 0.0), slope * x + value);
         }
         for _ in 0..factors {
             (value, slope) = (value * x, slope * x + value);
@@ -138,6 +138,13 @@ fn values_and_slopes<const P: usize>(coefficients: &[[f64; P]; 5], x: f64) -> [[
         (at[0][power], at[1][power]) = (value, slope);
     }
     at
+}
+
+/// A coefficient, which is always there. Indexing would link a panic into the programs of microcontrollers, where loops are not
+/// unrolled.
+#[inline(always)]
+fn coefficient<T: Copy>(coefficients: &[T], power: usize, zero: T) -> T {
+    coefficients.get(power).copied().unwrap_or(zero)
 }
 
 /// The double root of a quartic that has one: the root of the remainder of degree one of the quartic and its derivative.

@@ -13,42 +13,51 @@ mod simple_root;
 
 use arrayvec::ArrayVec;
 
-use super::critical::CriticalSpeed;
-use super::ranges::Verdicts;
+use super::certain::{CertainStability, MOST};
 use super::verdict::Verdict;
+use super::verdicts::stretches_between;
 use crate::system::Coefficients;
-use certain_speeds::CertainSpeeds;
+use certain_speeds::{CertainSpeed, CertainSpeeds};
 use conditions::{Conditions, Variable};
 use signs::Signs;
 
-/// All critical speeds, ascending, and the verdicts between and at them; `None` if they are not certain.
+/// Fills in all critical speeds, ascending, and the verdicts between and at them; `None` if they are not certain.
 pub(super) fn find_stability(
     coefficients: &Coefficients<f64, 2>,
     gravity: f64,
-) -> Option<(Vec<CriticalSpeed>, Verdicts)> {
+    stability: &mut CertainStability,
+) -> Option<()> {
     let matrices = conditions::moderate_matrices(coefficients, gravity)?;
     if matrices.are_undamped_at_rest() {
-        conditions::in_square(&matrices).find_stability()
+        conditions::in_square(&matrices).find_stability(stability)
     } else {
-        conditions::in_speed(&matrices).find_stability()
+        conditions::in_speed(&matrices).find_stability(stability)
     }
 }
 
 impl<const P: usize, const H: usize, const D: usize> Conditions<P, H, D> {
-    fn find_stability(&self) -> Option<(Vec<CriticalSpeed>, Verdicts)> {
+    fn find_stability(&self, stability: &mut CertainStability) -> Option<()> {
         let signs = Signs::new(self);
         let mut found = CertainSpeeds::new();
         self.find_certain_speeds(&signs, &mut found)?;
-        let bounds = found.iter().filter_map(|found| Some((found.critical.speed, found.there?)));
-        let bounds: ArrayVec<(f64, Verdict), 24> = bounds.collect();
-        let verdicts = Verdicts::between(self.at_rest(), &bounds, |speed| {
+        let mut bounds = ArrayVec::<(f64, Verdict), MOST>::new();
+        for CertainSpeed { critical, there } in &found {
+            there.map_or(Ok(()), |there| bounds.try_push((critical.speed, there))).ok()?;
+        }
+        let at = |speed: f64| {
             let x = match self.variable {
                 Variable::Speed => speed,
                 Variable::Square => speed * speed,
             };
             signs.verdict(false, x)
-        })?;
-        Some((found.iter().map(|found| found.critical).collect(), verdicts))
+        };
+        for stretch in stretches_between(self.at_rest(), &bounds, at) {
+            stability.verdicts.stretches.try_push(stretch?).ok()?;
+        }
+        for found in &found {
+            stability.critical_speeds.try_push(found.critical).ok()?;
+        }
+        Some(())
     }
 
     fn at_rest(&self) -> Verdict {

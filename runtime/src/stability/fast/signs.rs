@@ -21,7 +21,7 @@ impl<const P: usize, const H: usize> Signs<P, H> {
 
     /// Whether a coefficient is positive at x.
     pub(super) fn is_positive(&self, power: usize, x: f64) -> Option<bool> {
-        Some(self.p[power].sign(x)? > 0)
+        Some(self.p.get(power)?.sign(x)? > 0)
     }
 
     /// The verdict at x on all eigenvalues, or at a capsize speed on those that are not zero: there p_0 is zero, and the

@@ -44,15 +44,16 @@ use self::count::Count;
 use self::equations::Equations;
 pub(super) use self::equations::Matrices;
 use super::critical::{Change, CriticalKind, CriticalSpeed};
-use super::ranges::{Stretch, UndecidedRange, Verdicts};
+use super::ranges::UndecidedRange;
 use super::verdict::Verdict;
+use super::verdicts::{Stretch, Verdicts};
 use crate::system::SystemError;
 
 /// What is known along the speed.
 pub(super) struct Answer {
     /// Ascending.
     pub(super) critical_speeds: Vec<CriticalSpeed>,
-    pub(super) verdicts: Verdicts,
+    pub(super) verdicts: Verdicts<Vec<Stretch>>,
     pub(super) undecided: Vec<UndecidedRange>,
 }
 

@@ -52,6 +52,7 @@ fn measure() -> Result<Vec<Measured>, String> {
         found.push(one::<tasks::StateSpaceF64>(board)?);
         found.push(one::<tasks::Eigenvalues>(board)?);
         found.push(one::<tasks::ParametersToEigenvalues>(board)?);
+        found.push(one::<tasks::CriticalSpeeds>(board)?);
         found.push(one::<tasks::AccelerationsF32>(board)?);
         found.push(one::<tasks::ControlF32>(board)?);
         found.push(one::<tasks::RideF32>(board)?);

@@ -5,7 +5,7 @@
 #[path = "../../../../generated/examples/controller/mod.rs"]
 mod controller;
 
-use carvallo::{Coefficients, Complex, Model, Motion, Rows, Scalar, StateSpace, System, SystemError};
+use carvallo::{CertainStability, Coefficients, Complex, Model, Motion, Rows, Scalar, StateSpace, System, SystemError};
 use carvallo_models::{Whipple, WhippleMechanism};
 use controller::Ride;
 
@@ -29,11 +29,12 @@ pub trait Task {
 }
 
 macro_rules! task {
-    ($(#[$doc:meta])* $Task:ident, $name:literal, $Input:ty => $Output:ty, $input:expr, $run:expr, $bits:expr) => {
+    ($(#[$doc:meta])* $Task:ident, $name:literal $(times $times:literal)?, $Input:ty => $Output:ty, $input:expr, $run:expr, $bits:expr) => {
         $(#[$doc])*
         pub struct $Task;
         impl Task for $Task {
             const NAME: &'static str = $name;
+            $(const TIMES: u32 = $times;)?
             type Input = $Input;
             type Output = $Output;
             fn input() -> $Input {
@@ -93,6 +94,11 @@ task!(
     Whipple::BENCHMARK, |bicycle| bicycle.coefficients().at(SPEED, bicycle.g).ok()?.quartic_eigenvalues().ok(), eigenvalues
 );
 task!(
+    /// The critical speeds and the stable ranges, from the matrices.
+    CriticalSpeeds, "critical_speeds" times 100, Coefficients<f64, 2> => Result<CertainStability, SystemError>,
+    Whipple::BENCHMARK.coefficients(), |matrices| CertainStability::new(matrices, 9.81), along_speed
+);
+task!(
     /// The nonlinear accelerations of a leaned and steered bicycle.
     AccelerationsF32, "accelerations_f32", (WhippleMechanism<f32>, [f32; 8], [f32; 3], [f32; 2]) => Option<[f32; 8]>,
     (WhippleMechanism::BENCHMARK.to_f32(), [0.0, 0.0, 0.0, 0.1, 0.2, 0.0, 0.0, 0.0], [0.5, -0.3, 4.0], [0.0, 1.0]),
@@ -106,24 +112,10 @@ task!(
     ControlF32, "control_f32", Ride => [f32; 5], Ride::new(&Whipple::BENCHMARK.to_f32(), 2.0, 0.05), |ride| after(ride, 1), states
 );
 
-/// Six seconds of that ride.
-pub struct RideF32;
-
-impl Task for RideF32 {
-    const NAME: &'static str = "ride_f32";
-    const TIMES: u32 = 10;
-    type Input = Ride;
-    type Output = [f32; 5];
-    fn input() -> Ride {
-        ControlF32::input()
-    }
-    fn run(ride: &Ride) -> [f32; 5] {
-        after(ride, 600)
-    }
-    fn bits(found: &[f32; 5], tell: &mut dyn FnMut(u64)) {
-        states(found, tell);
-    }
-}
+task!(
+    /// Six seconds of that ride.
+    RideF32, "ride_f32" times 10, Ride => [f32; 5], ControlF32::input(), |ride| after(ride, 600), states
+);
 
 /// The state and the speed of a ride after so many samples; zeros, if it does not get there.
 fn after(ride: &Ride, samples: usize) -> [f32; 5] {
@@ -156,6 +148,19 @@ fn of_state_space<T: Scalar>(found: &Result<StateSpace<2, T>, SystemError>, mut 
         for block in [&found.stiffness, &found.damping, &found.input] {
             block.iter().for_each(|entry| tell(*entry));
         }
+    }
+}
+
+fn along_speed(found: &Result<CertainStability, SystemError>, tell: &mut dyn FnMut(u64)) {
+    let Ok(found) = found else { return };
+    for critical in found.critical_speeds() {
+        [critical.speed, critical.error, critical.eigenvalue.re, critical.eigenvalue.im]
+            .iter()
+            .for_each(|x| tell(x.to_bits()));
+    }
+    for range in found.stable_ranges() {
+        tell(range.from.to_bits());
+        tell(range.to.map_or(0, f64::to_bits));
     }
 }
 
