@@ -132,6 +132,10 @@ impl<S: Simd> Real for Lanes<S> {
 }
 
 impl<S: Simd> Lane for Lanes<S> {
+    const EPSILON: f64 = f64::EPSILON;
+    const ENTRIES: [f64; 2] = f64::ENTRIES;
+    const COEFFICIENTS: [f64; 2] = f64::COEFFICIENTS;
+
     #[inline(always)]
     fn bit(self, index: u32) -> Self::Mask {
         // The bit becomes the sign, which decides.

@@ -4,6 +4,7 @@
 use core::ops::Neg;
 use core::ops::{Add, Mul, Sub};
 
+use crate::number::Scalar;
 use crate::system::Matrix;
 
 /// The entries of a matrix of two coordinates, by rows.
@@ -14,7 +15,7 @@ pub(crate) type ByPower<T> = [T; 3];
 
 /// The rows of a matrix.
 #[inline(always)]
-pub(crate) fn rows(matrix: &Matrix<f64, 2>) -> Rows {
+pub(crate) fn rows<T: Scalar>(matrix: &Matrix<T, 2>) -> Rows<T> {
     [[matrix.m11, matrix.m12], [matrix.m21, matrix.m22]]
 }
 

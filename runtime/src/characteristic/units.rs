@@ -4,7 +4,8 @@
 
 use nalgebra::Complex;
 
-use crate::numeric::{exponent, ldexp};
+use crate::number::Scalar;
+use crate::numeric::{Scaled, exponent, ldexp};
 #[cfg(feature = "std")]
 use crate::system::Coefficients;
 use crate::system::{Matrix, System, SystemError};
@@ -29,7 +30,7 @@ impl<const N: usize> Units<N> {
     ///
     /// # Errors
     /// If a row or a column of M is zero.
-    pub(crate) fn of_system(system: &System<N>) -> Result<Self, SystemError> {
+    pub(crate) fn of_system<T: Scalar + Scaled>(system: &System<N, T>) -> Result<Self, SystemError> {
         let System { c, k, .. } = system;
         let sides = Self::of_mass(&system.leading())?;
         Ok(Self { time: time_unit(sides.largest(c), sides.largest(k)), ..sides })
@@ -54,32 +55,35 @@ impl<const N: usize> Units<N> {
     }
 
     /// Rows and columns that bring the largest entry of each row and column of M into [1/2, 1).
-    fn of_mass(m: &Matrix<f64, N>) -> Result<Self, SystemError> {
+    fn of_mass<T: Scaled>(m: &Matrix<T, N>) -> Result<Self, SystemError> {
         let (mut rows, mut columns) = ([0; N], [0; N]);
         for (i, row) in rows.iter_mut().enumerate() {
-            *row = -(0..N).filter_map(|j| exponent(entry(m, i, j))).max().ok_or(SystemError::SingularMass)?;
+            *row = -(0..N).filter_map(|j| exponent(entry(m, i, j)?)).max().ok_or(SystemError::SingularMass)?;
         }
         for (j, column) in columns.iter_mut().enumerate() {
-            let largest = (0..N).filter_map(|i| Some(exponent(entry(m, i, j))? + rows[i])).max();
+            let largest = (0..N).filter_map(|i| Some(exponent(entry(m, i, j)?)? + rows[i])).max();
             *column = -largest.ok_or(SystemError::SingularMass)?;
         }
         Ok(Self { rows, columns, time: 0, speed: 0, gravity: 0 })
     }
 
     /// The exponent of the largest entry of a matrix in the units of rows and columns; `None` if all are zero.
-    fn largest(&self, matrix: &Matrix<f64, N>) -> Option<i32> {
+    fn largest<T: Scaled>(&self, matrix: &Matrix<T, N>) -> Option<i32> {
         let places = (0..N).flat_map(|i| (0..N).map(move |j| (i, j)));
-        places.filter_map(|(i, j)| Some(exponent(entry(matrix, i, j))? + self.rows[i] + self.columns[j])).max()
+        places.filter_map(|(i, j)| Some(exponent(entry(matrix, i, j)?)? + self.rows[i] + self.columns[j])).max()
     }
 
     /// A matrix that is multiplied by powers of s and of v, and by `2^rest`.
-    fn scale(&self, matrix: &Matrix<f64, N>, [s, v]: [i32; 2], rest: i32) -> Matrix<f64, N> {
+    fn scale<T: Scalar + Scaled>(&self, matrix: &Matrix<T, N>, [s, v]: [i32; 2], rest: i32) -> Matrix<T, N> {
         let power = v * self.speed - (2 - s) * self.time + rest;
-        Matrix::from_fn(|i, j| ldexp(entry(matrix, i, j), self.rows[i] + self.columns[j] + power))
+        Matrix::from_fn(|i, j| {
+            let entry = entry(matrix, i, j).unwrap_or(T::from_f64(0.0));
+            ldexp(entry, self.rows[i] + self.columns[j] + power)
+        })
     }
 
     /// The matrices at one speed, or derivatives of them, in these units.
-    pub(crate) fn scale_system(&self, System { m, c, k, states }: &System<N>) -> System<N> {
+    pub(crate) fn scale_system<T: Scalar + Scaled>(&self, System { m, c, k, states }: &System<N, T>) -> System<N, T> {
         let [m, c, k] = [self.scale(m, [2, 0], 0), self.scale(c, [1, 0], 0), self.scale(k, [0, 0], 0)];
         System { m, c, k, states: *states }
     }
@@ -110,8 +114,8 @@ impl<const N: usize> Units<N> {
 
 /// An entry, which is always inside. Indexing would link a panic into the programs of microcontrollers, which this does not.
 #[inline(always)]
-fn entry<const N: usize>(matrix: &Matrix<f64, N>, row: usize, column: usize) -> f64 {
-    matrix.get((row, column)).copied().unwrap_or(0.0)
+fn entry<T: Scaled, const N: usize>(matrix: &Matrix<T, N>, row: usize, column: usize) -> Option<T> {
+    matrix.get((row, column)).copied()
 }
 
 /// The unit of time, from the exponents of the largest damping and the largest stiffness.
@@ -127,9 +131,9 @@ fn half(exponent: i32) -> i32 {
 /// Eigenvalues in a unit, back in 1/s.
 ///
 /// # Errors
-/// If one leaves the range of `f64`.
+/// If one leaves the range of `T`.
 #[inline]
-pub(crate) fn to_per_second(eigenvalues: &mut [Complex<f64>], unit: i32) -> Result<(), SystemError> {
+pub(crate) fn to_per_second<T: Scalar + Scaled>(eigenvalues: &mut [Complex<T>], unit: i32) -> Result<(), SystemError> {
     eigenvalues.iter_mut().for_each(|value| *value = ldexp_complex(*value, unit));
     if eigenvalues.iter().all(|value| value.re.is_finite() && value.im.is_finite()) {
         Ok(())
@@ -139,7 +143,7 @@ pub(crate) fn to_per_second(eigenvalues: &mut [Complex<f64>], unit: i32) -> Resu
 }
 
 /// A complex number in another unit: times a power of two.
-pub(crate) fn ldexp_complex(x: Complex<f64>, e: i32) -> Complex<f64> {
+pub(crate) fn ldexp_complex<T: Scaled>(x: Complex<T>, e: i32) -> Complex<T> {
     Complex::new(ldexp(x.re, e), ldexp(x.im, e))
 }
 

@@ -10,21 +10,38 @@ use super::quartic::Quartic;
 use super::resolvent::Resolvent;
 use crate::number::lane::Lane;
 use crate::number::real::Real;
-use crate::numeric::{DoubleDouble, ldexp};
+use crate::numeric::{DoubleDouble, Part, Scaled, ldexp};
 
 /// The error of a coefficient of the product of the factors, relative to the size of its terms, that is only rounding.
-const ROUNDING: f64 = 2.0 * f64::EPSILON;
+const fn rounding<T: Lane>() -> f64 {
+    2.0 * T::EPSILON
+}
 
-/// The sum of the errors of all four that is no more than rounding.
-const TOLERANCE: f64 = 4.0 * ROUNDING;
+/// A number in which eigenvalues are computed from beginning to end.
+pub(crate) trait Precision: Lane<Mask = bool> + Part + Scaled {
+    /// The smallest positive number of all digits.
+    const TINY: Self;
+    /// By how much a double root of the resolvent may be off, and a margin.
+    const ABOVE: Self;
+}
 
-impl Quartic {
+impl Precision for f64 {
+    const TINY: Self = f64::MIN_POSITIVE;
+    const ABOVE: Self = 1.0 + 1e-7;
+}
+
+impl Precision for f32 {
+    const TINY: Self = f32::MIN_POSITIVE;
+    const ABOVE: Self = 1.0 + 2e-3;
+}
+
+impl<T: Precision> Quartic<T> {
     /// The four roots: in each half two real ones, ascending, or a conjugate pair, the negative imaginary part first.
     ///
     /// Real roots have an imaginary part of exactly zero and pairs are exactly conjugate. Finite if the coefficients are,
     /// unless a root itself overflows.
     #[inline]
-    pub(crate) fn roots(self) -> [[Complex<f64>; 2]; 2] {
+    pub(crate) fn roots(self) -> [[Complex<T>; 2]; 2] {
         if self.is_moderate() {
             return self.factors().map(Quadratic::complex_roots);
         }
@@ -32,27 +49,27 @@ impl Quartic {
     }
 
     #[cold]
-    fn scaled_roots(self) -> [[Complex<f64>; 2]; 2] {
+    fn scaled_roots(self) -> [[Complex<T>; 2]; 2] {
         let Self { a, b, c, d } = self;
         let unit = self.unit();
         let [a, b, c, d] = [(a, -unit), (b, -2 * unit), (c, -3 * unit), (d, -4 * unit)].map(|(x, e)| ldexp(x, e));
-        let unscale = |root: Complex<f64>| Complex::new(ldexp(root.re, unit), ldexp(root.im, unit));
+        let unscale = |root: Complex<T>| Complex::new(ldexp(root.re, unit), ldexp(root.im, unit));
         Self { a, b, c, d }.factors().map(|factor| factor.complex_roots().map(unscale))
     }
 
     /// Two quadratic factors with real coefficients.
     #[inline]
-    fn factors(self) -> [Quadratic; 2] {
+    fn factors(self) -> [Quadratic<T>; 2] {
         let (factors, are_exact) = self.quick_factors();
         if are_exact { factors } else { self.careful_factors(factors) }
     }
 
-    /// The factors where a few steps in `f64` are not enough: close to three or four equal roots, or with roots of very
-    /// different size.
+    /// The factors where a few steps are not enough: close to three or four equal roots, or with roots of very different size.
     #[cold]
-    fn careful_factors(self, factors: [Quadratic; 2]) -> [Quadratic; 2] {
+    fn careful_factors(self, factors: [Quadratic<T>; 2]) -> [Quadratic<T>; 2] {
         let (mut factors, mut error) = self.polish(factors);
-        if error <= TOLERANCE {
+        // The sum of the errors of all four that is no more than rounding.
+        if error <= T::from_f64(4.0 * rounding::<T>()) {
             return factors;
         }
         let Self { a, b, c, d } = self;
@@ -70,16 +87,16 @@ impl Quartic {
     }
 
     /// Newton's iteration for both factors at once, as long as it brings their product closer to the quartic.
-    fn polish(self, mut factors: [Quadratic; 2]) -> ([Quadratic; 2], f64) {
+    fn polish(self, mut factors: [Quadratic<T>; 2]) -> ([Quadratic<T>; 2], T) {
         const STEPS: usize = 6;
         let measure = |factors| {
             let (residual, size) = self.residual(factors);
-            let term = |i: usize| residual[i].abs() / (size[i] + f64::MIN_POSITIVE);
+            let term = |i: usize| Real::abs(residual[i]) / (size[i] + T::TINY);
             (residual, (term(0) + term(1)) + (term(2) + term(3)))
         };
         let (mut residual, mut error) = measure(factors);
         for _ in 0..STEPS {
-            if error <= ROUNDING {
+            if error <= T::from_f64(rounding::<T>()) {
                 break;
             }
             let next = newton(factors, residual);
@@ -121,7 +138,7 @@ impl<T: Lane> Quartic<T> {
 /// Whether each residual is no more than rounding; what is not a number is more.
 #[inline(always)]
 fn is_rounding<T: Lane>(residual: [T; 4], size: [T; 4]) -> T::Mask {
-    let term = |i: usize| residual[i].abs().less_or_equal(size[i] * size[i].like(ROUNDING));
+    let term = |i: usize| residual[i].abs().less_or_equal(size[i] * size[i].like(rounding::<T>()));
     (term(0) & term(1)) & (term(2) & term(3))
 }
 
@@ -172,6 +189,28 @@ mod tests {
         coefficients.map(error).into_iter().fold(0.0, f64::max)
     }
 
+    /// The same in `f32`, in units of its precision. Products of its numbers are exact in `f64`, and sums nearly.
+    fn backward_error_f32(quartic: Quartic<f32>) -> f64 {
+        let factors = quartic.roots().map(|pair| pair.map(|root| Complex::new(f64::from(root.re), f64::from(root.im))));
+        let [(p0, q0, p0_size, q0_size), (p1, q1, p1_size, q1_size)] =
+            factors.map(|[x, y]| (-(x.re + y.re), x.re * y.re - x.im * y.im, x.norm() + y.norm(), x.norm() * y.norm()));
+        let coefficients = [
+            (quartic.a, p0 + p1, p0_size + p1_size),
+            (quartic.b, q0 + q1 + p0 * p1, q0_size + q1_size + p0_size * p1_size),
+            (quartic.c, p0 * q1 + p1 * q0, p0_size * q1_size + p1_size * q0_size),
+            (quartic.d, q0 * q1, q0_size * q1_size),
+        ];
+        let error = |(given, product, size): (f32, f64, f64)| {
+            let difference = (product - f64::from(given)).abs();
+            if difference == 0.0 { 0.0 } else { difference / size / f64::from(f32::EPSILON) }
+        };
+        coefficients.map(error).into_iter().fold(0.0, f64::max)
+    }
+
+    fn in_f32(Quartic { a, b, c, d }: Quartic) -> Quartic<f32> {
+        Quartic { a: a as f32, b: b as f32, c: c as f32, d: d as f32 }
+    }
+
     /// Numbers of either sign over some decades.
     fn number(decades: f64) -> impl Strategy<Value = f64> {
         (any::<bool>(), 1.0..10.0f64, -decades..decades).prop_map(|(negative, mantissa, exponent)| {
@@ -195,11 +234,14 @@ mod tests {
         fn any_coefficients(a in number(6.0), b in number(6.0), c in number(6.0), d in number(6.0)) {
             let quartic = Quartic { a, b, c, d };
             prop_assert!(backward_error(quartic) < 16.0);
+            prop_assert!(backward_error_f32(in_f32(quartic)) < 16.0);
         }
 
         #[test]
         fn roots_of_any_kind(s in (number(4.0), number(4.0), any::<bool>()), t in (number(4.0), number(4.0), any::<bool>())) {
-            prop_assert!(backward_error(product(factor(s), factor(t))) < 16.0);
+            let quartic = product(factor(s), factor(t));
+            prop_assert!(backward_error(quartic) < 16.0);
+            prop_assert!(backward_error_f32(in_f32(quartic)) < 16.0);
         }
 
         /// Two imaginary pairs that nearly coincide, as without damping.
@@ -208,6 +250,14 @@ mod tests {
             let other = square * (1.0 + near);
             let quartic = Quartic { a: 0.0, b: square + other, c: 0.0, d: square * other };
             prop_assert!(backward_error(quartic) < 16.0);
+        }
+
+        /// Up to four roots that differ from the fourth digit on, in half of the precision.
+        #[test]
+        fn clusters_f32(x in number(2.0), near in prop::array::uniform3(-1e-4..1e-4), pairs in any::<(bool, bool)>()) {
+            let near = near.map(|relative| x * relative);
+            let quartic = product(factor((x, near[0], pairs.0)), factor((x + near[1], near[2], pairs.1)));
+            prop_assert!(backward_error_f32(in_f32(quartic)) < 16.0);
         }
 
         /// Up to four roots that differ from the eighth digit on.

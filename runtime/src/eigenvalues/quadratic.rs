@@ -6,9 +6,9 @@ use crate::number::lane::Lane;
 
 /// A monic quadratic `x^2 + p x + q`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Quadratic<T = f64> {
-    pub(super) p: T,
-    pub(super) q: T,
+pub(crate) struct Quadratic<T = f64> {
+    pub(crate) p: T,
+    pub(crate) q: T,
 }
 
 /// Two roots, by their real and imaginary parts: two real ones, ascending, or a conjugate pair, the negative imaginary
@@ -47,10 +47,10 @@ impl<T: Lane> Quadratic<T> {
     }
 }
 
-impl Quadratic {
+impl<T: Lane> Quadratic<T> {
     /// Both roots as complex numbers.
     #[inline]
-    pub(super) fn complex_roots(self) -> [Complex<f64>; 2] {
+    pub(super) fn complex_roots(self) -> [Complex<T>; 2] {
         let Pair { re, im } = self.roots();
         [Complex::new(re[0], im[0]), Complex::new(re[1], im[1])]
     }

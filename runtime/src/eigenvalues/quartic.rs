@@ -2,11 +2,7 @@
 
 use super::quadratic::Quadratic;
 use crate::number::lane::Lane;
-use crate::numeric::exponent;
-
-/// The limits of the largest coefficient within which no intermediate result over- or underflows.
-const SMALL: f64 = 1e-12;
-const LARGE: f64 = 1e12;
+use crate::numeric::{Scaled, exponent};
 
 /// A monic quartic `x^4 + a x^3 + b x^2 + c x + d`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,7 +13,7 @@ pub(crate) struct Quartic<T = f64> {
     pub(crate) d: T,
 }
 
-impl Quartic {
+impl<T: Scaled> Quartic<T> {
     /// The exponent of a power of two that is about the size of the largest root.
     pub(super) fn unit(self) -> i32 {
         // By constants, so that no division by zero is looked for.
@@ -35,7 +31,8 @@ impl<T: Lane> Quartic<T> {
     pub(super) fn is_moderate(self) -> T::Mask {
         let larger = |x: T, y: T| T::select(x.less(y), y, x);
         let largest = larger(larger(self.a.abs(), self.b.abs()), larger(self.c.abs(), self.d.abs()));
-        self.a.like(SMALL).less_or_equal(largest) & largest.less(self.a.like(LARGE))
+        let [small, large] = T::COEFFICIENTS;
+        largest.like(small).less_or_equal(largest) & largest.less(largest.like(large))
     }
 
     /// The coefficients of the quartic less those of the product of the factors, and the size of the terms that each of

@@ -11,6 +11,7 @@
 //! So does the smallest of three, if all roots of the quartic are real; it is the better one where the other two nearly
 //! coincide.
 
+use super::factors::Precision;
 use super::quadratic::Quadratic;
 use super::quartic::Quartic;
 use crate::number::lane::Lane;
@@ -19,9 +20,6 @@ use crate::numeric::DoubleDouble;
 
 /// The ratio of constant terms from which on it pays to compute one factor from the other.
 const MUCH_SMALLER: f64 = 1.0 / 64.0;
-
-/// By how much a double root may be off in `f64`, and a margin.
-const ABOVE: f64 = 1.0 + 1e-7;
 
 /// A quartic and its resolvent cubic, `f^3 - 3 m f - 2 n` with `y = b/3 + f`.
 pub(super) struct Resolvent<T> {
@@ -101,33 +99,35 @@ impl<T: Lane> Resolvent<T> {
     }
 }
 
-impl Resolvent<DoubleDouble> {
+impl<T: Precision> Resolvent<DoubleDouble<T>> {
     /// The two factors from the root that is farthest from the others, and from the largest.
-    pub(super) fn factors(&self) -> [[Quadratic; 2]; 2] {
-        let (m, n) = (self.m.to_f64(), self.n.to_f64());
-        let discriminant = self.discriminant.to_f64();
-        let size = if discriminant > 0.0 { single_root(m, n.abs(), discriminant) } else { outer_root(m, n.abs()) };
+    pub(super) fn factors(&self) -> [[Quadratic<T>; 2]; 2] {
+        let (m, n) = (self.m.high(), self.n.high());
+        let (discriminant, magnitude) = (self.discriminant.high(), Real::abs(n));
+        let size =
+            if discriminant > T::ZERO { single_root(m, magnitude, discriminant) } else { outer_root(m, magnitude) };
         // Between two roots that nearly coincide the iteration may leave both; above the largest it cannot.
-        [size.copysign(n), largest_root(m, n) * ABOVE].map(|f| {
+        [size.copysign(n), largest_root(m, n) * T::ABOVE].map(|f| {
             let (factors, _) = self.factors_at(self.polished(f));
-            factors.map(|Quadratic { p, q }| Quadratic { p: p.to_f64(), q: q.to_f64() })
+            factors.map(|Quadratic { p, q }| Quadratic { p: p.high(), q: q.high() })
         })
     }
 
-    fn polished(&self, f: f64) -> DoubleDouble {
-        // Newton's iteration at most halves the distance to a multiple root; about 50 bits are missing.
+    fn polished(&self, f: T) -> DoubleDouble<T> {
+        // Newton's iteration at most halves the distance to a multiple root; about half of the bits are missing.
         const STEPS: usize = 60;
-        let three = DoubleDouble::from(3.0);
+        let three = DoubleDouble::from(T::from_f64(3.0));
+        let epsilon = T::from_f64(<T as Lane>::EPSILON);
         let mut f = DoubleDouble::from(f);
-        let mut before = f64::INFINITY;
+        let mut before = T::from_f64(f64::INFINITY);
         for _ in 0..STEPS {
             let square = f * f;
             let (value, slope) = (f * (square - three * self.m) - self.n - self.n, three * (square - self.m));
             let step = value / slope;
-            let size = step.abs().to_f64();
+            let size = Real::abs(step).high();
             // A step that is not shorter than the one before is noise: it could lead anywhere. Where the slope is zero it may
             // not be a number, which is not shorter either.
-            if size < before && size > f.abs().to_f64() * f64::EPSILON * f64::EPSILON {
+            if size < before && size > Real::abs(f).high() * epsilon * epsilon {
                 (f, before) = (f - step, size);
             } else {
                 break;
@@ -212,33 +212,28 @@ fn inverse_cube_root<T: Lane>(x: T) -> T {
 /// `2 cos(acos(x) / 3)` for x in [0, 1], to 1e-14: its interpolant of degree 15 in the Chebyshev points.
 #[inline(always)]
 fn twice_cosine_of_third<T: Lane>(x: T) -> T {
-    const COEFFICIENTS: [f64; 16] = [
-        1.879_385_241_571_821_5,
-        0.131_643_614_544_898_06,
-        -0.012_862_827_975_927_013,
-        0.002_213_309_911_858_552_8,
-        -0.000_467_290_546_299_206_64,
-        0.000_109_828_833_415_630_47,
-        -2.758_265_608_623_184e-5,
-        7.246_609_674_858_31e-6,
-        -1.966_688_741_632_738_6e-6,
-        5.472_349_971_500_674e-7,
-        -1.561_011_416_816_043e-7,
-        4.500_095_673_460_225e-8,
-        -1.214_350_511_363_463_2e-8,
-        3.574_336_647_800_619e-9,
-        -1.675_676_757_722_238_2e-9,
-        5.054_221_440_171_932e-10,
+    const COEFFICIENTS: [[f64; 2]; 8] = [
+        [1.879_385_241_571_821_5, 0.131_643_614_544_898_06],
+        [-0.012_862_827_975_927_013, 0.002_213_309_911_858_552_8],
+        [-0.000_467_290_546_299_206_64, 0.000_109_828_833_415_630_47],
+        [-2.758_265_608_623_184e-5, 7.246_609_674_858_31e-6],
+        [-1.966_688_741_632_738_6e-6, 5.472_349_971_500_674e-7],
+        [-1.561_011_416_816_043e-7, 4.500_095_673_460_225e-8],
+        [-1.214_350_511_363_463_2e-8, 3.574_336_647_800_619e-9],
+        [-1.675_676_757_722_238_2e-9, 5.054_221_440_171_932e-10],
     ];
     let t = (x + x) - x.like(1.0);
     // In pairs, pairs of pairs and so on: the additions do not wait for each other.
-    let coefficient = |i: usize| x.like(COEFFICIENTS[i]);
     let t2 = t * t;
     let (t4, t8) = (t2 * t2, t2 * t2 * (t2 * t2));
-    let mut sums = [x.like(0.0); 8];
-    for (i, sum) in sums.iter_mut().enumerate() {
-        *sum = coefficient(2 * i) + coefficient(2 * i + 1) * t;
-    }
-    let [a, b, c, d, e, f, g, h] = sums;
+    let [a, b, c, d, e, f, g, h] = COEFFICIENTS;
+    let [a, b, c, d] = [linear(a, t), linear(b, t), linear(c, t), linear(d, t)];
+    let [e, f, g, h] = [linear(e, t), linear(f, t), linear(g, t), linear(h, t)];
     (a + b * t2 + (c + d * t2) * t4) + (e + f * t2 + (g + h * t2) * t4) * t8
+}
+
+/// `a + b t`, with constants.
+#[inline(always)]
+fn linear<T: Lane>([a, b]: [f64; 2], t: T) -> T {
+    t.like(a) + t.like(b) * t
 }

@@ -32,35 +32,42 @@ pub(crate) trait Real:
     }
 }
 
-impl Real for f64 {
-    type Mask = bool;
+macro_rules! real {
+    ($t:ident) => {
+        impl Real for $t {
+            type Mask = bool;
 
-    #[inline(always)]
-    fn like(self, value: f64) -> Self {
-        value
-    }
-    #[inline(always)]
-    fn abs(self) -> Self {
-        f64::abs(self)
-    }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        crate::number::Number::sqrt(self)
-    }
-    #[inline(always)]
-    fn less(self, other: Self) -> bool {
-        self < other
-    }
-    #[inline(always)]
-    fn less_or_equal(self, other: Self) -> bool {
-        self <= other
-    }
-    #[inline(always)]
-    fn select(mask: bool, yes: Self, no: Self) -> Self {
-        if mask { yes } else { no }
-    }
-    #[inline(always)]
-    fn all(mask: bool) -> bool {
-        mask
-    }
+            #[inline(always)]
+            fn like(self, value: f64) -> Self {
+                value as $t
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                $t::abs(self)
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                crate::number::Number::sqrt(self)
+            }
+            #[inline(always)]
+            fn less(self, other: Self) -> bool {
+                self < other
+            }
+            #[inline(always)]
+            fn less_or_equal(self, other: Self) -> bool {
+                self <= other
+            }
+            #[inline(always)]
+            fn select(mask: bool, yes: Self, no: Self) -> Self {
+                if mask { yes } else { no }
+            }
+            #[inline(always)]
+            fn all(mask: bool) -> bool {
+                mask
+            }
+        }
+    };
 }
+
+real!(f32);
+real!(f64);

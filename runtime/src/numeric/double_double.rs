@@ -1,10 +1,10 @@
-//! Numbers with twice the precision of `f64`.
+//! Numbers with twice the precision of `f64`, or of `f32`.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 #[cfg(feature = "std")]
 use super::scale::ldexp;
-use crate::number::Number;
+use crate::number::Scalar;
 use crate::number::real::Real;
 
 /// The unevaluated sum of two `f64` that do not overlap: about 32 digits in the range of `f64`.
@@ -12,23 +12,47 @@ use crate::number::real::Real;
 /// Operations err by a few units of 2^-104 relative to their result (Dekker 1971; Hida, Li & Bailey 2001). Products are
 /// split by Veltkamp's method: a fused multiply-add is a slow library call on targets without the instruction.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
-pub(crate) struct DoubleDouble {
-    hi: f64,
-    lo: f64,
+pub(crate) struct DoubleDouble<T = f64> {
+    hi: T,
+    lo: T,
 }
 
-impl DoubleDouble {
-    pub(crate) const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
+/// What pairs are made of: `f64`, or `f32` where there is no `f64`.
+pub(crate) trait Part: Scalar {
+    const ZERO: Self;
+    /// Times this and less what was added, a number is rounded to the first half of its bits.
+    const SPLITTER: Self;
+}
+
+impl Part for f64 {
+    const ZERO: Self = 0.0;
+    const SPLITTER: Self = 134_217_729.0;
+}
+
+impl Part for f32 {
+    const ZERO: Self = 0.0;
+    const SPLITTER: Self = 4097.0;
+}
+
+impl<T: Part> DoubleDouble<T> {
+    pub(crate) const ZERO: Self = Self { hi: T::ZERO, lo: T::ZERO };
 
     /// `a b`, exactly.
     #[inline]
-    pub(crate) fn product(a: f64, b: f64) -> Self {
+    pub(crate) fn product(a: T, b: T) -> Self {
         let hi = a * b;
         let (a_hi, a_lo) = split(a);
         let (b_hi, b_lo) = split(b);
         Self { hi, lo: ((a_hi * b_hi - hi) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo }
     }
 
+    /// Rounded.
+    pub(crate) fn high(self) -> T {
+        self.hi
+    }
+}
+
+impl DoubleDouble {
     pub(crate) fn to_f64(self) -> f64 {
         self.hi
     }
@@ -63,13 +87,13 @@ impl DoubleDouble {
     }
 }
 
-impl From<f64> for DoubleDouble {
-    fn from(value: f64) -> Self {
-        Self { hi: value, lo: 0.0 }
+impl<T: Part> From<T> for DoubleDouble<T> {
+    fn from(value: T) -> Self {
+        Self { hi: value, lo: T::ZERO }
     }
 }
 
-impl Neg for DoubleDouble {
+impl<T: Part> Neg for DoubleDouble<T> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
@@ -77,7 +101,7 @@ impl Neg for DoubleDouble {
     }
 }
 
-impl Add for DoubleDouble {
+impl<T: Part> Add for DoubleDouble<T> {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
@@ -88,7 +112,7 @@ impl Add for DoubleDouble {
     }
 }
 
-impl Sub for DoubleDouble {
+impl<T: Part> Sub for DoubleDouble<T> {
     type Output = Self;
     #[inline]
     fn sub(self, other: Self) -> Self {
@@ -96,7 +120,7 @@ impl Sub for DoubleDouble {
     }
 }
 
-impl Mul for DoubleDouble {
+impl<T: Part> Mul for DoubleDouble<T> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
@@ -105,7 +129,7 @@ impl Mul for DoubleDouble {
     }
 }
 
-impl Div for DoubleDouble {
+impl<T: Part> Div for DoubleDouble<T> {
     type Output = Self;
     fn div(self, other: Self) -> Self {
         let first = self.hi / other.hi;
@@ -116,23 +140,23 @@ impl Div for DoubleDouble {
     }
 }
 
-impl Real for DoubleDouble {
+impl<T: Part> Real for DoubleDouble<T> {
     type Mask = bool;
 
     fn like(self, value: f64) -> Self {
-        value.into()
+        T::from_f64(value).into()
     }
     fn abs(self) -> Self {
         if self < Self::ZERO { -self } else { self }
     }
     fn sqrt(self) -> Self {
-        let root = Number::sqrt(self.to_f64());
-        if root == 0.0 {
+        let root = self.hi.sqrt();
+        if root == T::ZERO {
             return Self::ZERO;
         }
         // One step of Newton's iteration doubles the digits (Karp & Markstein 1997).
         let rest = self - Self::product(root, root);
-        Self::from(root) + (rest.to_f64() / (2.0 * root)).into()
+        Self::from(root) + (rest.hi / (root + root)).into()
     }
     fn less(self, other: Self) -> bool {
         self < other
@@ -150,7 +174,7 @@ impl Real for DoubleDouble {
 
 /// `a + b`, exactly.
 #[inline]
-fn sum(a: f64, b: f64) -> DoubleDouble {
+fn sum<T: Part>(a: T, b: T) -> DoubleDouble<T> {
     let hi = a + b;
     let b_part = hi - a;
     DoubleDouble { hi, lo: (a - (hi - b_part)) + (b - b_part) }
@@ -158,15 +182,15 @@ fn sum(a: f64, b: f64) -> DoubleDouble {
 
 /// `a + b`, exactly, where |a| >= |b|.
 #[inline]
-fn quick_sum(a: f64, b: f64) -> DoubleDouble {
+fn quick_sum<T: Part>(a: T, b: T) -> DoubleDouble<T> {
     let hi = a + b;
     DoubleDouble { hi, lo: b - (hi - a) }
 }
 
-/// Two parts of 26 bits each that sum to `a`.
+/// Two parts of half of the bits each that sum to `a`.
 #[inline]
-fn split(a: f64) -> (f64, f64) {
-    let t = 134_217_729.0 * a;
+fn split<T: Part>(a: T) -> (T, T) {
+    let t = T::SPLITTER * a;
     let hi = t - (t - a);
     (hi, a - hi)
 }

@@ -7,8 +7,8 @@ mod scale;
 
 #[cfg(feature = "std")]
 pub(crate) use complex_double_double::ComplexDoubleDouble;
-pub(crate) use double_double::DoubleDouble;
-pub(crate) use scale::{exponent, ldexp};
+pub(crate) use double_double::{DoubleDouble, Part};
+pub(crate) use scale::{Scaled, exponent, ldexp};
 
 pub(crate) mod fixed;
 pub(crate) mod isolation;

@@ -1,11 +1,37 @@
 //! Scaling by powers of two, which rounds nothing.
 
+/// A number that can be scaled.
+pub(crate) trait Scaled: Copy {
+    /// See [`exponent`].
+    fn exponent(self) -> Option<i32>;
+    /// See [`ldexp`].
+    fn ldexp(self, e: i32) -> Self;
+}
+
+impl Scaled for f64 {
+    fn exponent(self) -> Option<i32> {
+        (self != 0.0).then(|| libm::frexp(self).1)
+    }
+    fn ldexp(self, e: i32) -> Self {
+        libm::scalbn(self, e)
+    }
+}
+
+impl Scaled for f32 {
+    fn exponent(self) -> Option<i32> {
+        (self != 0.0).then(|| libm::frexpf(self).1)
+    }
+    fn ldexp(self, e: i32) -> Self {
+        libm::scalbnf(self, e)
+    }
+}
+
 /// The exponent e of `|x| = m 2^e` with m in [1/2, 1); `None` for zero.
-pub(crate) fn exponent(x: f64) -> Option<i32> {
-    (x != 0.0).then(|| libm::frexp(x).1)
+pub(crate) fn exponent<T: Scaled>(x: T) -> Option<i32> {
+    x.exponent()
 }
 
 /// `x 2^e`.
-pub(crate) fn ldexp(x: f64, e: i32) -> f64 {
-    libm::scalbn(x, e)
+pub(crate) fn ldexp<T: Scaled>(x: T, e: i32) -> T {
+    x.ldexp(e)
 }

@@ -51,6 +51,7 @@ fn measure() -> Result<Vec<Measured>, String> {
         found.push(one::<tasks::StateSpaceF32>(board)?);
         found.push(one::<tasks::StateSpaceF64>(board)?);
         found.push(one::<tasks::Eigenvalues>(board)?);
+        found.push(one::<tasks::EigenvaluesF32>(board)?);
         found.push(one::<tasks::ParametersToEigenvalues>(board)?);
         found.push(one::<tasks::CriticalSpeeds>(board)?);
         found.push(one::<tasks::AccelerationsF32>(board)?);

@@ -89,6 +89,13 @@ task!(
     Whipple::BENCHMARK.coefficients().at(SPEED, 9.81).ok(), |system| system.as_ref()?.quartic_eigenvalues().ok(), eigenvalues
 );
 task!(
+    /// The same in single precision.
+    EigenvaluesF32, "eigenvalues_f32", Option<System<2, f32>> => Option<[Complex<f32>; 4]>,
+    Whipple::BENCHMARK.to_f32().coefficients().at(SPEED as f32, 9.81).ok(),
+    |system| system.as_ref()?.quartic_eigenvalues_f32().ok(),
+    |found, tell| found.iter().flatten().for_each(|value| [value.re, value.im].iter().for_each(|x| tell(x.to_bits().into())))
+);
+task!(
     /// The four eigenvalues, from the parameters.
     ParametersToEigenvalues, "parameters_to_eigenvalues", Whipple<f64> => Option<[Complex<f64>; 4]>,
     Whipple::BENCHMARK, |bicycle| bicycle.coefficients().at(SPEED, bicycle.g).ok()?.quartic_eigenvalues().ok(), eigenvalues
