@@ -39,9 +39,10 @@
 //! How all of them change with the parameters, for models that were compiled with their derivatives or with derivatives of
 //! your own, and what measured standard deviations make of them, tells [`Sensitivity`].
 //!
-//! Without feature `std` there is all of this that does not allocate: the matrices, the state-space form and the
-//! [four eigenvalues](System::quartic_eigenvalues) of two coordinates. The guide, and this page with all its links, are
-//! documented with the features `derive`, `std` and `batch`.
+//! Without feature `std` there is all of this that does not allocate: the matrices, the state-space form, the
+//! [four eigenvalues](System::quartic_eigenvalues) of two coordinates, and their critical speeds where these are
+//! [certain](CertainStability). The guide, and this page with all its links, are documented with the features `derive`, `std`
+//! and `batch`.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 // docs.rs says of each item which feature it is for.

@@ -67,7 +67,7 @@ impl<const N: usize, T: Scalar> System<N, T> {
     /// Whether every entry is finite.
     pub(crate) fn require_finite(&self) -> Result<(), SystemError> {
         for (quantity, matrix) in [("M", &self.m), ("C", &self.c), ("K", &self.k)] {
-            matrix.iter().try_for_each(|&entry| require_finite(quantity, entry))?;
+            require_all_finite(quantity, matrix)?;
         }
         Ok(())
     }
@@ -86,10 +86,11 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
         self.require_finite()?;
         require_finite("speed", speed)?;
         require_finite("gravity", gravity)?;
-        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, states } = *self;
-        let mut c = c0 + c1 * speed;
+        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, states } = self;
+        // Entry by entry, so that none of the matrices is copied.
+        let mut c = c0.zip_map(c1, |c0, c1| c0 + c1 * speed);
         // v (v K2): the square alone may overflow where the product does not.
-        let mut k = kc + k0 * gravity + k2 * speed * speed;
+        let mut k = kc.zip_zip_map(k0, k2, |kc, k0, k2| kc + k0 * gravity + k2 * speed * speed);
         if self.has_odd_powers() {
             let zero = T::from_f64(0.0);
             if speed == zero && cm1.iter().any(|&entry| entry != zero) {
@@ -101,13 +102,13 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
         }
         require_in_range("C-1/v + C0 + v C1", &c)?;
         require_in_range("Kc + g K0 + v K1 + v^2 K2", &k)?;
-        Ok(System { m, c, k, states })
+        Ok(System { m: *m, c, k, states: *states })
     }
 
     /// Whether every entry is finite.
     pub(crate) fn require_finite(&self) -> Result<(), SystemError> {
         for name in MatrixName::ALL {
-            self.matrix(name).iter().try_for_each(|&entry| require_finite(name.name(), entry))?;
+            require_all_finite(name.name(), self.matrix(name))?;
         }
         Ok(())
     }
@@ -125,7 +126,19 @@ pub(crate) fn require_in_range<T: Scalar, const N: usize>(
     quantity: &'static str,
     result: &Matrix<T, N>,
 ) -> Result<(), SystemError> {
-    if result.iter().all(|entry| entry.is_finite()) { Ok(()) } else { Err(SystemError::OutOfRange { quantity }) }
+    if result.as_slice().iter().all(|entry| entry.is_finite()) {
+        Ok(())
+    } else {
+        Err(SystemError::OutOfRange { quantity })
+    }
+}
+
+/// By their slice, which takes less than half of the iterator of matrices.
+fn require_all_finite<T: Scalar, const N: usize>(
+    quantity: &'static str,
+    matrix: &Matrix<T, N>,
+) -> Result<(), SystemError> {
+    matrix.as_slice().iter().try_for_each(|&entry| require_finite(quantity, entry))
 }
 
 pub(crate) fn require_finite<T: Scalar>(quantity: &'static str, value: T) -> Result<(), SystemError> {

@@ -78,7 +78,8 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
     /// for which two coordinates have faster and exact ways.
     pub(crate) fn has_odd_powers(&self) -> bool {
         let zero = T::from_f64(0.0);
-        self.cm1.iter().chain(self.k1.iter()).any(|&entry| entry != zero)
+        let is_zero = |matrix: &Matrix<T, N>| matrix.as_slice().iter().all(|&entry| entry == zero);
+        !is_zero(&self.cm1) || !is_zero(&self.k1)
     }
 
     /// One of the matrices.

@@ -18,6 +18,9 @@ pub(crate) fn solve_in_place<T: Scalar>(
     [m, terms]: [&mut [T]; 2],
     x: &mut [impl AsMut<[T]>],
 ) -> Result<(), SystemError> {
+    if size == 2 {
+        return solve_two(at, m, x);
+    }
     let zero = T::from_f64(0.0);
     terms.iter_mut().zip(&*m).for_each(|(term, entry)| *term = entry.abs());
     for step in 0..size {
@@ -66,6 +69,48 @@ pub(crate) fn solve_in_place<T: Scalar>(
             for column in 0..size {
                 change(x, at(row, column), |entry| entry / divisor);
             }
+        }
+    }
+    Ok(())
+}
+
+/// The same of two by two, operation by operation, without loops: a controller computes it at every sample.
+#[inline]
+fn solve_two<T: Scalar>(
+    at: impl Fn(usize, usize) -> usize,
+    m: &[T],
+    x: &mut [impl AsMut<[T]>],
+) -> Result<(), SystemError> {
+    let zero = T::from_f64(0.0);
+    let rounding = T::from_f64(8.0) * T::EPSILON;
+    let relative = |[first, second]: [T; 2]| {
+        let (first, second) = (first.abs(), second.abs());
+        let largest = if second > first { second } else { first };
+        if largest > zero { first / largest } else { zero }
+    };
+    let row = |row: usize| [entry(m, at(row, 0)), entry(m, at(row, 1))];
+    let is_second = relative(row(1)) >= relative(row(0));
+    let ([a, b], [c, d]) = if is_second { (row(1), row(0)) } else { (row(0), row(1)) };
+    if a.abs() <= rounding * a.abs() {
+        return Err(SystemError::SingularMass);
+    }
+    let below = c / a;
+    let product = below * b;
+    let last = d - product;
+    if last.abs() <= rounding * (d.abs() + product.abs()) {
+        return Err(SystemError::SingularMass);
+    }
+    let above = b / last;
+    for x in x {
+        let x = x.as_mut();
+        for column in 0..2 {
+            let places = [at(0, column), at(1, column)];
+            let [first, second] = places.map(|place| entry(x, place));
+            let (first, second) = if is_second { (second, first) } else { (first, second) };
+            let second = second - below * first;
+            let first = first - above * second;
+            change(x, places[0], |_| first / a);
+            change(x, places[1], |_| second / last);
         }
     }
     Ok(())

@@ -54,7 +54,11 @@ impl<const N: usize, T: Scalar> System<N, T> {
     /// If the mass matrix is singular as far as `T` can tell, an entry is not finite, or a block leaves the range of `T`.
     pub fn state_space(&self) -> Result<StateSpace<N, T>, SystemError> {
         self.require_finite()?;
-        let [stiffness, damping, input] = self.solve(self.with_columns_of_states([-self.k, -self.c, identity()]))?;
+        let [stiffness, damping, input] = self.solve(self.with_columns_of_states([
+            self.k.map(|entry| -entry),
+            self.c.map(|entry| -entry),
+            identity(),
+        ]))?;
         for (quantity, block) in [("M^-1 K", &stiffness), ("M^-1 C", &damping), ("M^-1", &input)] {
             require_in_range(quantity, block)?;
         }
