@@ -44,7 +44,9 @@ pub fn write_in(design: &Design, unit_of: &dyn Fn(&str) -> DisplayUnit, comment:
     });
     text.push_str(&write_rows(rows.collect(), comment));
     #[cfg(feature = "full")]
-    write_correlations(design, &mut text);
+    if let Some(covariance) = &design.covariance {
+        write_correlations(covariance, &|position| info.parameters[position].name, &mut text);
+    }
     text
 }
 
@@ -78,13 +80,14 @@ pub(crate) fn write_rows(rows: Vec<Row>, comment: &dyn Fn(&str) -> String) -> St
 
 /// Of each pair of parameters that vary together, under the one that is declared later.
 #[cfg(feature = "full")]
-fn write_correlations(design: &Design, text: &mut String) {
-    let Some(covariance) = &design.covariance else { return };
-    let name = |position: usize| design.info().parameters[position].name;
+pub(crate) fn write_correlations(
+    covariance: &carvallo::Covariance,
+    name: &dyn Fn(usize) -> &'static str,
+    text: &mut String,
+) {
     text.push_str("\n[correlations]\n");
     for pairs in covariance.correlations().chunk_by(|a, b| a.0 == b.0) {
-        let others: Vec<String> =
-            pairs.iter().map(|pair| format!("{} = {}", name(pair.1), crate::number::shortest(pair.2))).collect();
+        let others: Vec<String> = pairs.iter().map(|pair| format!("{} = {}", name(pair.1), shortest(pair.2))).collect();
         text.push_str(&format!("{} = {{ {} }}\n", name(pairs[0].0), others.join(", ")));
     }
 }

@@ -21,7 +21,7 @@ Parameterizations:
   geometry    Head angle, fork offset, wheel base and wheel sizes, as manufacturers print them
 
 A file in any of them is recognised by its names, by this and by all other commands, or by parameterization = \"…\" in it.
-Numbers are computed to the last digits of a double, and standard deviations carried to first order.
+Numbers are computed to the last digits of a double; standard deviations and correlations are carried to first order.
 
 Forms: toml, json, yaml, csv, python, matlab, or text as BicycleParameters has it. All are read again.
 
@@ -108,6 +108,13 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     }
     if !form.has_deviations() && converted.parameters.iter().any(|parameter| parameter.given.deviation.is_some()) {
         note(WARNING, "note", &format!("{}: a script has no place for standard deviations: left out", converted.name));
+    }
+    if !form.has_correlations() && form.has_deviations() && converted.covariance.is_some() {
+        note(
+            WARNING,
+            "note",
+            &format!("{}: only toml and json have a place for correlations: left out", converted.name),
+        );
     }
     let text = write(&converted, form, &units, &output::faint);
     deliver(options.output.as_deref(), |output| output.write_all(text.as_bytes()))

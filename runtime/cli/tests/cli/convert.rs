@@ -175,3 +175,191 @@ fn every_form_is_read_again() {
         }
     }
 }
+
+/// Deviations of independent measurements become correlated ones in other parameters, and on the way back independent again.
+#[test]
+fn deviations_and_correlations_lead_back() {
+    let directory = Directory::new("convert-deviations");
+    let paper = directory.run(&["convert", "pista", "--to", "paper", "--format", "json"]).json();
+    for convention in ["moore", "pydy", "principal", "geometry"] {
+        for file in ["there.toml", "there.json"] {
+            let run = directory.run(&["convert", "pista", "--to", convention, "--output", file]);
+            assert_eq!(run.code, Some(0), "{}", run.stderr);
+            let text = std::fs::read_to_string(directory.0.join(file)).unwrap();
+            assert!(text.contains("correlations"), "{convention}: {text}");
+            let run = directory.run(&["convert", file, "--to", "paper", "--format", "json"]);
+            let back: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+            for (name, value) in paper["parameters"].as_object().unwrap() {
+                let [a, b] = [value, &back["parameters"][name]].map(|value| value["std"].as_f64());
+                let (Some(a), Some(b)) = (a, b) else { panic!("{convention}: {name}") };
+                assert!((a - b).abs() <= 1e-9 * a, "{convention}: {name} +/- {b}, not {a}");
+            }
+            let correlations = back["correlations"].as_object().into_iter().flatten();
+            for (name, others) in correlations {
+                for (other, value) in others.as_object().unwrap() {
+                    assert!(value.as_f64().unwrap().abs() < 1e-9, "{convention}: {name} and {other}: {value}");
+                }
+            }
+        }
+    }
+}
+
+/// A bicycle in the paper's parameters takes settings in those that manufacturers print: the fork offset stays where the head
+/// angle changes, as that of a fork in a steeper frame.
+#[test]
+fn geometry_changes_any_bicycle() {
+    let directory = Directory::new("convert-settings");
+    let changed = |settings: &[&str]| {
+        let mut arguments = vec!["convert", "benchmark", "--to", "paper", "--format", "json"];
+        settings.iter().for_each(|setting| arguments.extend(["--set", setting]));
+        let run = directory.run(&arguments);
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+        assert!(run.stderr.contains("note: benchmark: changed in"), "{}", run.stderr);
+        serde_json::from_str::<serde_json::Value>(&run.stdout).unwrap()
+    };
+    let value = |json: &serde_json::Value, name: &str| json["parameters"][name].as_f64().unwrap();
+    let offset = |c: f64, lam: f64| 0.35 * lam.sin() - c * lam.cos();
+    let steeper = changed(&["head_angle=75 deg"]);
+    let lam = 15_f64.to_radians();
+    assert!((value(&steeper, "lam") - lam).abs() < 1e-15);
+    let kept = offset(0.08, std::f64::consts::PI / 10.0);
+    assert!((value(&steeper, "c") - (0.35 * lam.sin() - kept) / lam.cos()).abs() < 1e-15);
+    assert_eq!([value(&steeper, "w"), value(&steeper, "zB")], [1.02, -0.9]);
+
+    let both = changed(&["head_angle=75 deg", "trail=60 mm", "wheel=28-622", "mB=90"]);
+    assert!((value(&both, "c") - 0.06).abs() < 1e-16 && (value(&both, "rF") - 0.339).abs() < 1e-15);
+    assert_eq!(value(&both, "mB"), 90.0);
+    let run = directory.run(&["show", "--set", "mf=3"]);
+    run.fails(2, "error: --set mf=3: `mf` is not a parameter of Whipple; did you mean `mF`?\n");
+}
+
+/// What is wrong with a file in a convention is told by its names.
+#[test]
+fn mistakes_are_told_by_the_names_of_the_file() {
+    let directory = Directory::new("convert-mistakes");
+    let moore = directory.run(&["convert", "benchmark", "--to", "moore", "--format", "text"]).ok();
+    let check = |text: String, message: &str| {
+        directory.write("m.txt", text).run(&["analyze", "m.txt"]).fails(2, &format!("error: {message}\n"));
+    };
+    let without = |names: &[&str]| -> String {
+        let is_left = |line: &&str| !names.iter().any(|name| line.starts_with(&format!("{name} =")));
+        moore.lines().filter(is_left).map(|line| format!("{line}\n")).collect()
+    };
+    check(without(&["l3", "me"]), "m.txt: missing: `l3`, `me`, of the names of Moore (2012)");
+    check(without(&["mc"]) + "mc = -3\n", "m.txt:27: `mc` is -3 kg; it must be >= 0");
+    check(without(&["d1"]) + "d1 = 1 kg\n", "m.txt:27: `d1` is `1 kg`; `kg` is no unit for it: `d1` is in m");
+    check(
+        moore.clone() + "ic12 = 0.3\n",
+        "m.txt:28: `ic12` is 0.3 kg m²; it must be 0: the bicycle is laterally symmetric",
+    );
+    check(moore.clone() + "d1 = 1\n", "m.txt:28: `d1` is given twice; first at m.txt:4");
+    check(
+        moore.clone() + "w = 1.03\n",
+        "m.txt:28: `w` is 1.03 m, but 1.0199999999999998 m follows from the others in m.txt",
+    );
+    let near = without(&["d1", "d2"]) + "d1 = 0.001\nd2 = 0.001\n";
+    check(near, "m.txt: the wheels do not both touch the ground with d1, d2 and d3: their centres are too near");
+
+    let gyrostats = directory.run(&["convert", "benchmark", "--to", "gyrostats", "--format", "json"]);
+    directory.write("g.json", gyrostats.stdout);
+    let run = directory.run(&["convert", "g.json", "--to", "jbike6"]);
+    let missing = "error: benchmark: two gyrostats do not tell how much of them the wheels are, which the names of JBike6 need; \
+                   give --set mR=… --set IRxx=… --set mF=… --set IFxx=…\n";
+    assert!(run.code == Some(2) && run.stderr.ends_with(missing), "{}", run.stderr);
+    // But their motion is all there.
+    let motion = |arguments: &[&str]| -> serde_json::Value {
+        let run = directory.run(&[&["analyze"], arguments, &["--format", "json"]].concat());
+        serde_json::from_str(&run.stdout).unwrap()
+    };
+    let (known, found) = (motion(&["benchmark"]), motion(&["g.json"]));
+    for matrix in ["M", "C1", "K0", "K2"] {
+        for (row, column) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+            let [a, b] = [&known, &found].map(|json| json["matrices"][matrix][row][column].as_f64().unwrap());
+            assert!((a - b).abs() <= 1e-14 * a.abs().max(10.0), "{matrix}: {b}, not {a}");
+        }
+    }
+
+    let bicycle = |arguments: &[&str], message: &str| {
+        directory.run(&[&["convert"], arguments].concat()).fails(2, &format!("error: {message}\n"));
+    };
+    let known = "there is no parameterization `more`; did you mean `moore`?; there are paper, moore, pydy, principal, \
+                 gyrostats, jbike6, geometry";
+    bicycle(&["--to", "more"], &format!("--to more: {known}"));
+    bicycle(
+        &["--model", "Pendulum", "--to", "moore"],
+        "Pendulum seconds: the model Pendulum has other parameters than a bicycle",
+    );
+    let sprung =
+        "WhippleSprung benchmark: the names of Moore (2012) have no place for `k`, `d` of the model WhippleSprung";
+    bicycle(&["--model", "WhippleSprung", "--to", "moore"], sprung);
+    let wheel = "benchmark: the rear wheel has inertia and no mass, and so no radius of gyration";
+    bicycle(&["--set", "mR=0", "--to", "principal"], wheel);
+}
+
+/// Manufacturers print some of several quantities that say the same.
+#[test]
+fn geometry_is_read_as_it_is_printed() {
+    let directory = Directory::new("convert-geometry");
+    let masses: String = crate::BENCHMARK
+        .lines()
+        .skip_while(|line| *line != "[parameters]")
+        .skip(1)
+        .filter(|line| !["w ", "c ", "lam ", "rR ", "rF ", "g "].iter().any(|name| line.starts_with(name)))
+        .map(|line| format!("{line}\n"))
+        .collect();
+    let read = |geometry: &str| {
+        directory
+            .write("g.txt", format!("{geometry}{masses}"))
+            .run(&["convert", "g.txt", "--to", "paper", "--format", "json"])
+    };
+    let usual = "wheelbase = 1012 mm\nhead_angle = 72.5 deg\nfork_offset = 45 mm\nwheel = 28-622\n";
+    let paper = |geometry: &str| -> BTreeMap<String, f64> {
+        let run = read(geometry);
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+        let json: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+        let values = json["parameters"].as_object().unwrap().iter();
+        values.map(|(name, value)| (name.clone(), value.as_f64().unwrap())).collect()
+    };
+    let lam = 17.5_f64.to_radians();
+    let c = (0.339 * lam.sin() - 0.045) / lam.cos();
+    let expected: BTreeMap<String, f64> = [("w", 1.012), ("lam", lam), ("c", c), ("rR", 0.339), ("rF", 0.339)]
+        .map(|(name, value)| (name.to_owned(), value))
+        .into();
+    close(&paper(usual), &expected, 1e-15);
+    for other in [
+        usual.replace("fork_offset = 45 mm", &format!("trail = {c}")),
+        usual.replace("fork_offset", "rake"),
+        usual.replace("fork_offset = 45 mm", "fork_offset = 45 mm\ntrail = 60 mm"),
+        usual.replace("head_angle = 72.5 deg", "lam = 17.5 deg"),
+        usual.replace("wheel = 28-622", "rear_wheel = 700x28C\nfront_wheel_diameter = 678 mm"),
+        usual.replace("wheel = 28-622", "wheel_circumference = 0.678*pi"),
+        usual.replace("wheel = 28-622", "rR = 339 mm\nrF = 339 mm"),
+        // A right triangle with the sides 9, 40 and 41, and the rest of the wheel base.
+        usual.replace(
+            "wheelbase = 1012 mm",
+            "chainstay = 410 mm\nbb_drop = 90 mm\nfront_center = sqrt(0.612^2 + 0.09^2)",
+        ),
+    ] {
+        close(&paper(&other), &expected, 1e-15);
+    }
+    let fails = |geometry: String, message: &str| {
+        let run = read(&geometry);
+        assert_eq!((run.code, run.stderr.as_str()), (Some(2), format!("error: g.txt{message}\n").as_str()));
+    };
+    fails(
+        usual.replace("72.5 deg", "72.5"),
+        ":2: `head_angle` is 72.5 rad; it must be > 0 and < 3.141592653589793 (for degrees write `72.5 deg`)",
+    );
+    fails(
+        usual.replace("28-622", "28"),
+        ":4: `wheel` is `28`; expected the size on its tyre, such as 28-622, 700x28C or 26x2.1, or `wheel_diameter`",
+    );
+    fails(
+        usual.replace("fork_offset = 45 mm\n", ""),
+        ": missing: `fork_offset` (or `trail`), of the geometry that manufacturers print",
+    );
+    fails(
+        usual.to_owned() + "trail = 70 mm\n",
+        ": `trail` is 70.0 mm, but 59.7 mm with the fork offset; leave one of them out",
+    );
+}

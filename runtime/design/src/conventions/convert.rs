@@ -1,9 +1,12 @@
 //! From a design to any convention.
 
+use super::carried::{Carried, deviations};
 use super::gyrostats::GYROSTATS;
 use super::name::{Name, Values};
-use super::read::{has_paper, spread};
+use super::read::has_paper;
 use super::{Convention, SPLIT};
+use carvallo::Covariance;
+
 use crate::design::{Design, Deviation, Given};
 use crate::failure::Failure;
 use crate::model::WHIPPLE;
@@ -22,6 +25,8 @@ pub struct Converted {
     pub source: Option<String>,
     /// In the order in which the convention has them.
     pub parameters: Vec<Parameter>,
+    /// How they vary together, if any do.
+    pub covariance: Option<Covariance>,
     /// What was lost, or assumed.
     pub notes: Vec<String>,
 }
@@ -71,12 +76,12 @@ pub fn convert(design: &Design, convention: &'static Convention) -> Result<Conve
     info.parameters.iter().zip(&values).for_each(|(info, given)| paper.push(info.name, given.value.into()));
     let result = (convention.from_paper)(&paper).map_err(fail)?;
     check_way_back(convention, &paper, &result).map_err(fail)?;
-    let deviations: Vec<f64> =
-        values.iter().map(|given| given.deviation.as_ref().map_or(0.0, |deviation| deviation.value)).collect();
-    let spread = spread(&paper, &deviations, convention.from_paper);
+    let own = || Covariance::independent(&deviations(&values)).map_err(|error| fail(error.to_string()));
+    let covariance = design.covariance.clone().map_or_else(own, Ok)?;
+    let carried = Carried::new(&paper, &covariance, convention.from_paper);
     let computed = |name: &Name| {
         let value = result.get(name.name)?.value;
-        let deviation = spread.iter().find(|(own, _)| *own == name.name).map_or(0.0, |(_, deviation)| *deviation);
+        let deviation = carried.deviation(name.name);
         let deviation = (deviation > 0.0).then(|| Deviation { written: shortest(deviation), value: deviation });
         Some(Given { written: shortest(value), value, deviation })
     };
@@ -88,22 +93,25 @@ pub fn convert(design: &Design, convention: &'static Convention) -> Result<Conve
         let parameter = |name: &Name| Some(Parameter { given: computed(name)?, name: *name });
         convention.names.iter().filter(is_kept).filter_map(parameter).collect()
     };
-    let mut notes = losses(convention, design, &deviations);
-    notes.retain(|_| !convention.is_paper());
+    let covariance = if convention.is_paper() {
+        design.covariance.clone()
+    } else {
+        carried.covariance(parameters.iter().map(|parameter| parameter.name.name))
+    };
     Ok(Converted {
         convention,
         name: design.name.clone(),
         kind: design.kind.clone(),
         source: design.source.clone(),
         parameters,
-        notes,
+        covariance,
+        notes: loss(convention, design).map(str::to_owned).into_iter().collect(),
     })
 }
 
 /// What is said of what the convention does not keep.
-fn losses(convention: &Convention, design: &Design, deviations: &[f64]) -> Vec<String> {
-    let mut notes = Vec::new();
-    let one = match convention.name {
+fn loss(convention: &Convention, design: &Design) -> Option<&'static str> {
+    match convention.name {
         "principal" => Some(
             "rear frame and person are one body in the paper: all of it is the frame D, and the person P has no mass",
         ),
@@ -114,14 +122,7 @@ fn losses(convention: &Convention, design: &Design, deviations: &[f64]) -> Vec<S
             "rear frame and rider are one body in the paper: all of it is the frame, and rider, rack and basket have no mass",
         ),
         _ => None,
-    };
-    notes.extend(one.map(str::to_owned));
-    if deviations.iter().any(|deviation| *deviation > 0.0) {
-        notes.push(
-            "standard deviations are carried to first order, each by itself: without the correlations".to_owned(),
-        );
     }
-    notes
 }
 
 /// Whether the parameters of the paper come out again.

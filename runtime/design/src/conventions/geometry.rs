@@ -27,6 +27,7 @@ const DRAWN: Need = Need::Ignored("the equations of motion do not depend on it")
 const NAMES: &[Name] = &[
     Name::new("wheelbase", "m", "Wheel base").or(&["w"]).printed("mm").optional(),
     Name::new("head_angle", "rad", "Angle of the steer axis from the ground")
+        .rising()
         .or(&["head_tube_angle", "steering_angle"])
         .printed("deg")
         .optional(),
@@ -34,38 +35,44 @@ const NAMES: &[Name] = &[
         .or(&["rake", "fork_rake", "offset"])
         .printed("mm")
         .optional(),
-    Name::new("rear_wheel_diameter", "m", "Diameter of the rear wheel with its tyre").printed("mm").optional(),
-    Name::new("front_wheel_diameter", "m", "Diameter of the front wheel with its tyre").printed("mm").optional(),
+    Name::new("rear_wheel_diameter", "m", "Diameter of the rear wheel with its tyre")
+        .positive()
+        .printed("mm")
+        .optional(),
+    Name::new("front_wheel_diameter", "m", "Diameter of the front wheel with its tyre")
+        .positive()
+        .printed("mm")
+        .optional(),
     Name::new("g", "N/kg", "Gravitational field strength").or(&["gravity"]).optional(),
-    Name::new("mR", "kg", "Mass of the rear wheel"),
+    Name::new("mR", "kg", "Mass of the rear wheel").not_negative(),
     Name::new("IRxx", "kg*m^2", "Radial moment of inertia of the rear wheel"),
     Name::new("IRyy", "kg*m^2", "Axial moment of inertia of the rear wheel"),
     Name::new("xB", "m", "Centre of mass of the rear frame and rider, forward of the rear contact").printed("mm"),
     Name::new("zB", "m", "Centre of mass of the rear frame and rider, downward").printed("mm"),
-    Name::new("mB", "kg", "Mass of the rear frame and rider"),
+    Name::new("mB", "kg", "Mass of the rear frame and rider").not_negative(),
     Name::new("IBxx", "kg*m^2", "Moment of inertia of the rear frame and rider, in roll"),
     Name::new("IByy", "kg*m^2", "Moment of inertia of the rear frame and rider, in pitch").optional(),
     Name::new("IBzz", "kg*m^2", "Moment of inertia of the rear frame and rider, in yaw"),
     Name::new("IBxz", "kg*m^2", "Product of inertia of the rear frame and rider"),
     Name::new("xH", "m", "Centre of mass of the front frame, forward of the rear contact").printed("mm"),
     Name::new("zH", "m", "Centre of mass of the front frame, downward").printed("mm"),
-    Name::new("mH", "kg", "Mass of the front frame"),
+    Name::new("mH", "kg", "Mass of the front frame").not_negative(),
     Name::new("IHxx", "kg*m^2", "Moment of inertia of the front frame, in roll"),
     Name::new("IHyy", "kg*m^2", "Moment of inertia of the front frame, in pitch").optional(),
     Name::new("IHzz", "kg*m^2", "Moment of inertia of the front frame, in yaw"),
     Name::new("IHxz", "kg*m^2", "Product of inertia of the front frame"),
-    Name::new("mF", "kg", "Mass of the front wheel"),
+    Name::new("mF", "kg", "Mass of the front wheel").not_negative(),
     Name::new("IFxx", "kg*m^2", "Radial moment of inertia of the front wheel"),
     Name::new("IFyy", "kg*m^2", "Axial moment of inertia of the front wheel"),
     // What may stand in the place of one of the others.
     Name::new("lam", "rad", "Steer axis tilt").or(&["lambda", "lamda", "λ"]).optional(),
     Name::new("trail", "m", "Trail").or(&["c"]).printed("mm").optional(),
-    Name::new("rR", "m", "Radius of the rear wheel").optional(),
-    Name::new("rF", "m", "Radius of the front wheel").optional(),
-    Name::new("wheel_diameter", "m", "Diameter of both wheels with their tyres").optional(),
-    Name::new("rear_wheel_circumference", "m", "Circumference of the rear wheel").optional(),
-    Name::new("front_wheel_circumference", "m", "Circumference of the front wheel").optional(),
-    Name::new("wheel_circumference", "m", "Circumference of both wheels").optional(),
+    Name::new("rR", "m", "Radius of the rear wheel").positive().optional(),
+    Name::new("rF", "m", "Radius of the front wheel").positive().optional(),
+    Name::new("wheel_diameter", "m", "Diameter of both wheels with their tyres").positive().optional(),
+    Name::new("rear_wheel_circumference", "m", "Circumference of the rear wheel").positive().optional(),
+    Name::new("front_wheel_circumference", "m", "Circumference of the front wheel").positive().optional(),
+    Name::new("wheel_circumference", "m", "Circumference of both wheels").positive().optional(),
     Name::new("chainstay", "m", "From the bottom bracket to the rear axle")
         .or(&["chainstay_length", "rear_center", "rear_centre"])
         .optional(),

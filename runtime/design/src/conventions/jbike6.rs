@@ -27,7 +27,7 @@ pub const BODIES: [&str; 7] = ["rearwheel", "frontwheel", "rider", "frame", "for
 macro_rules! body {
     ($what:literal, $mass:literal, $first:literal, $second:literal, $third:literal, $angle:literal) => {
         [
-            Name::new($mass, "kg", concat!("Mass of the ", $what)),
+            Name::new($mass, "kg", concat!("Mass of the ", $what)).not_negative(),
             Name::new($first, "kg*m^2", concat!("Moment of inertia of the ", $what, " about its principal axis 1")),
             Name::new($second, "kg*m^2", concat!("Moment of inertia of the ", $what, " about its principal axis 2")),
             Name::new($third, "kg*m^2", concat!("Moment of inertia of the ", $what, " about z")),
@@ -57,17 +57,17 @@ const NAMES: &[Name] = &{
     let [ae, af, ag, ah, ai] = RACK;
     [
         Name::new("wheelbase", "m", "Wheel base"),
-        Name::new("head_angle", "rad", "Angle of the steer axis from the ground").optional(),
+        Name::new("head_angle", "rad", "Angle of the steer axis from the ground").rising().optional(),
         Name::new("lambda", "rad", "Tilt of the steer axis from the vertical").or(&["lamda", "lam"]).optional(),
         Name::new("trail", "m", "Trail"),
         Name::new("gravity", "N/kg", "Gravitational field strength").or(&["g"]).optional(),
-        Name::new("Drearwheel", "m", "Diameter of the rear wheel"),
+        Name::new("Drearwheel", "m", "Diameter of the rear wheel").positive(),
         a,
         b,
         c,
         d,
         e,
-        Name::new("Dfrontwheel", "m", "Diameter of the front wheel"),
+        Name::new("Dfrontwheel", "m", "Diameter of the front wheel").positive(),
         f,
         g,
         h,

@@ -13,8 +13,10 @@
 //! ```
 
 mod arrays;
+mod carried;
 mod convert;
 mod dual;
+mod express;
 mod geometry;
 mod gyrostats;
 mod jbike6;
@@ -24,6 +26,7 @@ mod principal;
 mod pydy;
 mod read;
 mod recognise;
+mod source;
 mod steered;
 mod tensor;
 #[cfg(test)]

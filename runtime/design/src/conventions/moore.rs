@@ -23,8 +23,8 @@ pub const MOORE: Convention = Convention {
 const SYMMETRIC: Need = Need::Zero("the bicycle is laterally symmetric");
 
 const NAMES: &[Name] = &[
-    Name::new("rr", "m", "Radius of the rear wheel"),
-    Name::new("rf", "m", "Radius of the front wheel"),
+    Name::new("rr", "m", "Radius of the rear wheel").positive(),
+    Name::new("rf", "m", "Radius of the front wheel").positive(),
     Name::new("d1", "m", "Distance of the steer axis from the centre of the rear wheel"),
     Name::new("d2", "m", "Distance of the wheels' centres along the steer axis"),
     Name::new("d3", "m", "Distance of the centre of the front wheel from the steer axis: the fork offset"),
@@ -40,10 +40,10 @@ const NAMES: &[Name] = &[
         "m",
         "Centre of mass of the front frame from the centre of the front wheel, along the steer axis, downward",
     ),
-    Name::new("mc", "kg", "Mass of the rear frame and rider"),
-    Name::new("md", "kg", "Mass of the rear wheel"),
-    Name::new("me", "kg", "Mass of the front frame"),
-    Name::new("mf", "kg", "Mass of the front wheel"),
+    Name::new("mc", "kg", "Mass of the rear frame and rider").not_negative(),
+    Name::new("md", "kg", "Mass of the rear wheel").not_negative(),
+    Name::new("me", "kg", "Mass of the front frame").not_negative(),
+    Name::new("mf", "kg", "Mass of the front wheel").not_negative(),
     Name::new("ic11", "kg*m^2", "Moment of inertia of the rear frame and rider, across the steer axis"),
     Name::new("ic22", "kg*m^2", "Moment of inertia of the rear frame and rider, in pitch").optional(),
     Name::new("ic33", "kg*m^2", "Moment of inertia of the rear frame and rider, along the steer axis"),

@@ -1,5 +1,9 @@
 //! What a convention calls its parameters, and their values.
 
+use std::f64::consts::PI;
+
+use carvallo::{Bound, Domain};
+
 use super::dual::Dual;
 
 /// A parameter of a convention.
@@ -15,6 +19,8 @@ pub struct Name {
     pub printed: Option<&'static str>,
     /// What it is.
     pub docs: &'static str,
+    /// The values that it can have.
+    pub domain: Domain,
     /// Whether a file must have it.
     pub need: Need,
 }
@@ -37,7 +43,7 @@ pub enum Need {
 impl Name {
     /// One that must be there.
     pub const fn new(name: &'static str, unit: &'static str, docs: &'static str) -> Self {
-        Self { name, others: &[], unit, printed: None, docs, need: Need::Required }
+        Self { name, others: &[], unit, printed: None, docs, domain: Domain::FINITE, need: Need::Required }
     }
 
     /// The same, which may be missing.
@@ -50,6 +56,21 @@ impl Name {
         Self { others, ..self }
     }
 
+    /// The same, which is not negative.
+    pub const fn not_negative(self) -> Self {
+        Self { domain: Domain::NONNEGATIVE, ..self }
+    }
+
+    /// The same, which is more than zero.
+    pub const fn positive(self) -> Self {
+        Self { domain: Domain::POSITIVE, ..self }
+    }
+
+    /// The same, which is an angle between the ground and an axis that rises.
+    pub const fn rising(self) -> Self {
+        Self { domain: Domain::between(Bound::Open(0.0), Bound::Open(PI)), ..self }
+    }
+
     /// The same, as it is usually printed.
     pub const fn printed(self, unit: &'static str) -> Self {
         Self { printed: Some(unit), ..self }
@@ -57,7 +78,7 @@ impl Name {
 
     /// What files carry along beside the parameters.
     pub const fn extra(name: &'static str, unit: &'static str, need: Need) -> Self {
-        Self { name, others: &[], unit, printed: None, docs: "", need }
+        Self { need, ..Self::new(name, unit, "") }
     }
 
     /// Whether it is a parameter, and not what files carry along.

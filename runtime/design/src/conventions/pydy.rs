@@ -22,9 +22,9 @@ pub const PYDY: Convention = Convention {
 };
 
 const NAMES: &[Name] = &[
-    Name::new("WRrad", "m", "Radius of the rear wheel"),
-    Name::new("WFrad", "m", "Radius of the front wheel"),
-    Name::new("htangle", "rad", "Angle of the steer axis from the ground"),
+    Name::new("WRrad", "m", "Radius of the rear wheel").positive(),
+    Name::new("WFrad", "m", "Radius of the front wheel").positive(),
+    Name::new("htangle", "rad", "Angle of the steer axis from the ground").rising(),
     Name::new("framelength", "m", "Distance of the steer axis from the centre of the rear wheel"),
     Name::new("forklength", "m", "Distance of the wheels' centres along the steer axis"),
     Name::new("forkoffset", "m", "Distance of the centre of the front wheel from the steer axis"),
@@ -32,10 +32,10 @@ const NAMES: &[Name] = &[
     Name::new("framecg3", "m", "Centre of mass of the frame, across the steer axis"),
     Name::new("forkcg1", "m", "Centre of mass of the fork, along the steer axis, upward"),
     Name::new("forkcg3", "m", "Centre of mass of the fork, across the steer axis"),
-    Name::new("mframe", "kg", "Mass of the rear frame and rider"),
-    Name::new("mwr", "kg", "Mass of the rear wheel"),
-    Name::new("mfork", "kg", "Mass of the front frame"),
-    Name::new("mwf", "kg", "Mass of the front wheel"),
+    Name::new("mframe", "kg", "Mass of the rear frame and rider").not_negative(),
+    Name::new("mwr", "kg", "Mass of the rear wheel").not_negative(),
+    Name::new("mfork", "kg", "Mass of the front frame").not_negative(),
+    Name::new("mwf", "kg", "Mass of the front wheel").not_negative(),
     Name::new("Iframe11", "kg*m^2", "Moment of inertia of the rear frame and rider, in roll"),
     Name::new("Iframe22", "kg*m^2", "Moment of inertia of the rear frame and rider, in pitch").optional(),
     Name::new("Iframe33", "kg*m^2", "Moment of inertia of the rear frame and rider, in yaw"),

@@ -1,7 +1,9 @@
 //! There and back over random designs, and what deviations become beside differences.
 
+use carvallo::Covariance;
+
+use super::carried::Carried;
 use super::name::Values;
-use super::read::spread;
 use super::{Convention, OTHERS};
 use crate::model::WHIPPLE;
 
@@ -125,7 +127,8 @@ fn deviations_are_carried_to_first_order() {
                     |name: &str| (name.starts_with("I11") || name.starts_with("I22")) && name.ends_with("wheel");
                 let deviation = |name: &str, value: f64| if is_bound(name) { 0.0 } else { 1e-3 * value.abs().min(1.0) };
                 let deviations: Vec<f64> = values.iter().map(|(name, value)| deviation(name, value.value)).collect();
-                let carried = spread(values, &deviations, formulas);
+                let covariance = Covariance::independent(&deviations).unwrap();
+                let carried = Carried::new(values, &covariance, formulas);
                 for (name, value) in base.iter() {
                     let part = |(position, deviation): (usize, &f64)| {
                         if *deviation == 0.0 {
@@ -137,7 +140,7 @@ fn deviations_are_carried_to_first_order() {
                         slope * deviation
                     };
                     let expected = deviations.iter().enumerate().map(part).fold(0.0, |sum: f64, part| sum.hypot(part));
-                    let found = carried.iter().find(|(own, _)| *own == name).map_or(0.0, |(_, found)| *found);
+                    let found = carried.deviation(name);
                     let size = expected.max(1e-6 * value.value.abs().max(1.0));
                     assert!(
                         (found - expected).abs() <= 1e-3 * size,

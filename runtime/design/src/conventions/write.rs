@@ -3,7 +3,7 @@
 use super::convert::{Converted, Parameter};
 use super::jbike6::{BODIES, JBIKE6};
 use crate::display::DisplayUnit;
-use crate::file::{Row, entry, quoted, write_rows};
+use crate::file::{Row, entry, quoted, write_correlations, write_rows};
 use crate::number::{shortest, unit};
 use crate::units::Units;
 
@@ -44,6 +44,11 @@ impl Form {
     /// Whether it has standard deviations.
     pub fn has_deviations(self) -> bool {
         !matches!(self, Self::Python | Self::Matlab)
+    }
+
+    /// Whether it has correlations.
+    pub fn has_correlations(self) -> bool {
+        matches!(self, Self::Toml | Self::Json)
     }
 
     /// Whether it has units.
@@ -89,7 +94,11 @@ fn write_toml(converted: &Converted, units: &Units, comment: &dyn Fn(&str) -> St
         Row { name: parameter.name.name, entry, unit: shown.unit(), docs: parameter.name.docs }
     });
     text.push_str("\n[parameters]\n");
-    text + &write_rows(rows.collect(), comment)
+    text.push_str(&write_rows(rows.collect(), comment));
+    if let Some(covariance) = &converted.covariance {
+        write_correlations(covariance, &|position| converted.parameters[position].name.name, &mut text);
+    }
+    text
 }
 
 fn write_json(converted: &Converted, units: &Units) -> String {
@@ -110,7 +119,18 @@ fn write_json(converted: &Converted, units: &Units) -> String {
     let headings: String =
         headings(converted).iter().map(|(key, text)| format!("  \"{key}\": {},\n", quoted(text))).collect();
     let entries: Vec<String> = converted.parameters.iter().map(entry).collect();
-    format!("{{\n{headings}  \"parameters\": {{\n{}\n  }}\n}}\n", entries.join(",\n"))
+    let name = |position: usize| quoted(converted.parameters[position].name.name);
+    let pairs = converted.covariance.as_ref().map(|covariance| covariance.correlations()).unwrap_or_default();
+    let correlated = pairs.chunk_by(|a, b| a.0 == b.0).map(|pairs| {
+        let others: Vec<String> = pairs.iter().map(|pair| format!("{}: {}", name(pair.1), shortest(pair.2))).collect();
+        format!("    {}: {{{}}}", name(pairs[0].0), others.join(", "))
+    });
+    let correlations: Vec<String> = correlated.collect();
+    let correlations = match correlations.is_empty() {
+        true => String::new(),
+        false => format!(",\n  \"correlations\": {{\n{}\n  }}", correlations.join(",\n")),
+    };
+    format!("{{\n{headings}  \"parameters\": {{\n{}\n  }}{correlations}\n}}\n", entries.join(",\n"))
 }
 
 /// JSON does not have all spellings of numbers that others have.

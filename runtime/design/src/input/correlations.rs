@@ -1,14 +1,20 @@
 //! How measured parameters vary together: `[correlations]` beside the parameters, with a table for each parameter that has the
 //! correlations with others: `c = { lam = -0.99 }`.
 
-use carvallo::{Covariance, ModelInfo};
+use carvallo::Covariance;
 
-use super::names::position;
 use super::tables::{Named, Node, Value};
 use crate::design::Given;
 use crate::failure::{Place, Problem};
-use crate::parameter::find;
 use crate::quantity::{Context, no_names, number};
+
+/// The names of parameters.
+pub struct Names<'a> {
+    /// Where the parameter of a name is; or that there is none.
+    pub find: &'a dyn Fn(&str) -> Result<usize, String>,
+    /// What the parameter at a position is called.
+    pub name: &'a dyn Fn(usize) -> &'static str,
+}
 
 /// The covariance of parameters with these deviations; `None` if none are correlated. Of a parameter with a value of its own from
 /// elsewhere nothing is known.
@@ -17,8 +23,8 @@ use crate::quantity::{Context, no_names, number};
 /// Everything that is wrong.
 pub fn resolve(
     members: Vec<Named>,
-    info: &ModelInfo,
-    parameters: &[Given],
+    names: &Names,
+    parameters: &[&Given],
     is_set: &dyn Fn(usize) -> bool,
 ) -> Result<Option<Covariance>, Vec<Problem>> {
     let mut problems = Vec::new();
@@ -30,10 +36,10 @@ pub fn resolve(
             problem(&place, format!("`{name}` has no correlations with others, such as `{name} = {{ w = 0.5 }}`"));
             continue;
         };
-        let Some(first) = found(&name, &place, info, &mut problem) else { continue };
+        let Some(first) = found(&name, &place, names, &mut problem) else { continue };
         places.push((first, place));
         for Named { name: other, node } in others {
-            let Some(second) = found(&other, &node.place, info, &mut problem) else { continue };
+            let Some(second) = found(&other, &node.place, names, &mut problem) else { continue };
             let of = format!("the correlation of `{name}` and `{other}`");
             let text = match node.value {
                 Value::Text(text) | Value::Number(text) => text,
@@ -75,16 +81,12 @@ pub fn resolve(
         };
         let place = places.iter().find(|(position, _)| *position == at).or(places.first());
         let place = place.map_or(Place::Nowhere, |(_, place)| place.clone());
-        let name = info.parameters[at].name;
+        let name = (names.name)(at);
         let message = format!("`{name}` cannot be correlated so with others: together they have a negative variance");
         vec![Problem { place, message }]
     })
 }
 
-fn found(name: &str, place: &Place, info: &ModelInfo, problem: &mut dyn FnMut(&Place, String)) -> Option<usize> {
-    let known = position(name, info);
-    if known.is_none() {
-        problem(place, find(name, info).err().unwrap_or_default());
-    }
-    known
+fn found(name: &str, place: &Place, names: &Names, problem: &mut dyn FnMut(&Place, String)) -> Option<usize> {
+    (names.find)(name).map_err(|message| problem(place, message)).ok()
 }

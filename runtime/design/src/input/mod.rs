@@ -26,6 +26,8 @@ mod value;
 use std::io::Read as _;
 use std::path::Path;
 
+#[cfg(feature = "full")]
+pub(crate) use self::correlations::{Names, resolve as resolve_correlations};
 use self::document::File;
 #[cfg(feature = "full")]
 pub(crate) use self::document::Written;

@@ -2,8 +2,12 @@
 
 use std::collections::HashMap;
 
+#[cfg(feature = "full")]
+use carvallo::Covariance;
 use carvallo::ModelInfo;
 
+#[cfg(feature = "full")]
+use super::correlations::Names;
 use super::document::{Document, Entry};
 use super::entries::{Entries, Missing, Remarks, unknown};
 use super::scope::Scope;
@@ -17,6 +21,8 @@ use crate::matrices::{NAME, free};
 use crate::model::{Equations, Shipped, WHIPPLE};
 use crate::nearest::nearest;
 use crate::number::shortest;
+#[cfg(feature = "full")]
+use crate::parameter::find;
 
 /// What would change the meaning of all values.
 const UNITS: [&str; 2] = ["unit", "units"];
@@ -113,7 +119,16 @@ pub fn resolve(
     #[cfg(feature = "full")]
     let covariance = {
         let is_set = |position: usize| settings.given.contains_key(&position);
-        let mut covariance = super::correlations::resolve(document.correlations, info, &parameters, &is_set)?;
+        let carried = reading.as_ref().and_then(|reading| reading.covariance.as_ref());
+        let mut covariance = match carried {
+            Some(covariance) => without(covariance, &parameters, &is_set),
+            None => {
+                let names =
+                    Names { find: &|name| find(name, info), name: &|position: usize| info.parameters[position].name };
+                let parameters: Vec<&Given> = parameters.iter().collect();
+                super::correlations::resolve(document.correlations, &names, &parameters, &is_set)?
+            }
+        };
         if !changes.bodies.is_empty() {
             crate::joined::join(&changes.bodies, info, &mut parameters, &mut covariance)?;
         }
@@ -167,6 +182,22 @@ fn resolve_laws(
     laws.retain(|law| others.iter().all(|other| other.input != law.input));
     laws.extend(others);
     laws
+}
+
+/// The covariance of parameters of which some have a value of their own from elsewhere; `None` if no others are correlated.
+#[cfg(feature = "full")]
+fn without(covariance: &Covariance, parameters: &[Given], is_set: &dyn Fn(usize) -> bool) -> Option<Covariance> {
+    let sources = covariance.parts().iter().map(Vec::len).max().unwrap_or(0);
+    let own = |(position, parts): (usize, &Vec<f64>)| {
+        if !is_set(position) {
+            return parts.clone();
+        }
+        let mut own = vec![0.0; sources + position + 1];
+        own[sources + position] = parameters[position].deviation.as_ref().map_or(0.0, |deviation| deviation.value);
+        own
+    };
+    let parts = covariance.parts().iter().enumerate().map(own).collect();
+    Covariance::of_parts(parts).ok().filter(|covariance| !covariance.correlations().is_empty())
 }
 
 /// Other parameterizations than that of the paper are not read.
