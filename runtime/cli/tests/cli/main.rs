@@ -22,6 +22,7 @@ mod mistakes_of_models;
 mod models;
 mod numbers;
 mod optimize;
+mod phasors;
 mod pictures;
 mod process;
 mod readings;
