@@ -102,7 +102,11 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         let place = Place::Option("--units".to_owned());
         return Err(Failure::at(place, "this form has no place for units; toml, json, yaml and csv have"));
     }
-    let converted = convert(&options.design.load()?, convention)?;
+    let design = options.design.load()?;
+    let converted = convert(&design, convention)?;
+    if !design.feedback.is_empty() {
+        note(WARNING, "note", &format!("{}: these parameters have no place for feedback: left out", converted.name));
+    }
     for text in &converted.notes {
         note(WARNING, "note", &format!("{}: {text}", converted.name));
     }

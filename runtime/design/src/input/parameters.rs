@@ -173,6 +173,11 @@ fn resolve_laws(
     info: &ModelInfo,
     problems: &mut Vec<Problem>,
 ) -> Vec<Law> {
+    if !cfg!(feature = "full") {
+        let message = "this program was built without feedback";
+        problems.extend(of_file.iter().map(|(place, _)| Problem { place: place.clone(), message: message.to_owned() }));
+        return Vec::new();
+    }
     let [mut laws, others] = [of_file, of_options].map(|laws| {
         feedback::read(laws, info).unwrap_or_else(|found| {
             problems.extend(found);

@@ -53,6 +53,9 @@ impl Shipped {
     /// do. Without laws it is the model itself.
     #[must_use]
     pub fn with_feedback(&'static self, laws: &[Law]) -> &'static Self {
+        if !cfg!(feature = "full") {
+            return self;
+        }
         let gains: Vec<Gain> = laws.iter().flat_map(|law| &law.gains).copied().collect();
         if gains.is_empty() && self.gains.is_empty() {
             return self;
