@@ -7,7 +7,7 @@ use carvallo_design::matrices::{self, Coordinate, Form};
 use carvallo_design::{Equations, Shipped};
 
 use crate::formulas::index;
-use crate::given::{Accelerations, Eigenvalues, Given, Quantity, Reading, StateMatrix};
+use crate::given::{Accelerations, Eigenvalues, Given, Quantity, Reading, StateMatrix, SystemMatrix};
 
 /// What makes numbers of matrices.
 #[derive(Debug)]
@@ -131,7 +131,18 @@ impl<'a> Predictor<'a> {
 
     /// The same in the order of [`Given::numbers`].
     fn each_other(&self, equations: &dyn Equations, gravity: f64, tell: &mut dyn FnMut(f64) -> bool) {
-        let Given { state_matrices, eigenvalues, critical_speeds, accelerations, .. } = self.given;
+        let Given { matrices: _, system_matrices, state_matrices, eigenvalues, critical_speeds, accelerations } =
+            self.given;
+        for SystemMatrix { speed, is_stiffness, rows } in system_matrices {
+            let own = equations.system(*speed, gravity).ok().map(|[_, c, k]| if *is_stiffness { k } else { c });
+            for (row, entries) in rows.iter().enumerate() {
+                for (column, _) in entries.iter().enumerate().filter(|(_, entry)| entry.is_some()) {
+                    if !tell(own.as_ref().map_or(f64::NAN, |own| own[row * entries.len() + column])) {
+                        return;
+                    }
+                }
+            }
+        }
         for (StateMatrix { speed, rows }, order) in state_matrices.iter().zip(&self.orders) {
             let a = equations.state_space(*speed, gravity).ok().map(|[a, _]| a);
             for (row, entries) in rows.iter().enumerate() {
@@ -248,6 +259,7 @@ fn tolerances(numbers: &[(Quantity, &Reading)]) -> Vec<f64> {
         Quantity::Entry(matrix, ..) => (0, matrix as usize),
         Quantity::State(at, ..) => (1, at),
         Quantity::RealPart(at, _) | Quantity::ImaginaryPart(at, _) => (2, at),
+        Quantity::System(at, ..) => (5, at),
         Quantity::CriticalSpeed(_) => (3, 0),
         Quantity::Acceleration(at, _) => (4, at),
     };
@@ -256,7 +268,7 @@ fn tolerances(numbers: &[(Quantity, &Reading)]) -> Vec<f64> {
         let group = numbers.iter().filter(|(other, _)| kind(other) == own);
         let largest = group.fold(0.0, |largest: f64, (_, reading)| largest.max(reading.value.abs()));
         let rounding = match own.0 {
-            0 => ROUNDING[0],
+            0 | 5 => ROUNDING[0],
             2 => ROUNDING[1],
             _ => ROUNDING[2],
         };

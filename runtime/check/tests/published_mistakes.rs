@@ -117,3 +117,12 @@ fn invented_terms() {
     assert_eq!(suspects.parts[0].numbers, ["K0_22"]);
     assert_eq!(suspects.parts[0].causes[0], "\"-SA*sin(lam)\" in K0_22 is \"-sin(lam)\"");
 }
+
+/// Damping and stiffness at a speed: v C1 and g K0 + v^2 K2 of the printed matrices at 5 m/s, and with a wrong sign of K0.
+#[test]
+fn damping_and_stiffness_at_a_speed() {
+    let c = "speed = \"18 km/h\"\nC = [[0, 169.3321], [-4.251782, 8.427020]]\n";
+    assert!(checked(&format!("{c}K = [[-794.1195, 1889.432], [-25.50126, 58.47756]]")).agrees);
+    let causes = explained(&format!("{c}K = [[794.1195, 1940.435], [25.50126, 74.23820]]"));
+    assert_eq!(causes[0], "K0 has the other sign");
+}

@@ -11,6 +11,8 @@ pub use self::reading::{Reading, level};
 pub struct Given {
     /// Matrices of the equations of motion, by their rows.
     pub matrices: Vec<(MatrixName, Rows)>,
+    /// Matrices C and K of `M q'' + C q' + K q = f` at speeds.
+    pub system_matrices: Vec<SystemMatrix>,
     /// Matrices A of `x' = A x` at speeds.
     pub state_matrices: Vec<StateMatrix>,
     /// Eigenvalues at speeds.
@@ -23,6 +25,17 @@ pub struct Given {
 
 /// The rows of a matrix; entries that are not known are left out.
 pub type Rows = Vec<Vec<Option<Reading>>>;
+
+/// The matrix C or K of `M q'' + C q' + K q = f` at a speed, with gravity and speed in it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SystemMatrix {
+    /// In m/s.
+    pub speed: f64,
+    /// Whether it is K, and not C.
+    pub is_stiffness: bool,
+    /// With as many rows and columns as there are coordinates.
+    pub rows: Rows,
+}
 
 /// The matrix A of `x' = A x` at a speed.
 #[derive(Clone, Debug, PartialEq)]
@@ -73,6 +86,8 @@ pub struct Accelerations {
 pub enum Quantity {
     /// An entry of a matrix.
     Entry(MatrixName, usize, usize),
+    /// An entry of the damping or stiffness at a speed: which one, row, column.
+    System(usize, usize, usize),
     /// An entry of a state matrix: which one, row, column.
     State(usize, usize, usize),
     /// The real part of an eigenvalue: of which set, which one.
@@ -91,6 +106,10 @@ impl Given {
         let mut numbers = Vec::new();
         for (matrix, rows) in &self.matrices {
             numbers.extend(entries(rows).map(|(row, column, entry)| (Quantity::Entry(*matrix, row, column), entry)));
+        }
+        for (at, system) in self.system_matrices.iter().enumerate() {
+            let entries = entries(&system.rows);
+            numbers.extend(entries.map(|(row, column, entry)| (Quantity::System(at, row, column), entry)));
         }
         for (at, state) in self.state_matrices.iter().enumerate() {
             let entries = entries(&state.rows);
@@ -114,6 +133,7 @@ impl Given {
     /// Lets each number be changed.
     pub fn each_reading(&mut self, change: &mut dyn FnMut(&mut Reading)) {
         let rows = self.matrices.iter_mut().map(|(_, rows)| rows);
+        let rows = rows.chain(self.system_matrices.iter_mut().map(|own| &mut own.rows));
         let rows = rows.chain(self.state_matrices.iter_mut().map(|own| &mut own.rows));
         rows.flatten().flatten().flatten().for_each(&mut *change);
         for (re, im) in self.eigenvalues.iter_mut().flat_map(|own| &mut own.values) {
@@ -131,6 +151,11 @@ impl Given {
         };
         match quantity {
             Quantity::Entry(matrix, row, column) => entry_name(matrix, row, column),
+            Quantity::System(at, row, column) => {
+                let own = &self.system_matrices[at];
+                let letter = if own.is_stiffness { "K" } else { "C" };
+                format!("{letter}{} at {} m/s", place(row, column), own.speed)
+            }
             Quantity::State(at, row, column) => {
                 format!("A{} at {} m/s", place(row, column), self.state_matrices[at].speed)
             }
@@ -182,6 +207,9 @@ impl Given {
         };
         let (coordinates, states) = (info.coordinates.len(), crate::predict::states(info).len());
         self.matrices.iter().try_for_each(|(name, rows)| square(name.name(), rows, coordinates, "coordinate"))?;
+        let system =
+            |own: &SystemMatrix| square(if own.is_stiffness { "K" } else { "C" }, &own.rows, coordinates, "coordinate");
+        self.system_matrices.iter().try_for_each(system)?;
         self.state_matrices.iter().try_for_each(|own| square("A", &own.rows, states, "state"))?;
         for Eigenvalues { speed, values } in &self.eigenvalues {
             let count = values.len();

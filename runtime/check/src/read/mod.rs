@@ -9,7 +9,7 @@ use carvallo_design::input::{self, Named, Node, Raw, Request, Value, matrix_of_r
 use carvallo_design::{Design, Failure, Place, Problem, Shipped, WHIPPLE, nearest};
 
 use self::numbers::{problem, reading, rows, speed, speed_of};
-use crate::given::{CriticalSpeed, Eigenvalues, Given, Reading, StateMatrix};
+use crate::given::{CriticalSpeed, Eigenvalues, Given, Reading, StateMatrix, SystemMatrix};
 
 /// A file with somebody's numbers.
 #[derive(Debug)]
@@ -181,6 +181,8 @@ impl Reader {
                 }
             }
             ("A", _) => self.state_matrices(&node),
+            // Beside a speed they have it, and gravity, in them.
+            ("C" | "D" | "K", _) if self.speed.is_some() => self.system_matrix(&name, &node),
             ("eigenvalues", _) => self.eigenvalues(&node),
             ("critical_speeds" | "critical", _) => self.critical_speeds(&node),
             ("weave_speed" | "weave", _) => self.critical_speed("weave", &node),
@@ -231,6 +233,15 @@ impl Reader {
         match rows(name, node) {
             Ok(rows) => self.given.matrices.push((matrix, rows)),
             Err(problems) => self.problems.extend(problems),
+        }
+    }
+
+    fn system_matrix(&mut self, name: &str, node: &Node) {
+        match (self.speed, rows(name, node)) {
+            (Some(speed), Ok(rows)) => {
+                self.given.system_matrices.push(SystemMatrix { speed, is_stiffness: name == "K", rows });
+            }
+            (_, found) => self.problems.extend(found.err().into_iter().flatten()),
         }
     }
 
