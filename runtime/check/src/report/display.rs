@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use carvallo_design::number::shortest;
+use carvallo_design::number::{shortest, unit};
 
 use super::suspects::Part;
 use super::{Comparison, Group, Report, Suspects};
@@ -51,7 +51,7 @@ fn table(numbers: &[&Comparison], f: &mut fmt::Formatter<'_>) -> fmt::Result {
             shortest(format!("{value:.*e}", digits - 1).parse().unwrap_or(value))
         }
     };
-    let rows: Vec<[String; 4]> = numbers
+    let rows: Vec<[String; 5]> = numbers
         .iter()
         .map(|number| {
             let digits = match (number.agrees, number.digits) {
@@ -59,15 +59,16 @@ fn table(numbers: &[&Comparison], f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 (true, digits) => format!("all {digits}"),
                 (false, digits) => format!("{digits}, differs"),
             };
-            [number.name.clone(), number.yours.clone(), ours(number), digits]
+            [number.name.clone(), unit(number.unit), number.yours.clone(), ours(number), digits]
         })
         .collect();
     let width =
         |column: usize, title: &str| rows.iter().map(|row| row[column].chars().count()).fold(title.len(), usize::max);
-    let [name, yours, own] = [width(0, "number"), width(1, "yours"), width(2, "ours")];
-    writeln!(f, "  {:<name$}  {:>yours$}  {:>own$}  digits that agree", "number", "yours", "ours")?;
-    for [label, given, value, digits] in &rows {
-        writeln!(f, "  {label:<name$}  {given:>yours$}  {value:>own$}  {digits}")?;
+    let [name, unit] = [width(0, "number"), width(1, "")];
+    let [yours, own] = [width(2, "yours"), width(3, "ours")];
+    writeln!(f, "  {:<name$}  {:unit$}  {:>yours$}  {:>own$}  digits that agree", "number", "", "yours", "ours")?;
+    for [label, symbol, given, value, digits] in &rows {
+        writeln!(f, "  {label:<name$}  {symbol:<unit$}  {given:>yours$}  {value:>own$}  {digits}")?;
     }
     Ok(())
 }

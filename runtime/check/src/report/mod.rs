@@ -5,12 +5,14 @@ mod groups;
 mod suspects;
 mod words;
 
+use carvallo::{EntryInfo, FormulaInfo, FormulaSubject, ModelInfo};
 use serde::Serialize;
 
 pub use self::suspects::{Part, Suspects};
 pub use self::words::words;
 
 use crate::explain::Found;
+use crate::given::Quantity;
 use crate::machine::Machine;
 use crate::predict::Predictor;
 
@@ -37,6 +39,8 @@ pub struct Report {
 pub struct Comparison {
     /// What it is of: `M_12`, with row and column from one, or `Re s2 at 5 m/s`.
     pub name: String,
+    /// In this unit of SI, such as `kg*m^2`; empty for what has none, or where it is not known.
+    pub unit: &'static str,
     /// As it was given.
     pub yours: String,
     /// As it should be; `None` where there is none, as of a critical speed.
@@ -83,6 +87,7 @@ impl Report {
             .enumerate()
             .map(|(at, (&(quantity, reading), &ours))| Comparison {
                 name: predictor.given().name(quantity, machine.info),
+                unit: unit(quantity, machine.info),
                 yours: reading.written.clone(),
                 ours: ours.is_finite().then_some(ours + 0.0),
                 digits: match predictor.agrees(at, ours) {
@@ -105,6 +110,26 @@ impl Report {
             unexplained,
         }
     }
+}
+
+/// The unit of a number. Of an entry whose formula is zero it is that of the others of its matrix, where that is one.
+fn unit(quantity: Quantity, info: &ModelInfo) -> &'static str {
+    let Quantity::Entry(matrix, row, column) = quantity else {
+        return match quantity {
+            Quantity::RealPart(..) | Quantity::ImaginaryPart(..) => "1/s",
+            Quantity::CriticalSpeed(_) => "m/s",
+            _ => "",
+        };
+    };
+    let places = |formula: &FormulaInfo| match formula.of {
+        FormulaSubject::Entry(EntryInfo { places }) => places,
+        FormulaSubject::Definition(_) => &[],
+    };
+    let own = info.formulas.iter().find(|formula| places(formula).contains(&(matrix, row, column)));
+    let mut others = info.formulas.iter().filter(|formula| places(formula).iter().any(|place| place.0 == matrix));
+    let first = others.next().map_or("", |formula| formula.unit);
+    let unit = own.map_or(if others.all(|formula| formula.unit == first) { first } else { "" }, |own| own.unit);
+    if unit == "1" { "" } else { unit }
 }
 
 /// How many significant digits agree, at most 17.

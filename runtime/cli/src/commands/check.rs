@@ -1,10 +1,12 @@
 //! `carvallo check`: whether somebody's numbers are right, and what slip makes them if not.
 
+use std::io::Write;
 use std::process::ExitCode;
 
-use carvallo_check::read;
+use carvallo_check::{Comparison, Report, read};
 use carvallo_design::Failure;
 use carvallo_design::input::Request;
+use carvallo_design::number::shortest;
 use clap::{Args, ValueEnum};
 
 use crate::options::Setting;
@@ -49,7 +51,7 @@ pub struct Options {
     /// Replaces a parameter; may be given several times
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<Setting>,
-    /// table or json
+    /// table, json, or csv of the numbers
     #[arg(long, value_enum, default_value = "table", hide_possible_values = true)]
     format: Format,
 }
@@ -58,6 +60,7 @@ pub struct Options {
 enum Format {
     Table,
     Json,
+    Csv,
 }
 
 pub fn run(options: &Options) -> Result<ExitCode, Failure> {
@@ -75,6 +78,18 @@ pub fn run(options: &Options) -> Result<ExitCode, Failure> {
     match options.format {
         Format::Table => print(&report.to_string())?,
         Format::Json => write(|output| output.write_all(report.json().as_bytes()))?,
+        Format::Csv => write(|output| write_csv(&report, output))?,
     }
     Ok(ExitCode::from(u8::from(!report.agrees)))
+}
+
+/// The numbers, a line for each.
+fn write_csv(report: &Report, output: &mut dyn Write) -> std::io::Result<()> {
+    let mut csv = csv::Writer::from_writer(output);
+    csv.write_record(["number", "unit", "yours", "ours", "digits", "agrees"])?;
+    for Comparison { name, unit, yours, ours, digits, agrees } in &report.numbers {
+        let ours = ours.map(shortest).unwrap_or_default();
+        csv.write_record([name.as_str(), unit, yours, &ours, &digits.to_string(), &agrees.to_string()])?;
+    }
+    csv.flush()
 }

@@ -13,7 +13,7 @@ K2 = [[0, 76.597], [0, 2.6543]]
 fn numbers_that_agree_are_told_with_their_digits() {
     let directory = Directory::of_this_test();
     let text = directory.write("mine.toml", MATRICES).run(&["check", "mine.toml"]).ok();
-    assert!(text.contains("\n  C1_21   -0.85036  -0.85035641  all 5\n"), "{text}");
+    assert!(text.contains("\n  C1_21   kg m   -0.85036  -0.85035641  all 5\n"), "{text}");
     assert!(text.ends_with("\nAll 16 numbers agree to all digits given.\n"), "{text}");
 }
 
@@ -43,6 +43,25 @@ fn json_has_everything() {
     assert_eq!(json["numbers"][1]["digits"], 5);
     let first = &json["explanations"][0]["explanations"][0]["causes"][0];
     assert_eq!(first, "IBxx is 19.2 kg m² in the place of 9.2: one digit too many");
+}
+
+#[test]
+fn csv_has_the_numbers() {
+    let directory = Directory::of_this_test();
+    directory.write("mine.toml", "critical_speeds = { weave = 3.9607, capsize = \"6.0243\" }");
+    let run = directory.run(&["check", "mine.toml", "--format", "csv"]);
+    assert_eq!(run.code, Some(1));
+    let lines: Vec<&str> = run.stdout.lines().collect();
+    assert_eq!(lines[0], "number,unit,yours,ours,digits,agrees");
+    // Meijaard et al. (2007), Table 2, has 4.29238253634111 and 6.02426201538837.
+    assert!(
+        lines[1].starts_with("weave speed,m/s,3.9607,4.29238253634") && lines[1].ends_with(",1,false"),
+        "{lines:?}"
+    );
+    assert!(
+        lines[2].starts_with("capsize speed,m/s,6.0243,6.0242620153") && lines[2].ends_with(",5,true"),
+        "{lines:?}"
+    );
 }
 
 /// Of each kind of model: with the positions and rates of two coordinates, of six, and with rates alone.

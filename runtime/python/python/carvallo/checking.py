@@ -17,6 +17,8 @@ class Comparison(NamedTuple):
 
     name: str
     """What it is of: ``M_12``, with row and column from one, or ``Re s2 at 5 m/s``."""
+    unit: str
+    """In SI, as ``kg*m^2``; empty where it has none."""
     yours: str
     """As it was given."""
     ours: float | None
