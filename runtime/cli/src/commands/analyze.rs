@@ -6,7 +6,7 @@ use carvallo_plot::analysis::Analysis;
 use carvallo_plot::analysis::along::{Along, AlongAnalysis};
 use carvallo_plot::analysis::reach;
 use carvallo_plot::data;
-use carvallo_plot::picture::{Limits, MOST_SPEEDS, draw_along, draw_eigenvalues, draw_phasors};
+use carvallo_plot::picture::{Limits, MOST_SPEEDS, draw_along, draw_eigenvalues, draw_locus, draw_phasors};
 use clap::Args;
 
 use crate::limits::{EigenvalueLimits, SpeedLimits};
@@ -87,6 +87,9 @@ pub struct Options {
     /// Draws the shapes of the modes as phasors, at each of --speeds; .svg or .png
     #[arg(long, value_name = "FILE", conflicts_with = "along")]
     phasors: Option<Picture>,
+    /// Draws the root locus: eigenvalues in the complex plane while the speed grows; .svg or .png
+    #[arg(long, value_name = "FILE", conflicts_with = "along")]
+    locus: Option<Picture>,
     /// The speeds that --plot shows, in m/s [default: those of --speeds]
     #[arg(long, value_name = "LOW:HIGH", requires = "plot")]
     xlim: Option<SpeedLimits>,
@@ -110,6 +113,9 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         {
             return Err(picture.problem("a picture needs a range of speeds, such as --speeds 0:10:0.1"));
         }
+    }
+    if let Some(picture) = &options.locus {
+        picture.check_request("--locus", &options.design.request())?;
     }
     if let Some(picture) = &options.phasors {
         check_phasors(picture, options)?;
@@ -145,6 +151,14 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let are_needed = options.eigenvectors || options.phasors.is_some();
     let shapes = are_needed.then(|| rows.values().into_iter().map(at_row).collect::<Result<Vec<_>, _>>());
     let shapes = shapes.transpose()?;
+    if let Some(picture) = &options.locus {
+        let (low, high) = extremes(&speeds_or(false));
+        if low == high || !model.depends_on_speed() {
+            let message = "a root locus needs a range of speeds, such as --speeds 0:10:0.1";
+            return Err(picture.problem_of("--locus", message));
+        }
+        picture.write(&draw_locus(&analysis, (low, high))?)?;
+    }
     if let (Some(picture), Some(shapes)) = (&options.phasors, &shapes) {
         picture.write(&draw_phasors(&analysis, &rows, shapes))?;
     }

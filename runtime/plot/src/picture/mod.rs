@@ -16,6 +16,8 @@ mod eigenvalues;
 mod font;
 mod graph;
 mod labels;
+#[cfg(feature = "control")]
+mod locus;
 mod map;
 mod marks;
 mod motion;
@@ -52,6 +54,8 @@ pub use self::contributions::draw_contributions;
 #[cfg(feature = "control")]
 pub use self::controllability::draw_controllability;
 pub use self::curves::{Curve, extent, samples};
+#[cfg(feature = "control")]
+pub use self::locus::draw_locus;
 pub use self::map::{MapAxis, MapCell, draw_map};
 pub use self::motion::draw_motion;
 #[cfg(feature = "control")]

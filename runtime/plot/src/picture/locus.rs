@@ -1,0 +1,152 @@
+//! The root locus: where the eigenvalues are in the complex plane while the speed grows. The lower half is the mirror image of the
+//! upper one, and is left out.
+
+use carvallo::{Mode, ModeValue};
+use carvallo_design::Failure;
+use carvallo_design::number::{fixed, shortest};
+
+use super::axes::{self, Axes, INK};
+use super::colors::color;
+use super::curves::{extend, samples};
+use super::font;
+use super::graph::{range, write_names};
+use super::scene::{Anchor, Color, Paint, Scene, line};
+use crate::analysis::{Analysis, Rows, reach};
+
+const WIDTH: f32 = 960.0;
+const RIGHT: f32 = WIDTH - 28.0;
+const TOP: f32 = 48.0;
+const HEIGHT: f32 = 560.0;
+const BELOW: f32 = 66.0;
+const TEXT_SIZE: f32 = 12.0;
+const STABLE: Color = Color(0xee, 0xf8, 0xee);
+const WHITE: Color = Color(0xff, 0xff, 0xff);
+const DOT: f32 = 3.2;
+/// Eigenvalues so many times farther to the left than the others are to the right or upward are beyond the picture.
+const FAR: f64 = 2.5;
+
+/// The eigenvalues between two speeds in m/s, with dots at round speeds; each curve begins with a square.
+///
+/// # Errors
+/// If they cannot be computed at one of the speeds.
+pub fn draw_locus(analysis: &Analysis, (low, high): (f64, f64)) -> Result<Scene, Failure> {
+    let critical = analysis.critical_speeds().iter().map(|critical| critical.speed);
+    let rows = analysis.rows(&samples((low, high), critical.chain(analysis.meetings())))?;
+    let values = rows.values();
+    let round: Vec<f64> = reach::speeds(high, true).into_iter().filter(|speed| (low..=high).contains(speed)).collect();
+    let marked = analysis.rows(&round)?;
+    let axes = axes_of(&values);
+    let [left, top, right, bottom] = axes.area;
+    let name = if matches!(rows, Rows::Modes(_)) { "forward speed" } else { "speed" };
+    let unit = &analysis.unit;
+    let shown = |speed: f64| shortest(unit.value(speed));
+    let title = format!(
+        "Root locus of {}: {name} from {} to {} {}",
+        analysis.design.title(),
+        shown(low),
+        shown(high),
+        unit.unit()
+    );
+    let mut scene = Scene::new(title.clone(), WIDTH, bottom + BELOW);
+    scene.text(((left + RIGHT) / 2.0, 28.0), Anchor::Middle, 18.0, INK, &title);
+    let modes = modes(&values);
+    let names: Vec<String> = modes.iter().map(ToString::to_string).collect();
+    let named = modes.iter().zip(&names).map(|(mode, name)| (line(2.2), color(*mode), name.as_str()));
+    write_names(named, left, TOP, &mut scene);
+    let zero = axes.place(0.0, 0.0).0.clamp(left, right);
+    scene.rectangle([left, top, zero, bottom], Paint::Fill, STABLE);
+    axes.draw_grid(&mut scene);
+    scene.polyline(&[(zero, top), (zero, bottom)], line(1.2), INK);
+    for mode in &modes {
+        draw_curves(&values, *mode, &axes, &mut scene);
+    }
+    draw_dots(&marked.values(), &axes, &shown, &mut scene);
+    if let Some((_, first)) = values.first() {
+        for value in first.iter().filter(|value| value.value.im >= 0.0 && is_inside(value, &axes)) {
+            let (x, y) = axes.place(value.value.re, value.value.im);
+            let square = [x - 4.0, y - 4.0, x + 4.0, y + 4.0];
+            scene.rectangle(square, Paint::Fill, WHITE);
+            scene.rectangle(square, line(1.8), color(value.mode));
+        }
+    }
+    axes.draw_frame(&mut scene, Some("real part (1/s)"), "imaginary part (1/s)");
+    let least = values.iter().flat_map(|(_, values)| *values).map(|value| value.value.re).fold(0.0, f64::min);
+    if least < axes.x.0 {
+        let note = format!("eigenvalues go on to the left, to {} /s", fixed(least, 1)).replace('-', "−");
+        scene.text((left, scene.height), Anchor::Start, TEXT_SIZE, INK, &note);
+        scene.height += 16.0;
+    }
+    Ok(scene)
+}
+
+/// Axes that show all, but for what is far to the left.
+fn axes_of(rows: &[(f64, &[ModeValue])]) -> Axes {
+    let all = || rows.iter().flat_map(|(_, values)| values.iter().map(|value| value.value));
+    let (least, most) = range(all().map(|value| value.re).chain([0.0]));
+    let (_, highest) = range(all().map(|value| value.im).chain([0.0]));
+    let reach = most.max(highest).max(1e-3 * least.abs());
+    let least = least.max(-FAR * reach);
+    let room = 0.05 * (most - least);
+    let y = if highest > 0.0 { (-0.03 * highest, 1.06 * highest) } else { (-0.1, 1.0) };
+    let area = [axes::margin(y), TOP + 26.0, RIGHT, TOP + 26.0 + HEIGHT];
+    Axes::even((least - room, most + room), y, area)
+}
+
+fn is_inside(value: &ModeValue, axes: &Axes) -> bool {
+    (axes.x.0..=axes.x.1).contains(&value.value.re) && (axes.y.0..=axes.y.1).contains(&value.value.im)
+}
+
+/// The modes that there are, each once.
+fn modes(rows: &[(f64, &[ModeValue])]) -> Vec<Mode> {
+    let mut modes: Vec<Mode> = rows.iter().flat_map(|(_, values)| values.iter().map(|value| value.mode)).collect();
+    modes.sort_unstable();
+    modes.dedup();
+    modes
+}
+
+/// The curves of a mode, in which one of the eigenvalues goes on from row to row; where it had another name or was the lower half
+/// of a pair just before, the curve begins there.
+fn draw_curves(rows: &[(f64, &[ModeValue])], mode: Mode, axes: &Axes, scene: &mut Scene) {
+    let count = rows.iter().map(|(_, values)| values.len()).max().unwrap_or(0);
+    for place in 0..count {
+        let mut curves = Vec::new();
+        let mut before: Option<&ModeValue> = None;
+        for (_, values) in rows {
+            let value = values.get(place);
+            let is_shown = |value: &&ModeValue| value.mode == mode && value.value.im >= 0.0 && is_inside(value, axes);
+            let point = |value: &ModeValue| (value.value.re, value.value.im.max(0.0));
+            let shown = value.filter(is_shown);
+            if let (Some(_), Some(other)) = (shown, before.filter(|other| !is_shown(other) && is_inside(other, axes))) {
+                extend(&mut curves, None);
+                extend(&mut curves, Some(point(other)));
+            }
+            extend(&mut curves, shown.map(point));
+            before = value;
+        }
+        for curve in curves.iter().filter(|curve| curve.len() > 1) {
+            let points: Vec<(f32, f32)> = curve.iter().map(|&(re, im)| axes.place(re, im)).collect();
+            scene.polyline(&points, line(2.2), color(mode));
+        }
+    }
+}
+
+/// Dots at round speeds, with their speeds as far as there is room.
+fn draw_dots(rows: &[(f64, &[ModeValue])], axes: &Axes, shown: &dyn Fn(f64) -> String, scene: &mut Scene) {
+    let mut taken: Vec<[f32; 4]> = Vec::new();
+    for (speed, values) in rows {
+        for value in values.iter().filter(|value| value.value.im >= 0.0 && is_inside(value, axes)) {
+            let (x, y) = axes.place(value.value.re, value.value.im);
+            scene.circle((x, y), DOT, Paint::Fill, color(value.mode));
+            let text = shown(*speed);
+            let (from, base) = (x + 6.0, y - 5.0);
+            let bounds = [from - 2.0, base - TEXT_SIZE, from + font::width(&text, TEXT_SIZE) + 2.0, base + 2.0];
+            let is_free = taken.iter().all(|other| {
+                bounds[2] < other[0] || other[2] < bounds[0] || bounds[3] < other[1] || other[3] < bounds[1]
+            });
+            if is_free && bounds[2] < axes.area[2] {
+                scene.text((from, base), Anchor::Start, TEXT_SIZE, INK, &text);
+                taken.push(bounds);
+            }
+        }
+    }
+}
