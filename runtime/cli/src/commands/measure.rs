@@ -21,6 +21,8 @@ Examples:
   carvallo measure --example > mine.toml        What was measured of a Batavus Browser: edit it, and
   carvallo measure mine.toml > bicycle.toml     make a bicycle of it
   carvallo sensitivity bicycle.toml             How well its critical speeds are known
+  carvallo sweep bicycle.toml --random measured --samples 1000
+                                                The same by drawing bicycles that could be it
   carvallo measure BrowserMeasured.txt --format json
 
 Exit codes: 0 done; 1 a file cannot be read; 2 wrong usage or input.";

@@ -17,6 +17,7 @@ Designs:
   --random 'c=0.02..0.12' --samples 1000
                                      uniform between two values
   --random 'mB=85+-5' --samples 1000 normal, by its mean and standard deviation; also +/- and ±
+  --random measured --samples 1000   all parameters of DESIGN that have standard deviations, with their correlations
                                      Beside --vary, each combination gets the same samples
   --designs bikes.csv                a row for each design; columns are named like parameters; `name`, `id`, `index`
                                      and `bike` are copied. Parameters without a column are those of DESIGN. In CSV, lines before the
@@ -60,7 +61,7 @@ pub struct Options {
     /// Varies a parameter: LOW:HIGH:STEP, LOW:HIGH:N points, or a list
     #[arg(long, value_name = "NAME=VALUES", allow_hyphen_values = true)]
     pub vary: Vec<String>,
-    /// Draws a parameter: LOW..HIGH, or MEAN+-DEVIATION
+    /// Draws a parameter, LOW..HIGH or MEAN+-DEVIATION; or `measured`: all that have deviations
     #[arg(long, value_name = "NAME=VALUES", allow_hyphen_values = true)]
     pub random: Vec<String>,
     /// How many designs to draw

@@ -80,6 +80,32 @@ fn settings_are_by_themselves() {
     assert!(!shown.contains("[correlations]"), "{shown}");
 }
 
+/// Of 4,000 bicycles that are drawn as they were measured, the critical speeds are as far apart as propagation says to first order:
+/// within five standard errors, and 2 % for what is beyond.
+#[test]
+fn measured_bicycles_are_drawn_with_them() {
+    let directory = Directory::of_this_test();
+    directory.write("mine.toml", directory.run(&["measure", "--example"]).ok());
+    directory.write("bicycle.toml", directory.run(&["measure", "mine.toml"]).stdout);
+    let json = directory.run(&["sensitivity", "bicycle.toml", "--format", "json"]).stdout;
+    let json: Value = serde_json::from_str(&json).unwrap();
+    let sweep = directory.run(&["sweep", "bicycle.toml", "--random", "measured", "--samples", "4000"]).stdout;
+    let mut rows = sweep.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let column = rows.next().unwrap().iter().position(|name| *name == "weave_1").unwrap();
+    let speeds: Vec<f64> = rows.map(|row| row[column].parse().unwrap()).collect();
+    let count: f64 = 4000.0;
+    assert_eq!(speeds.len(), 4000);
+    let mean = speeds.iter().sum::<f64>() / count;
+    let deviation = (speeds.iter().map(|speed| (speed - mean).powi(2)).sum::<f64>() / count).sqrt();
+    let expected = weave(&json)["standard_deviation"].as_f64().unwrap();
+    assert!((mean - weave(&json)["speed"].as_f64().unwrap()).abs() < 5.0 * expected / count.sqrt() + 0.02 * expected);
+    assert!((deviation / expected - 1.0).abs() < 5.0 / (2.0 * count).sqrt() + 0.02, "{deviation}, not {expected}");
+    let none = directory.run(&["sweep", "--random", "measured", "--samples", "10"]);
+    assert_eq!(none.code, Some(2));
+    let message = "error: --random measured: none of the parameters of benchmark has a standard deviation\n";
+    assert_eq!(none.stderr, message);
+}
+
 #[test]
 fn mistakes_are_told_at_their_place() {
     let directory = Directory::of_this_test();

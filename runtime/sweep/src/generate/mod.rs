@@ -2,9 +2,11 @@
 
 mod axis;
 mod random;
+mod together;
 
 pub use self::axis::Axis;
 pub use self::random::{Distribution, Random};
+pub use self::together::{MEASURED, Together};
 
 use self::random::Draws;
 use super::table::{Column, Designs};
@@ -14,6 +16,8 @@ pub struct Generator {
     /// The first one varies slowest.
     pub vary: Vec<Axis>,
     pub random: Vec<Random>,
+    /// Those that are drawn as they were measured.
+    pub together: Option<Together>,
     /// How many there are of each combination; 1 where nothing is drawn.
     pub samples: u64,
     pub seed: u64,
@@ -28,7 +32,8 @@ impl Generator {
     /// Where the parameters of its columns are among those of the model.
     pub fn positions(&self) -> impl Iterator<Item = usize> {
         let random = self.random.iter().map(|random| random.position);
-        self.vary.iter().map(|axis| axis.position).chain(random)
+        let together = self.together.iter().flat_map(|together| together.positions.iter().copied());
+        self.vary.iter().map(|axis| axis.position).chain(random).chain(together)
     }
 
     /// So many designs from the one with a number on.
@@ -47,6 +52,10 @@ impl Generator {
             let mut draws: Draws = random.draws(self.seed);
             let sample = |number: u64| Some(draws.sample(number % self.samples));
             columns.push(Column::Numbers(numbers().map(sample).collect()));
+        }
+        if let Some(together) = &self.together {
+            let drawn = together.columns(self.seed, numbers().map(|number| number % self.samples));
+            columns.extend(drawn.into_iter().map(|column| Column::Numbers(column.into_iter().map(Some).collect())));
         }
         Designs { rows, columns, errors: vec![None; rows] }
     }

@@ -32,7 +32,7 @@ impl Random {
     /// # Errors
     /// What is wrong. Distributions that partly leave the parameter's domain are not: they make designs without a result.
     pub fn parse(text: &str, info: &ModelInfo) -> Result<Self, String> {
-        let expected = "expected NAME=LOW..HIGH or NAME=MEAN+-DEVIATION, such as c=0.02..0.12 or mB=85+-5";
+        let expected = "expected NAME=LOW..HIGH, NAME=MEAN+-DEVIATION or measured, such as c=0.02..0.12 or mB=85+-5";
         let (position, parameter, values) = split(text, info, expected)?;
         let with_unit = |value| with_unit(value, parameter.unit);
         let distribution = if let Some((low, high)) = values.split_once("..") {
@@ -68,10 +68,8 @@ impl Random {
 
     /// What draws its samples: each by its number, so that it is the same whichever were drawn before it.
     pub fn draws(&self, seed: u64) -> Draws {
-        let mut generator = ChaCha8Rng::seed_from_u64(seed);
         // Each parameter has numbers of its own, which do not depend on what else is drawn.
-        generator.set_stream(self.position as u64);
-        Draws { distribution: self.distribution, generator, next: 0 }
+        Draws::new(self.distribution, seed, self.position as u64)
     }
 }
 
@@ -84,6 +82,13 @@ pub struct Draws {
 }
 
 impl Draws {
+    /// From the numbers of one stream of the generator.
+    pub fn new(distribution: Distribution, seed: u64, stream: u64) -> Self {
+        let mut generator = ChaCha8Rng::seed_from_u64(seed);
+        generator.set_stream(stream);
+        Self { distribution, generator, next: 0 }
+    }
+
     /// The sample with a number.
     pub fn sample(&mut self, index: u64) -> f64 {
         if index != self.next {
@@ -145,7 +150,7 @@ mod tests {
 
     #[test]
     fn mistakes_are_named() {
-        let expected = "expected NAME=LOW..HIGH or NAME=MEAN+-DEVIATION, such as c=0.02..0.12 or mB=85+-5";
+        let expected = "expected NAME=LOW..HIGH, NAME=MEAN+-DEVIATION or measured, such as c=0.02..0.12 or mB=85+-5";
         for (text, message) in [
             ("c", expected),
             ("c=1", expected),

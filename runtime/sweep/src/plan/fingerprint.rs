@@ -41,6 +41,11 @@ pub fn fingerprint(design: &Design, source: &Source, headings: &[Heading], forma
                 };
                 line(&format!("{name} {}", random.position), &values);
             }
+            if let Some(together) = &generator.together {
+                for ((position, mean), parts) in together.positions.iter().zip(&together.means).zip(&together.parts) {
+                    line(&format!("measured {position}"), &[&[*mean], &parts[..]].concat());
+                }
+            }
             line(&format!("samples {} seed {}", generator.samples, generator.seed), &[]);
         }
         Source::File(file) => {

@@ -10,7 +10,7 @@ use carvallo_design::{Design, Failure, Place, Problem};
 use self::fingerprint::fingerprint;
 use self::validate::Validated;
 use super::evaluate::Task;
-use super::generate::Generator;
+use super::generate::{Generator, Together};
 use super::read::File;
 use super::request::Request;
 use super::source::Source;
@@ -42,7 +42,7 @@ impl Plan {
     /// Everything that is wrong with the request.
     pub fn new(design: &Design, request: &Request) -> Result<Self, Failure> {
         let info = design.info();
-        let Validated { vary, random, speeds, format, file } = validate(request, design.model)?;
+        let Validated { vary, random, is_measured, speeds, format, file } = validate(request, design.model)?;
         let source = match file {
             Some((path, format)) => {
                 let file = File::open(&path, format, info)?;
@@ -50,8 +50,11 @@ impl Plan {
                 Source::File(file)
             }
             None => {
-                let samples = request.samples.unwrap_or(1);
-                Source::Generated(Generator { vary, random, samples, seed: request.seed.unwrap_or_default() })
+                let varied = vary.iter().map(|axis| axis.position);
+                let others: Vec<usize> = varied.chain(random.iter().map(|random| random.position)).collect();
+                let together = is_measured.then(|| Together::new(design, &others)).transpose()?;
+                let (samples, seed) = (request.samples.unwrap_or(1), request.seed.unwrap_or_default());
+                Source::Generated(Generator { vary, random, together, samples, seed })
             }
         };
         let batch = match &source {

@@ -7,7 +7,7 @@ use carvallo_design::input::{is_same_file, position};
 use carvallo_design::number::shortest;
 use carvallo_design::{Capacity, Failure, Place, Problem, Shipped, speeds};
 
-use crate::generate::{Axis, Random};
+use crate::generate::{Axis, MEASURED, Random};
 use crate::request::Request;
 use crate::table::Format;
 
@@ -21,6 +21,8 @@ const MAX_CELLS: usize = 1_000_000;
 pub struct Validated {
     pub vary: Vec<Axis>,
     pub random: Vec<Random>,
+    /// Whether all others are drawn as they were measured.
+    pub is_measured: bool,
     pub speeds: Vec<f64>,
     pub format: Format,
     pub file: Option<(PathBuf, Format)>,
@@ -53,10 +55,15 @@ pub fn validate(request: &Request, model: &Shipped) -> Result<Validated, Failure
         problems.map(path, request, &vary);
     }
     if problems.all.is_empty() {
-        Ok(Validated { vary, random, speeds, format, file })
+        let is_measured = request.random.iter().any(|text| is_measured(text));
+        Ok(Validated { vary, random, is_measured, speeds, format, file })
     } else {
         Err(Failure::Input(problems.all))
     }
+}
+
+fn is_measured(text: &str) -> bool {
+    text.trim() == MEASURED
 }
 
 /// Collects what is wrong.
@@ -77,7 +84,8 @@ impl Problems {
     /// What varies and what is drawn.
     fn parameters(&mut self, request: &Request, info: &ModelInfo) -> (Vec<Axis>, Vec<Random>) {
         let vary = self.each("--vary", &request.vary, |text| Axis::parse(text, info));
-        let random = self.each("--random", &request.random, |text| Random::parse(text, info));
+        let alone: Vec<String> = request.random.iter().filter(|text| !is_measured(text)).cloned().collect();
+        let random = self.each("--random", &alone, |text| Random::parse(text, info));
         let varied = request.vary.iter().map(|text| ("--vary", text));
         let base = &request.base;
         let settings = base.overrides.iter().map(|(option, name, _)| (option.clone(), name.as_str()));

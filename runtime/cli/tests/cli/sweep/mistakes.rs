@@ -15,7 +15,7 @@ fn everything_wrong_is_told_at_once() {
 --set mb=90: `mb` is not a parameter of Whipple; did you mean `mB`?
 --vary ww=1,2: `ww` is not a parameter of Whipple; did you mean `w`?
 --vary mB=1,x: a value of `mB` is `x`; expected a number, or an expression such as `pi/10`: `x` is not known
---random c=1: expected NAME=LOW..HIGH or NAME=MEAN+-DEVIATION, such as c=0.02..0.12 or mB=85+-5
+--random c=1: expected NAME=LOW..HIGH, NAME=MEAN+-DEVIATION or measured, such as c=0.02..0.12 or mB=85+-5
 --output table.txt: the name must end in .csv or .parquet
 --eigenvalues 1,1: the speed 1 is given twice";
     let arguments = ["--vary", "ww=1,2", "--vary", "mB=1,x", "--random", "c=1", "--samples", "3"];
