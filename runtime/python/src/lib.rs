@@ -6,6 +6,7 @@ mod at_speeds;
 mod changes;
 mod checking;
 mod columns;
+mod comparing;
 mod critical;
 mod designs;
 mod kernel;
@@ -41,6 +42,8 @@ fn _carvallo(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("MODELS", MODELS.iter().map(Kernel::new).collect::<Vec<_>>())?;
     module.add_function(wrap_pyfunction!(loaded::read, module)?)?;
     module.add_function(wrap_pyfunction!(checking::check, module)?)?;
+    module.add_function(wrap_pyfunction!(comparing::compare, module)?)?;
+    module.add_function(wrap_pyfunction!(comparing::compare_svg, module)?)?;
     module.add("VERDICTS", sheet::VERDICTS)?;
     module.add("__version__", env!("CARGO_PKG_VERSION"))
 }

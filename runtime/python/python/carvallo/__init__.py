@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 
 from ._carvallo import __version__
 from .checking import Comparison, Explanation, Report, check
+from .comparing import Differences, Optimum, SpeedChange, compare, optimize
 from .design import Design, Eigenvectors, Modes, StateSpace, System, read
 from .model import Coordinate, Model, Parameter, models
 from .motion import Motion
@@ -39,16 +40,19 @@ __all__ = [
     "CriticalDerivatives",
     "CriticalSpeed",
     "Design",
+    "Differences",
     "Eigenvectors",
     "Explanation",
     "Model",
     "Modes",
     "Motion",
+    "Optimum",
     "Parameter",
     "Picture",
     "Range",
     "Report",
     "Sensitivity",
+    "SpeedChange",
     "Stability",
     "StateSpace",
     "SteadyTurns",
@@ -56,7 +60,9 @@ __all__ = [
     "Turns",
     "__version__",
     "check",
+    "compare",
     "models",
+    "optimize",
     "read",
     "stability",
     *models(),

@@ -1,20 +1,22 @@
 # The extension module: numbers and columns, of which `carvallo` makes what is documented there.
 
-from collections.abc import Sequence
-from typing import final
+from collections.abc import Mapping, Sequence
+from typing import Any, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._dicts import About, Asked, Curve, Derivatives, Loaded, Told
 
-__all__ = ["MODELS", "VERDICTS", "Designs", "Kernel", "__version__", "check", "read"]
+__all__ = ["MODELS", "VERDICTS", "Designs", "Kernel", "__version__", "check", "compare", "compare_svg", "read"]
 
 __version__: str
 VERDICTS: list[str]
 MODELS: list[Kernel]
 
 def read(path: str) -> Loaded: ...
+def compare(designs: Sequence[tuple[Designs, About, str]]) -> str: ...
+def compare_svg(designs: Sequence[tuple[Designs, About, str]], of: str) -> str | None: ...
 def check(path: str | None, json: str | None, bicycle: str | None, model: str | None) -> tuple[str, str]: ...
 @final
 class Kernel:
@@ -73,6 +75,7 @@ class Designs:
     def sensitivity(
         self, about: About
     ) -> tuple[list[Derivatives], list[float | None], list[tuple[str, list[list[float]]]] | None]: ...
+    def optimize(self, about: About, search: Mapping[str, Any]) -> tuple[str, list[float]]: ...
     def sensitivity_svg(self, about: About) -> str: ...
     def turns(self, about: About, steers: Sequence[float] | None) -> list[Curve]: ...
     def turns_svg(self, about: About) -> str: ...
