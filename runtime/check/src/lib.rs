@@ -10,6 +10,7 @@ pub mod predict;
 pub mod read;
 mod report;
 pub mod slips;
+mod states;
 
 use carvallo_design::Design;
 

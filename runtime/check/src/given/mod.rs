@@ -205,7 +205,7 @@ impl Given {
                 (found, None) => Err(format!("{name} has {found} rows; expected {count}, one for each {of}")),
             }
         };
-        let (coordinates, states) = (info.coordinates.len(), crate::predict::states(info).len());
+        let (coordinates, states) = (info.coordinates.len(), crate::states::states(info).len());
         self.matrices.iter().try_for_each(|(name, rows)| square(name.name(), rows, coordinates, "coordinate"))?;
         let system =
             |own: &SystemMatrix| square(if own.is_stiffness { "K" } else { "C" }, &own.rows, coordinates, "coordinate");
