@@ -8,12 +8,19 @@ pub struct Board {
     pub name: &'static str,
     machine: &'static str,
     flags: &'static str,
+    /// What the compiler of C is told of the processor.
+    c_flags: &'static str,
 }
 
 /// The Cortex-M4F computes `f64` by software.
 pub const BOARDS: &[Board] = &[
-    Board { name: "M4F", machine: "mps2-an386", flags: "" },
-    Board { name: "M7", machine: "mps2-an500", flags: " -C target-cpu=cortex-m7 -C target-feature=+fp-armv8d16" },
+    Board { name: "M4F", machine: "mps2-an386", flags: "", c_flags: "-mcpu=cortex-m4 -mfpu=fpv4-sp-d16" },
+    Board {
+        name: "M7",
+        machine: "mps2-an500",
+        flags: " -C target-cpu=cortex-m7 -C target-feature=+fp-armv8d16",
+        c_flags: "-mcpu=cortex-m7 -mfpu=fpv5-d16",
+    },
 ];
 
 /// What a task takes on a board.
@@ -51,6 +58,7 @@ impl Board {
         let mut cargo = Command::new("cargo");
         cargo.current_dir(folder()).args(["build", "--quiet", "--release", "--package=device", "--target", TARGET]);
         cargo.env("CARGO_TARGET_DIR", self.target()).env("RUSTFLAGS", flags);
+        cargo.env("CFLAGS_thumbv7em_none_eabihf", format!("{} -mfloat-abi=hard", self.c_flags));
         output(&mut cargo).map(|_| ())
     }
 

@@ -1,7 +1,7 @@
 //! Builds a program for each task and processor, runs it under qemu, holds its numbers against those of the host, bit by
 //! bit, and what it takes against `costs.tsv`.
 //!
-//! Needs the target thumbv7em-none-eabihf (rustup), qemu-system-arm, and nm and size of binutils-arm-none-eabi.
+//! Needs the target thumbv7em-none-eabihf (rustup), qemu-system-arm, gcc-arm-none-eabi and libnewlib-arm-none-eabi.
 
 mod board;
 mod table;
@@ -57,15 +57,24 @@ fn measure() -> Result<Vec<Measured>, String> {
         found.push(one::<tasks::AccelerationsF32>(board)?);
         found.push(one::<tasks::ControlF32>(board)?);
         found.push(one::<tasks::RideF32>(board)?);
+        found.push(like::<tasks::MatricesF32>(board, "c_matrices_f32")?);
+        found.push(like::<tasks::MatricesF64>(board, "c_matrices_f64")?);
+        found.push(like::<tasks::StateSpaceF32>(board, "c_state_space_f32")?);
+        found.push(like::<tasks::StateSpaceF64>(board, "c_state_space_f64")?);
     }
     Ok(found)
 }
 
 fn one<T: Task>(board: &board::Board) -> Result<Measured, String> {
+    like::<T>(board, T::NAME)
+}
+
+/// A task, or a program that has to come to the same.
+fn like<T: Task>(board: &board::Board, name: &str) -> Result<Measured, String> {
     let mut expected = Vec::new();
     T::bits(&T::run(&T::input()), &mut |bits| expected.push(bits));
     if expected.is_empty() && T::NAME != tasks::Empty::NAME {
         return Err(format!("{}: nothing comes out on the host", T::NAME));
     }
-    board.measure(T::NAME, T::TIMES.into(), &expected)
+    board.measure(name, T::TIMES.into(), &expected)
 }

@@ -2,6 +2,8 @@
 
 #![no_std]
 
+pub mod in_c;
+
 use core::hint::black_box;
 
 use cortex_m::Peripherals;

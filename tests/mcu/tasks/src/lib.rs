@@ -9,8 +9,9 @@ use carvallo::{CertainStability, Coefficients, Complex, Model, Motion, Rows, Sca
 use carvallo_models::{Whipple, WhippleMechanism};
 use controller::Ride;
 
-/// A forward speed in m/s.
-const SPEED: f64 = 5.0;
+/// A forward speed in m/s, and a gravitational field strength in N/kg.
+pub const SPEED: f64 = 5.0;
+pub const GRAVITY: f64 = 9.81;
 
 /// Something to compute.
 pub trait Task {
@@ -86,12 +87,12 @@ task!(
 task!(
     /// The four eigenvalues, from M, C and K.
     Eigenvalues, "eigenvalues", Option<System<2>> => Option<[Complex<f64>; 4]>,
-    Whipple::BENCHMARK.coefficients().at(SPEED, 9.81).ok(), |system| system.as_ref()?.quartic_eigenvalues().ok(), eigenvalues
+    Whipple::BENCHMARK.coefficients().at(SPEED, GRAVITY).ok(), |system| system.as_ref()?.quartic_eigenvalues().ok(), eigenvalues
 );
 task!(
     /// The same in single precision.
     EigenvaluesF32, "eigenvalues_f32", Option<System<2, f32>> => Option<[Complex<f32>; 4]>,
-    Whipple::BENCHMARK.to_f32().coefficients().at(SPEED as f32, 9.81).ok(),
+    Whipple::BENCHMARK.to_f32().coefficients().at(SPEED as f32, GRAVITY as f32).ok(),
     |system| system.as_ref()?.quartic_eigenvalues_f32().ok(),
     |found, tell| found.iter().flatten().for_each(|value| [value.re, value.im].iter().for_each(|x| tell(x.to_bits().into())))
 );
@@ -103,7 +104,7 @@ task!(
 task!(
     /// The critical speeds and the stable ranges, from the matrices.
     CriticalSpeeds, "critical_speeds" times 100, Coefficients<f64, 2> => Result<CertainStability, SystemError>,
-    Whipple::BENCHMARK.coefficients(), |matrices| CertainStability::new(matrices, 9.81), along_speed
+    Whipple::BENCHMARK.coefficients(), |matrices| CertainStability::new(matrices, GRAVITY), along_speed
 );
 task!(
     /// The nonlinear accelerations of a leaned and steered bicycle.
@@ -147,7 +148,7 @@ fn of_matrices<T: Scalar>(found: &[Rows<T, 2>; 4], mut tell: impl FnMut(T)) {
 }
 
 fn state_space<T: Scalar>(matrices: &Coefficients<T, 2>) -> Result<StateSpace<2, T>, SystemError> {
-    matrices.at(T::from_f64(SPEED), T::from_f64(9.81))?.state_space()
+    matrices.at(T::from_f64(SPEED), T::from_f64(GRAVITY))?.state_space()
 }
 
 fn of_state_space<T: Scalar>(found: &Result<StateSpace<2, T>, SystemError>, mut tell: impl FnMut(T)) {
