@@ -17,6 +17,7 @@ mod one;
 mod parts;
 mod pictures;
 mod sheet;
+mod signals;
 mod speeds;
 mod turning;
 

@@ -10,6 +10,7 @@ use pyo3::prelude::*;
 use crate::designs::Designs;
 use crate::loaded::raise;
 use crate::one::About;
+use crate::signals::Signals;
 
 /// What a motion begins with, what acts on it, and by which equations it goes.
 #[derive(FromPyObject)]
@@ -37,7 +38,13 @@ pub struct Asked {
 const DRAWN: u32 = 1000;
 
 impl Asked {
-    fn solve<'a>(&self, design: &'a Design, solver: &dyn Solver, times: &[f64]) -> Result<Motion<'a>, Failure> {
+    fn solve<'a>(
+        &self,
+        design: &'a Design,
+        solver: &dyn Solver,
+        times: &[f64],
+        signals: &Signals,
+    ) -> Result<Motion<'a>, Failure> {
         // A force that varies is zero at first, so that its name is judged as all others.
         let zero = self.varying.iter().map(|(name, _)| format!("{name}=0"));
         let forces: Vec<String> = self.constant.iter().cloned().chain(zero).collect();
@@ -51,28 +58,30 @@ impl Asked {
                 given.forces[channel] = force;
             }
         }
-        solver.run(design, &given, self.speed, times, &|_| {})
+        solver.run(design, &given, self.speed, times, &|_| signals.look())
     }
 
-    fn linear<'a>(&self, design: &'a Design, times: &[f64]) -> Result<Motion<'a>, Failure> {
-        self.solve(design, &Linear::new(design), times)
+    fn linear<'a>(&self, design: &'a Design, times: &[f64], signals: &Signals) -> Result<Motion<'a>, Failure> {
+        self.solve(design, &Linear::new(design), times, signals)
     }
 
     /// The motion by the nonlinear equations, unless the linear ones were asked for or there are no others.
-    fn motion<'a>(&self, design: &'a Design, times: &[f64]) -> Result<Motion<'a>, Failure> {
+    fn motion<'a>(&self, design: &'a Design, times: &[f64], signals: &Signals) -> Result<Motion<'a>, Failure> {
         let mut found = None;
         if !self.linear {
-            design.with_machine(&mut |machine| found = Some(self.solve(design, &Nonlinear::new(machine), times)));
+            design.with_machine(&mut |machine| {
+                found = Some(self.solve(design, &Nonlinear::new(machine), times, signals))
+            });
         }
-        found.unwrap_or_else(|| self.linear(design, times))
+        found.unwrap_or_else(|| self.linear(design, times, signals))
     }
 
-    fn picture(&self, design: &Design) -> Result<String, Failure> {
-        let motion = self.motion(design, &self.times)?;
+    fn picture(&self, design: &Design, signals: &Signals) -> Result<String, Failure> {
+        let motion = self.motion(design, &self.times, signals)?;
         let end = motion.rows.last().map_or(0.0, |row| row.t);
         let fine: Vec<f64> = (0..=DRAWN).map(|row| end * f64::from(row) / f64::from(DRAWN)).collect();
-        let drawn = self.motion(design, &fine)?;
-        let linear = (!drawn.is_linear).then(|| self.linear(design, &fine)).transpose()?;
+        let drawn = self.motion(design, &fine, signals)?;
+        let linear = (!drawn.is_linear).then(|| self.linear(design, &fine, signals)).transpose()?;
         Ok(draw_motion(&drawn, linear.as_ref()).svg())
     }
 }
@@ -146,17 +155,27 @@ impl Rows {
     }
 }
 
+/// What is computed while others run, and until Ctrl-C ends it.
+fn listening<T: Send>(py: Python<'_>, compute: impl FnOnce(&Signals) -> Result<T, Failure> + Send) -> PyResult<T> {
+    py.detach(|| {
+        let signals = Signals::new();
+        let computed = compute(&signals);
+        signals.finish()?;
+        computed.map_err(raise)
+    })
+}
+
 #[pymethods]
 impl Designs {
     /// The motion of one design.
     fn simulate<'py>(&self, py: Python<'py>, about: About, asked: Asked) -> PyResult<Told<'py>> {
         let design = self.described(py, about)?;
-        py.detach(|| asked.motion(&design.build()?, &asked.times).map(Rows::of)).map_err(raise)?.told(py)
+        listening(py, |signals| asked.motion(&design.build()?, &asked.times, signals).map(Rows::of))?.told(py)
     }
 
     /// The picture of a motion, as SVG.
     fn motion_svg(&self, py: Python<'_>, about: About, asked: Asked) -> PyResult<String> {
         let design = self.described(py, about)?;
-        py.detach(|| asked.picture(&design.build()?)).map_err(raise)
+        listening(py, |signals| asked.picture(&design.build()?, signals))
     }
 }

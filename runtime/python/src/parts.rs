@@ -4,13 +4,11 @@ use std::ops::Range;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
-use std::time::{Duration, Instant};
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-/// Between two looks at whether the user pressed Ctrl-C.
-const PATIENCE: Duration = Duration::from_millis(50);
+use crate::signals::Signals;
 
 static CORES: OnceLock<usize> = OnceLock::new();
 
@@ -64,16 +62,13 @@ pub fn in_parts<T: Send + Sync>(
             for _ in 1..threads.min(parts) {
                 scope.spawn(|| while do_next() {});
             }
-            let mut seen = Instant::now();
+            let signals = Signals::new();
             while do_next() {
-                if seen.elapsed() > PATIENCE {
-                    let signals = Python::attach(|py| py.check_signals());
-                    stop.fetch_or(signals.is_err(), Ordering::Relaxed);
-                    signals?;
-                    seen = Instant::now();
+                if signals.look().is_break() {
+                    stop.store(true, Ordering::Relaxed);
                 }
             }
-            Ok::<(), PyErr>(())
+            signals.finish()
         })
     })?;
     results.into_iter().filter_map(OnceLock::into_inner).collect::<Result<_, _>>().map_err(PyValueError::new_err)

@@ -18,16 +18,22 @@ import signal
 signal.signal(signal.SIGINT, signal.default_int_handler)
 import carvallo, numpy as np
 designs = carvallo.Motorcycle().replace(g=np.linspace(9, 10, 300_000))
+bicycle = carvallo.WhippleMechanism("benchmark")
 print("begun", flush=True)
-designs.stability(threads={threads})
+{work}
 print("done", flush=True)
 """
 
 
-@pytest.mark.parametrize("threads", [1, 2])
-def test_ctrl_c_ends_it(threads):
+@pytest.mark.parametrize("work", [
+    "designs.stability(threads=1)",
+    "designs.stability(threads=2)",
+    # One motion: it circles for weeks.
+    'bicycle.simulate(4.6, 1e6, initial={"phi_rate": 0.1})',
+])
+def test_ctrl_c_ends_it(work):
     environment = os.environ | {"PYTHONPATH": str(Path(carvallo.__file__).parents[1])}
-    program = subprocess.Popen([sys.executable, "-c", LONG.format(threads=threads)], stdout=subprocess.PIPE,
+    program = subprocess.Popen([sys.executable, "-c", LONG.replace("{work}", work)], stdout=subprocess.PIPE,
                                stderr=subprocess.PIPE, text=True, env=environment)
     assert program.stdout.readline() == "begun\n"
     time.sleep(0.5)

@@ -225,7 +225,10 @@ impl Steps<'_, '_> {
             self.end = Some(End::Event { name, time: end });
             return Ok(ControlFlag::Interrupt);
         }
-        simulation.observe(time);
+        if simulation.observe(time).is_break() {
+            self.end = Some(End::Interrupted { time });
+            return Ok(ControlFlag::Interrupt);
+        }
         self.taken += 1;
         if self.taken as f64 > MOST_STEPS + MOST_PER_SECOND * (time - self.piece.from) {
             self.end = Some(End::Stalled { time, steps: self.taken });

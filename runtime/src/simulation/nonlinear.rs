@@ -1,6 +1,7 @@
 //! The nonlinear equations of motion, integrated.
 
 use std::cell::Cell;
+use std::ops::ControlFlow;
 
 use super::chart::Chart;
 use super::error::{SimulationError, require_ascending, require_length};
@@ -26,7 +27,7 @@ pub struct Simulation<'a> {
     forces: Vec<Force>,
     control: Option<Box<Control<'a>>>,
     events: Vec<Event<'a>>,
-    observe: Option<Box<dyn Fn(f64) + 'a>>,
+    observe: Option<Box<dyn Fn(f64) -> ControlFlow<()> + 'a>>,
 }
 
 /// Adds to the forces what a controller does at a moment.
@@ -111,6 +112,11 @@ pub enum End {
         /// After how many steps since the start, or since a force had a knot.
         steps: usize,
     },
+    /// Whoever [observed](Simulation::observed_by) it broke it off.
+    Interrupted {
+        /// The last time that was reached, in s.
+        time: f64,
+    },
 }
 
 impl<'a> Simulation<'a> {
@@ -163,9 +169,9 @@ impl<'a> Simulation<'a> {
         self
     }
 
-    /// Calls a function with the time that is reached, after every step.
+    /// Calls a function with the time that is reached, after every step; the motion ends there where it breaks.
     #[must_use]
-    pub fn observed_by(self, observe: impl Fn(f64) + 'a) -> Self {
+    pub fn observed_by(self, observe: impl Fn(f64) -> ControlFlow<()> + 'a) -> Self {
         Self { observe: Some(Box::new(observe)), ..self }
     }
 
@@ -298,9 +304,7 @@ impl<'a> Simulation<'a> {
         self.tolerance
     }
 
-    pub(super) fn observe(&self, time: f64) {
-        if let Some(observe) = &self.observe {
-            observe(time);
-        }
+    pub(super) fn observe(&self, time: f64) -> ControlFlow<()> {
+        self.observe.as_ref().map_or(ControlFlow::Continue(()), |observe| observe(time))
     }
 }

@@ -1,5 +1,7 @@
 //! Motions in time.
 
+use std::ops::ControlFlow;
+
 use carvallo_design::{Design, Failure, Problem};
 use carvallo_plot::analysis::simulation::{Linear, Motion, Nonlinear, Solver, read};
 use serde::{Deserialize, Serialize};
@@ -100,7 +102,7 @@ fn solve<'a>(solver: &dyn Solver, design: &'a Design, asked: &Asked) -> Result<M
     let given = read(solver, design, initial, &[], duration).map_err(|problems| Failure::Input(nameless(problems)))?;
     let steps = steps.max(1);
     let times: Vec<f64> = (0..=steps).map(|step| duration * f64::from(step) / f64::from(steps)).collect();
-    solver.run(design, &given, speed, &times, &|_| {})
+    solver.run(design, &given, speed, &times, &|_| ControlFlow::Continue(()))
 }
 
 /// Without the names of options of the command line, which a page has not.

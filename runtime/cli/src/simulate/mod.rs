@@ -4,6 +4,7 @@ mod options;
 mod progress;
 pub mod times;
 
+use std::ops::ControlFlow;
 use std::path::Path;
 
 use carvallo_design::input::is_same_file;
@@ -108,7 +109,10 @@ fn solved<'a>(
     times: &[f64],
 ) -> Result<Motion<'a>, Failure> {
     let progress = Progress::new(times[times.len() - 1]);
-    let motion = solver.run(design, given, speed, times, &|time| progress.reach(time))?;
+    let motion = solver.run(design, given, speed, times, &|time| {
+        progress.reach(time);
+        ControlFlow::Continue(())
+    })?;
     progress.finish();
     Ok(motion)
 }
@@ -122,7 +126,7 @@ fn beside<'a>(
 ) -> Result<Option<Motion<'a>>, Failure> {
     let linear = Linear::new(motion.design);
     match read(&linear, motion.design, &options.initial, &options.force, times[times.len() - 1]) {
-        Ok(given) => linear.run(motion.design, &given, speed, times, &|_| {}).map(Some),
+        Ok(given) => linear.run(motion.design, &given, speed, times, &|_| ControlFlow::Continue(())).map(Some),
         Err(problems) => {
             let unknown: Vec<String> = problems.into_iter().map(|problem| problem.place.to_string()).collect();
             let text = format!("the picture has no linear motion, which knows no {}", unknown.join(", "));

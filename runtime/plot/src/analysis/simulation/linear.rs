@@ -1,5 +1,7 @@
 //! The motion of the linear equations, of any model.
 
+use std::ops::ControlFlow;
+
 use carvallo::simulation::{LinearMotion, SimulationError};
 use carvallo::{Rate, States};
 use carvallo_design::number::shortest;
@@ -74,7 +76,7 @@ impl Solver for Linear {
         given: &Given,
         speed: f64,
         times: &[f64],
-        _: &dyn Fn(f64),
+        _: &dyn Fn(f64) -> ControlFlow<()>,
     ) -> Result<Motion<'a>, Failure> {
         let Given { initial, forces } = given;
         let title = design.title();

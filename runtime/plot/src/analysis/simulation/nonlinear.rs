@@ -1,5 +1,7 @@
 //! The motion of the nonlinear equations.
 
+use std::ops::ControlFlow;
+
 use carvallo::motion::{MotionInfo, PositionKind};
 use carvallo::simulation::{End, Machine, Moment, Ride, RideRow, Simulation, State};
 use carvallo_design::number::shortest;
@@ -135,7 +137,7 @@ impl Solver for Nonlinear<'_> {
         given: &Given,
         speed: f64,
         times: &[f64],
-        reach: &dyn Fn(f64),
+        reach: &dyn Fn(f64) -> ControlFlow<()>,
     ) -> Result<Motion<'a>, Failure> {
         let fail = |message: String| Failure::Run(format!("{}: {message}", design.title()));
         let info = self.machine.info();
@@ -201,6 +203,7 @@ fn told<'a>(design: &'a Design, info: &MotionInfo, ride: Ride, mut notes: Vec<St
                 time(*end)
             ))
         }
+        End::Interrupted { time: end } => Some(format!("the motion ends at {} s: it was interrupted", time(*end))),
         _ => None,
     };
     let stops: Vec<f64> = ride.events.iter().filter(|(_, name)| name == STOP).map(|(stop, _)| *stop).collect();

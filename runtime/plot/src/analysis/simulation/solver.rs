@@ -1,5 +1,7 @@
 //! What both kinds of equations have: what may be given, and the motion from it.
 
+use std::ops::ControlFlow;
+
 use carvallo::simulation::Force;
 use carvallo_design::{Design, Failure, Problem};
 
@@ -20,8 +22,8 @@ pub trait Solver {
         design.model.depends_on_speed()
     }
 
-    /// The motion at a forward speed in m/s and times in s, the first of which is zero. What takes long tells how far it is: the
-    /// time of the motion in s.
+    /// The motion at a forward speed in m/s and times in s, the first of which is zero. What takes long tells how far it is, the
+    /// time of the motion in s, and ends there if that breaks.
     ///
     /// # Errors
     /// If there is none.
@@ -31,7 +33,7 @@ pub trait Solver {
         given: &Given,
         speed: f64,
         times: &[f64],
-        reach: &dyn Fn(f64),
+        reach: &dyn Fn(f64) -> ControlFlow<()>,
     ) -> Result<Motion<'a>, Failure>;
 }
 
