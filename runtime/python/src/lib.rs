@@ -7,6 +7,7 @@ mod changes;
 mod checking;
 mod columns;
 mod comparing;
+mod control;
 mod critical;
 mod designs;
 mod kernel;
@@ -45,6 +46,7 @@ fn _carvallo(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(checking::check, module)?)?;
     module.add_function(wrap_pyfunction!(comparing::compare, module)?)?;
     module.add_function(wrap_pyfunction!(comparing::compare_svg, module)?)?;
+    module.add_function(wrap_pyfunction!(control::frequency_response, module)?)?;
     module.add("VERDICTS", sheet::VERDICTS)?;
     module.add("__version__", env!("CARGO_PKG_VERSION"))
 }

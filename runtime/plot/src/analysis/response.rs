@@ -87,9 +87,14 @@ impl<'a> Responses<'a> {
             Excitation::Initial(state) => {
                 let given = self.space.states.iter().zip(state).filter(|(_, value)| **value != 0.0);
                 let given: Vec<String> =
-                    given.map(|(state, value)| format!("{} = {}", state.name, shortest(*value))).collect();
+                    given.map(|(state, value)| format!("{} = {}", state.name, six_digits(*value))).collect();
                 format!("Response from {}", if given.is_empty() { "rest".to_owned() } else { given.join(", ") })
             }
         }
     }
+}
+
+/// A value as far as anyone reads it in a title.
+fn six_digits(value: f64) -> String {
+    shortest(format!("{value:.5e}").parse().unwrap_or(value))
 }

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING
 from ._carvallo import __version__
 from .checking import Comparison, Explanation, Report, check
 from .comparing import Differences, Optimum, SpeedChange, compare, optimize
+from .control import InputOutput, Margins, Response, TransferFunction
 from .design import Design, Eigenvectors, Modes, StateSpace, System, read
 from .model import Coordinate, Model, Parameter, models
 from .motion import Motion
@@ -43,6 +44,8 @@ __all__ = [
     "Differences",
     "Eigenvectors",
     "Explanation",
+    "InputOutput",
+    "Margins",
     "Model",
     "Modes",
     "Motion",
@@ -51,12 +54,14 @@ __all__ = [
     "Picture",
     "Range",
     "Report",
+    "Response",
     "Sensitivity",
     "SpeedChange",
     "Stability",
     "StateSpace",
     "SteadyTurns",
     "System",
+    "TransferFunction",
     "Turns",
     "__version__",
     "check",

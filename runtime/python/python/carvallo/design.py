@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from numbers import Real
-from typing import TYPE_CHECKING, Any, NamedTuple, Union
+from typing import TYPE_CHECKING, Any, NamedTuple, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _carvallo
 from ._dicts import About, Loaded
+from .control import InputOutput, Margins, TransferFunction, margins_of, state_space_of, transfer_function_of
 from .motion import Force, Motion, simulate
 from .pictures import Picture
 from .sensitivity import Sensitivity
@@ -229,18 +230,53 @@ class Design(Mapping[str, Union[float, NDArray[np.float64]]]):
         (designs…, speeds…, coordinates, coordinates)."""
         return System(*self._designs.system(v, paired, threads))
 
-    def state_space(self, v: ArrayLike = 0.0, *, paired: bool = False, threads: int | None = None) -> StateSpace:
+    @overload
+    def state_space(self, v: ArrayLike = 0.0, *, paired: bool = False, threads: int | None = None) -> StateSpace: ...
+
+    @overload
+    def state_space(self, v: ArrayLike = 0.0, *, inputs: Sequence[str] | str,
+                    outputs: Sequence[str] | str | None = None) -> InputOutput: ...
+
+    @overload
+    def state_space(self, v: ArrayLike = 0.0, *, inputs: Sequence[str] | str | None = None,
+                    outputs: Sequence[str] | str) -> InputOutput: ...
+
+    def state_space(self, v: ArrayLike = 0.0, *, inputs: Sequence[str] | str | None = None,
+                    outputs: Sequence[str] | str | None = None, paired: bool = False,
+                    threads: int | None = None) -> StateSpace | InputOutput:
         """A and B of ``x' = A x + B f`` at forward speeds in m/s; the states x are those of
         :attr:`Model.states <carvallo.Model.states>`, in rad, rad/s and so on, and the inputs f the generalized forces.
 
-        ``control.ss(A, B, numpy.eye(len(A)), 0)`` takes those of one design at one speed.
+        With ``inputs`` or ``outputs`` A, B, C and D of one design, as in
+        ``control.ss(*design.state_space(5.0, inputs="Tdelta", outputs=["phi", "phi_rate"]))``. Inputs are torques and forces as
+        ``Tdelta``, all of them unless they are named; outputs are coordinates, rates and accelerations, ``phi``, ``phi_rate``,
+        ``phi_acceleration``, of bicycles also of the yaw ``psi`` and the lateral place ``y``, and the states unless they are named.
+        Positions that the motion does not depend on become states, the last, where an output asks for them.
 
         Raises
         ------
         ValueError
-            If the mass matrix is singular, or at rest if there is a C-1.
+            If the mass matrix is singular, or at rest if there is a C-1; if there is no input or output of a name.
         """
-        return StateSpace(*self._designs.state_space(v, paired, threads))
+        if inputs is None and outputs is None:
+            return StateSpace(*self._designs.state_space(v, paired, threads))
+        return state_space_of(self, v, inputs, outputs)
+
+    def transfer_function(self, v: float, input: str, output: str) -> TransferFunction:
+        """The transfer function of one design at a forward speed in m/s, from an input to an output, named as in
+        :meth:`state_space`: zeros, poles and gain.
+
+        Raises
+        ------
+        ValueError
+            If there are no equations of motion at the speed, or no input or output of the name.
+        """
+        return transfer_function_of(self, v, input, output)
+
+    def margins(self, v: float, input: str, output: str) -> Margins:
+        """The gain and phase margins of the loop ``u = -y`` of one design at a forward speed in m/s, wherever its gain is one or
+        its phase half a turn; none is scanned for."""
+        return margins_of(self, v, input, output)
 
     def eigenvalues(self, v: ArrayLike = 0.0, *, paired: bool = False, threads: int | None = None) -> NDArray[np.complex128]:
         """The eigenvalues in 1/s at forward speeds in m/s.

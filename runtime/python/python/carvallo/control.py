@@ -1,0 +1,101 @@
+"""State spaces with inputs and outputs, and transfer functions."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _carvallo
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from .design import Design
+
+
+class InputOutput(NamedTuple):
+    """The state-space form ``x' = A x + B u``, ``y = C x + D u``, as ``control.ss`` and ``scipy.signal.StateSpace`` take it."""
+
+    A: NDArray[np.float64]
+    """Of shape (speeds…, states, states)."""
+    B: NDArray[np.float64]
+    """Of shape (speeds…, states, inputs)."""
+    C: NDArray[np.float64]
+    """Of shape (speeds…, outputs, states)."""
+    D: NDArray[np.float64]
+    """Of shape (speeds…, outputs, inputs)."""
+
+
+class Response(NamedTuple):
+    """A frequency response."""
+
+    omega: NDArray[np.float64]
+    """Frequencies in rad/s."""
+    gain: NDArray[np.float64]
+    """The size of the output by that of the input; infinite at a pole on the imaginary axis."""
+    phase: NDArray[np.float64]
+    """By how much the output leads, in rad, without jumps along the frequency."""
+
+
+class Margins(NamedTuple):
+    """How far a transfer function is from -1, at which the loop ``u = -y`` is about to become unstable, or stable."""
+
+    gain: tuple[tuple[float, float], ...]
+    """Frequencies in rad/s at which it is real and negative, each with the factor that makes it -1."""
+    phase: tuple[tuple[float, float], ...]
+    """Frequencies in rad/s at which its gain is one, each with the phase margin in rad."""
+    stable: bool
+    """Whether the loop ``u = -y`` is stable."""
+
+
+class TransferFunction(NamedTuple):
+    """``G(s) = gain prod(s - zeros) / prod(s - poles)``, as ``scipy.signal.ZerosPolesGain`` and ``control.zpk`` take it."""
+
+    zeros: NDArray[np.complex128]
+    """In 1/s, sorted by real part, then by imaginary part; from a generalized eigenproblem, not from polynomials."""
+    poles: NDArray[np.complex128]
+    """In 1/s, sorted likewise."""
+    gain: float
+    """The leading coefficient of the numerator."""
+
+    def __call__(self, s: ArrayLike) -> NDArray[np.complex128]:
+        """The value at complex frequencies in 1/s."""
+        at = np.asarray(s, dtype=np.complex128)[..., np.newaxis]
+        value: NDArray[np.complex128] = self.gain * np.prod(at - self.zeros, axis=-1) / np.prod(at - self.poles, axis=-1)
+        return value
+
+    def bode(self, omega: ArrayLike | None = None) -> Response:
+        """The response at frequencies in rad/s; without them at those that show all of it."""
+        asked = None if omega is None else np.asarray(omega, dtype=np.float64).ravel().tolist()
+        return Response(*_carvallo.frequency_response(self.zeros.tolist(), self.poles.tolist(), self.gain, asked))
+
+
+def state_space_of(design: Design, v: ArrayLike, inputs: Sequence[str] | str | None,
+                   outputs: Sequence[str] | str | None) -> InputOutput:
+    """What :meth:`Design.state_space` does with inputs or outputs."""
+    speeds = np.asarray(v, dtype=np.float64)
+    asked = (speeds.ravel().tolist(), _names(inputs), _names(outputs))
+    arrays, _ = design._one().state_spaces(design._about, *asked)
+    return InputOutput(*(array.reshape(speeds.shape + array.shape[1:]) for array in arrays))
+
+
+def transfer_function_of(design: Design, v: float, input: str, output: str) -> TransferFunction:
+    """What :meth:`Design.transfer_function` does."""
+    return TransferFunction(*design._one().transfer_function(design._about, float(v), input, output))
+
+
+def margins_of(design: Design, v: float, input: str, output: str) -> Margins:
+    """What :meth:`Design.margins` does."""
+    gain, phase, stable = design._one().margins(design._about, float(v), input, output)
+    return Margins(tuple(gain), tuple(phase), stable)
+
+
+def _names(names: Sequence[str] | str | None) -> list[str] | None:
+    if names is None:
+        return None
+    return [name.strip() for name in names.split(",")] if isinstance(names, str) else list(names)
+
+
+__all__ = ["InputOutput", "Margins", "Response", "TransferFunction"]

@@ -1,0 +1,142 @@
+//! State spaces with inputs and outputs, and transfer functions.
+
+use carvallo::nalgebra::DMatrix;
+use carvallo::{Complex, SystemError};
+use carvallo_control::{FrequencyResponse, Margins, Ports, Signal, StateSpace, TransferFunction};
+use carvallo_design::number::shortest;
+use carvallo_design::{Design, Failure};
+use numpy::{PyArray1, PyArray3, PyArrayMethods as _};
+use pyo3::prelude::*;
+
+use crate::designs::Designs;
+use crate::loaded::raise;
+use crate::one::About;
+
+/// A, B, C and D at each of several speeds, and the names of states, inputs and outputs.
+type Spaces<'py> = (Vec<Bound<'py, PyArray3<f64>>>, [Vec<String>; 3]);
+
+/// Zeros, poles and gain of a transfer function.
+type Roots<'py> = (Bound<'py, PyArray1<Complex<f64>>>, Bound<'py, PyArray1<Complex<f64>>>, f64);
+
+/// Frequencies with factors of gain or angles of phase.
+type Crossings = Vec<(f64, f64)>;
+
+/// One design at a speed, with inputs and outputs by their names; without names all of them.
+fn space(
+    design: &Design,
+    speed: f64,
+    inputs: Option<&[String]>,
+    outputs: Option<&[String]>,
+) -> Result<StateSpace, Failure> {
+    let ports = Ports::of(design);
+    let inputs = match inputs {
+        Some(names) => names.iter().map(|name| ports.input(name)).collect::<Result<_, _>>().map_err(Failure::usage)?,
+        None => ports.all_inputs(),
+    };
+    let outputs = match outputs {
+        Some(names) => names.iter().map(|name| ports.output(name)).collect::<Result<_, _>>().map_err(Failure::usage)?,
+        None => ports.states(),
+    };
+    StateSpace::new(design, speed, &inputs, &outputs)
+}
+
+fn names(signals: &[Signal]) -> Vec<String> {
+    signals.iter().map(|signal| signal.name.clone()).collect()
+}
+
+fn fail(design: &Design, speed: f64, error: SystemError) -> Failure {
+    Failure::Run(format!("{} at {} m/s: {error}", design.title(), shortest(speed)))
+}
+
+#[pymethods]
+impl Designs {
+    /// The state spaces of one design at speeds.
+    fn state_spaces<'py>(
+        &self,
+        py: Python<'py>,
+        about: About,
+        speeds: Vec<f64>,
+        inputs: Option<Vec<String>>,
+        outputs: Option<Vec<String>>,
+    ) -> PyResult<Spaces<'py>> {
+        let design = self.described(py, about)?;
+        let found = py.detach(|| {
+            let design = design.build()?;
+            let at = |speed: &f64| space(&design, *speed, inputs.as_deref(), outputs.as_deref());
+            // What there is is the same at every speed.
+            let any = at(speeds.first().unwrap_or(&1.0))?;
+            let each = speeds.iter().map(at).collect::<Result<Vec<_>, _>>()?;
+            Ok((any, each))
+        });
+        let (any, each) = found.map_err(raise)?;
+        let stacked = |of: fn(&StateSpace) -> &DMatrix<f64>| {
+            let numbers: Vec<f64> = each.iter().flat_map(|space| of(space).transpose().as_slice().to_vec()).collect();
+            PyArray1::from_vec(py, numbers).reshape([each.len(), of(&any).nrows(), of(&any).ncols()])
+        };
+        let arrays = [
+            stacked(|space| &space.a),
+            stacked(|space| &space.b),
+            stacked(|space| &space.c),
+            stacked(|space| &space.d),
+        ];
+        let arrays = arrays.into_iter().collect::<PyResult<_>>()?;
+        Ok((arrays, [&any.states, &any.inputs, &any.outputs].map(|signals| names(signals))))
+    }
+
+    /// The transfer function of one design at a speed.
+    fn transfer_function<'py>(
+        &self,
+        py: Python<'py>,
+        about: About,
+        speed: f64,
+        input: String,
+        output: String,
+    ) -> PyResult<Roots<'py>> {
+        let design = self.described(py, about)?;
+        let found = py.detach(|| {
+            let design = design.build()?;
+            let space = space(&design, speed, Some(&[input]), Some(&[output]))?;
+            TransferFunction::new(&space, 0, 0).map_err(|error| fail(&design, speed, error))
+        });
+        let TransferFunction { zeros, poles, gain, .. } = found.map_err(raise)?;
+        Ok((PyArray1::from_vec(py, zeros), PyArray1::from_vec(py, poles), gain))
+    }
+
+    /// The gain and phase margins of one design at a speed, and whether the loop is stable.
+    fn margins(
+        &self,
+        py: Python<'_>,
+        about: About,
+        speed: f64,
+        input: String,
+        output: String,
+    ) -> PyResult<(Crossings, Crossings, bool)> {
+        let design = self.described(py, about)?;
+        let found = py.detach(|| {
+            let design = design.build()?;
+            let space = space(&design, speed, Some(&[input]), Some(&[output]))?;
+            Margins::new(&space, 0, 0).map_err(|error| fail(&design, speed, error))
+        });
+        let Margins { gain, phase, closed_loop_is_stable } = found.map_err(raise)?;
+        let gain = gain.iter().map(|margin| (margin.frequency, margin.factor)).collect();
+        let phase = phase.iter().map(|margin| (margin.frequency, margin.angle)).collect();
+        Ok((gain, phase, closed_loop_is_stable))
+    }
+}
+
+/// Gains and phases of a transfer function at frequencies in rad/s, or at those that show all of it.
+#[pyfunction]
+pub fn frequency_response<'py>(
+    py: Python<'py>,
+    zeros: Vec<Complex<f64>>,
+    poles: Vec<Complex<f64>>,
+    gain: f64,
+    frequencies: Option<Vec<f64>>,
+) -> [Bound<'py, PyArray1<f64>>; 3] {
+    let signal = || Signal { name: String::new(), label: String::new(), unit: "1".to_owned() };
+    let function = TransferFunction { input: signal(), output: signal(), zeros, poles, gain };
+    let frequencies = frequencies.unwrap_or_else(|| function.frequencies(None));
+    let response = function.frequency_response(&frequencies);
+    let part = |of: fn(&FrequencyResponse) -> f64| PyArray1::from_vec(py, response.iter().map(of).collect());
+    [part(|point| point.frequency), part(|point| point.gain), part(|point| point.phase)]
+}

@@ -1,0 +1,59 @@
+"""State spaces with inputs and outputs, transfer functions and margins, held against python-control."""
+
+import numpy as np
+import pytest
+
+import carvallo
+
+
+def test_a_state_space_has_inputs_and_outputs_by_their_names(benchmark):
+    a, b, c, d = benchmark.state_space(5.0, inputs="Tdelta", outputs=["phi", "psi_rate", "phi_acceleration"])
+    assert a.shape == (4, 4) and b.shape == (4, 1) and c.shape == (3, 4) and d.shape == (3, 1)
+    whole = benchmark.state_space(5.0)
+    np.testing.assert_array_equal(a, whole.A)
+    np.testing.assert_array_equal(b, whole.B[:, [1]])
+    np.testing.assert_array_equal(c[2], whole.A[2])
+    assert d[2, 0] == whole.B[2, 1]
+    # (v delta + c delta') cos(lambda) / w.
+    np.testing.assert_allclose(c[1], [0.0, 4.66204174654487, 0.0, 0.07459266794471793], rtol=1e-14)
+
+
+def test_speeds_are_axes_in_front(benchmark):
+    speeds = np.array([[3.0, 4.0, 5.0], [6.0, 7.0, 8.0]])
+    spaces = benchmark.state_space(speeds, outputs="y")
+    assert spaces.A.shape == (2, 3, 6, 6) and spaces.B.shape == (2, 3, 6, 2) and spaces.C.shape == (2, 3, 1, 6)
+    np.testing.assert_array_equal(spaces.A[1, 2], benchmark.state_space(8.0, outputs="y").A)
+
+
+def test_python_control_agrees(benchmark):
+    control = pytest.importorskip("control", reason="python-control is not installed")
+    system = control.ss(*benchmark.state_space(5.0, inputs="Tdelta", outputs="phi"))
+    function = benchmark.transfer_function(5.0, "Tdelta", "phi")
+    np.testing.assert_allclose(np.sort_complex(function.poles), np.sort_complex(system.poles()), rtol=1e-9)
+    np.testing.assert_allclose(np.sort_complex(function.zeros), np.sort_complex(system.zeros()), rtol=1e-9)
+    omega, gain, phase = function.bode(np.logspace(-2, 2, 50))
+    np.testing.assert_allclose(gain * np.exp(1j * phase), system(1j * omega), rtol=1e-9)
+    np.testing.assert_allclose(function(1j * omega), system(1j * omega), rtol=1e-9)
+    assert np.abs(np.diff(function.bode().phase)).max() < 0.5
+    margins = benchmark.margins(5.0, "Tdelta", "phi")
+    gm, pm, _, wg, wp, _ = control.stability_margins(system)
+    assert margins.gain[0] == pytest.approx((wg, gm), abs=1e-9)
+    assert margins.phase[0] == pytest.approx((wp, np.radians(pm)), abs=1e-9)
+    assert margins.stable == bool((control.feedback(system, 1).poles().real < 0.0).all())
+
+
+def test_scipy_takes_the_transfer_function(benchmark):
+    signal = pytest.importorskip("scipy.signal", reason="SciPy is not installed")
+    function = benchmark.transfer_function(5.0, "steer", "lean")
+    omega, gain, _ = function.bode([0.3, 3.0])
+    _, response = signal.freqs_zpk(*function, worN=omega)
+    np.testing.assert_allclose(np.abs(response), gain, rtol=1e-12)
+
+
+def test_unknown_names_are_told(benchmark):
+    with pytest.raises(ValueError, match="`Tdelt` is no input of Whipple; did you mean `Tdelta`?"):
+        benchmark.state_space(5.0, inputs="Tdelt")
+    with pytest.raises(ValueError, match="`roll` is no output of Whipple"):
+        benchmark.transfer_function(5.0, "Tdelta", "roll")
+    with pytest.raises(ValueError):
+        carvallo.Whipple("benchmark", w=np.array([1.0, 1.1])).transfer_function(5.0, "Tdelta", "phi")
