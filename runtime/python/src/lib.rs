@@ -15,6 +15,7 @@ mod loaded;
 mod modes;
 mod motion;
 mod one;
+mod parameterizations;
 mod parts;
 mod pictures;
 mod sheet;

@@ -119,3 +119,25 @@ def test_help_tells_parameters_units_and_domains():
     assert "w: m, > 0. " in text and "Sets: benchmark" in text and "Meijaard" in text
     assert carvallo.__doc__ and all(getattr(carvallo, name).__doc__ for name in carvallo.__all__ if name != "__version__")
     assert set(carvallo.models()) <= set(dir(carvallo))
+
+
+@pytest.mark.filterwarnings("ignore:.*computed from them")
+@pytest.mark.parametrize("name", ["moore", "pydy", "principal", "jbike6", "geometry"])
+def test_other_parameterizations_lead_back(benchmark, name):
+    given = benchmark.to_dict(name)
+    assert not set(given) >= set(benchmark)
+    back = carvallo.Whipple(given)
+    for parameter in benchmark:
+        assert back[parameter] == pytest.approx(benchmark[parameter], rel=1e-14, abs=1e-15)
+    assert benchmark.to_dict() == dict(benchmark)
+
+
+def test_moores_parameters_are_those_of_bicycleparameters(benchmark):
+    moore = pytest.importorskip("dtk.bicycle").benchmark_to_moore(benchmark.to_dict())
+    for parameter, value in benchmark.to_dict("moore").items():
+        assert value == pytest.approx(moore[parameter], rel=1e-13, abs=1e-15)
+
+
+def test_unknown_parameterizations_are_told(benchmark):
+    with pytest.raises(ValueError, match="there is no parameterization `more`; did you mean `moore`"):
+        benchmark.to_dict("more")

@@ -190,6 +190,21 @@ class Design(Mapping[str, Union[float, NDArray[np.float64]]]):
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self]
 
+    def to_dict(self, parameterization: str = "paper") -> dict[str, float]:
+        """The parameters of one design by their names, in SI units: those of the paper, or of a bicycle in another
+        parameterization: ``moore``, ``pydy``, ``principal``, ``gyrostats``, ``jbike6`` or ``geometry``. A dict in any of them
+        makes the same design again: ``carvallo.Whipple(pista.to_dict("moore"))``.
+
+        Raises
+        ------
+        ValueError
+            If there is no such parameterization, or the design cannot be expressed in it.
+        """
+        if parameterization == "paper":
+            self._one()
+            return {name: float(value) for name, value in self.items()}
+        return dict(self._one().parameterized(self._about, parameterization))
+
     def at(self, *index: int) -> Design:
         """One design out of an array of them, by its index along each axis."""
         values = [value if isinstance(value, float) else value[index] for value in self._values]
