@@ -1,23 +1,37 @@
 //! The unit that a quantity is shown in.
 
 use crate::number::unit;
+#[cfg(feature = "full")]
 use crate::quantity::Scale;
 
-/// The unit that a quantity is shown in, and what its values are multiplied with.
+/// The unit that a quantity is shown in, and what its values are multiplied with. Without the feature `full` it is the declared
+/// one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DisplayUnit {
     /// As it can be written behind a number and is read again: `kg*cm^2`.
     pub written: String,
+    #[cfg(feature = "full")]
     scale: Option<Scale>,
 }
 
 impl DisplayUnit {
     /// That of the values themselves.
     pub fn declared(unit: &str) -> Self {
-        Self { written: unit.to_owned(), scale: None }
+        Self {
+            written: unit.to_owned(),
+            #[cfg(feature = "full")]
+            scale: None,
+        }
     }
 
-    #[cfg(feature = "full")]
+    /// The unit for people: `kg cm²`.
+    pub fn unit(&self) -> String {
+        unit(&self.written)
+    }
+}
+
+#[cfg(feature = "full")]
+impl DisplayUnit {
     pub(crate) fn new(unit: &str, scale: Scale) -> Self {
         Self { written: unit.to_owned(), scale: Some(scale) }
     }
@@ -36,9 +50,17 @@ impl DisplayUnit {
     pub fn is_declared(&self) -> bool {
         self.scale.is_none()
     }
+}
 
-    /// The unit for people: `kg cm²`.
-    pub fn unit(&self) -> String {
-        unit(&self.written)
+#[cfg(not(feature = "full"))]
+impl DisplayUnit {
+    /// A value in this unit.
+    pub fn value(&self, value: f64) -> f64 {
+        value
+    }
+
+    /// Whether values are in the declared unit.
+    pub fn is_declared(&self) -> bool {
+        true
     }
 }

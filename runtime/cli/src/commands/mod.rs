@@ -45,6 +45,7 @@ Examples:
   carvallo measure measured.toml > my-bike.toml
                                                Parameters from measurements, with deviations
   carvallo show browser --plot browser.svg     Parameters, and a side view to scale
+  carvallo convert pista --to moore            The same in the names and axes of others, and from there
   carvallo sweep --vary w=0.9:1.2:0.01 --vary 'lam=10 deg:30 deg:1 deg' --map map.svg --output designs.csv
                                                Many designs, with a map of their stability
   carvallo optimize --vary 'lam=10 deg:30 deg' --vary c=0.02:0.12 --minimize weave-speed

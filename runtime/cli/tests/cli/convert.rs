@@ -233,6 +233,10 @@ fn geometry_changes_any_bicycle() {
     run.fails(2, "error: --set mf=3: `mf` is not a parameter of Whipple; did you mean `mF`?\n");
 }
 
+/// What is missing of Moore's parameters beside d1, d2, l1 and the radii.
+const MOST_OF_MOORE: &str = "`d3`, `l2`, `l3`, `l4`, `mc`, `md`, `me`, `mf`, `ic11`, `ic33`, `ic31`, `id11`, `id22`, `ie11`, \
+                             `ie33`, `ie31`, `if11`, `if22`, of the names of Moore (2012)";
+
 /// What is wrong with a file in a convention is told by its names.
 #[test]
 fn mistakes_are_told_by_the_names_of_the_file() {
@@ -259,6 +263,11 @@ fn mistakes_are_told_by_the_names_of_the_file() {
     );
     let near = without(&["d1", "d2"]) + "d1 = 0.001\nd2 = 0.001\n";
     check(near, "m.txt: the wheels do not both touch the ground with d1, d2 and d3: their centres are too near");
+
+    check("d1 = 1\nd2 = 0.2\nl1 = 0.3\nrr = 0.3\nrf = 0.3\n".to_owned(), &format!("m.txt: missing: {}", MOST_OF_MOORE));
+    let part = "% x\nname = 'a';\nwheelbase = 1;\nmrider = 3;\nDrearwheel = 0.6;\nmfork = 2;\nIfork(1:2:3) = 0.1;\n";
+    let run = directory.write("part.m", part).run(&["show", "part.m"]);
+    run.fails(2, "error: part.m:7: `Ifork(1:2:3)` is a part of a list; expected all of it at once\n");
 
     let gyrostats = directory.run(&["convert", "benchmark", "--to", "gyrostats", "--format", "json"]);
     directory.write("g.json", gyrostats.stdout);

@@ -17,6 +17,8 @@ use crate::number::shortest;
 pub struct Converted {
     /// Which one.
     pub convention: &'static Convention,
+    /// The model that the parameters of the paper are for.
+    pub model: &'static str,
     /// The name of the machine, or of the file.
     pub name: String,
     /// What it is.
@@ -98,14 +100,16 @@ pub fn convert(design: &Design, convention: &'static Convention) -> Result<Conve
     } else {
         carried.covariance(parameters.iter().map(|parameter| parameter.name.name))
     };
+    let feedback = (!design.feedback.is_empty()).then_some("laws of feedback are no parameters: left out");
     Ok(Converted {
         convention,
+        model: info.name,
         name: design.name.clone(),
         kind: design.kind.clone(),
         source: design.source.clone(),
         parameters,
         covariance,
-        notes: loss(convention, design).map(str::to_owned).into_iter().collect(),
+        notes: loss(convention, design).into_iter().chain(feedback).map(str::to_owned).collect(),
     })
 }
 

@@ -5,30 +5,31 @@ use carvallo::ModelInfo;
 use super::{Convention, OTHERS};
 use crate::input::{Entry, position};
 
-/// The convention of which a file has the largest part of what is needed, if that is larger than of the paper's and more than a
-/// half.
+/// So many names that only a convention has tell it, even if most others are missing.
+const TELLING: usize = 3;
+
+/// The convention of which a file has the largest part of what is needed, if that is larger than of the paper's.
 pub fn recognise(entries: &[Entry], info: &ModelInfo) -> Option<&'static Convention> {
     let needed: Vec<usize> =
         (0..info.parameters.len()).filter(|&at| info.parameters[at].used && info.gravity != Some(at)).collect();
     let is_given = |at: &&usize| entries.iter().any(|entry| position(&entry.name, info) == Some(**at));
-    let paper = share(needed.iter().filter(is_given).count(), needed.len()).max(0.5);
+    let paper = share(needed.iter().filter(is_given).count(), needed.len());
     let shares = OTHERS.into_iter().map(|convention| (convention, share_of(convention, entries, info)));
     let best = shares.max_by(|(_, a), (_, b)| a.total_cmp(b)).filter(|(_, share)| *share > paper);
     best.map(|(convention, _)| convention)
 }
 
-/// How much of what a convention needs is given.
+/// How much of what a convention needs is given; zero if that may be a few names in a file of something else.
 fn share_of(convention: &Convention, entries: &[Entry], info: &ModelInfo) -> f64 {
     let mut entries = entries.to_vec();
     (convention.prepare)(&mut entries, &mut Vec::new());
     let parameters = || entries.iter().filter_map(|entry| Some((entry, convention.parameter(&entry.name)?)));
     // Names that the paper has, too, say nothing by themselves.
-    if parameters().all(|(entry, _)| position(&entry.name, info).is_some()) {
-        return 0.0;
-    }
+    let telling = parameters().filter(|(entry, _)| position(&entry.name, info).is_none()).count();
     let is_given = |group: &Vec<&str>| parameters().any(|(_, parameter)| group.contains(&parameter.name));
     let groups = convention.needed();
-    share(groups.iter().filter(|group| is_given(group)).count(), groups.len())
+    let share = share(groups.iter().filter(|group| is_given(group)).count(), groups.len());
+    if telling >= TELLING || telling > 0 && share > 0.5 { share } else { 0.0 }
 }
 
 fn share(given: usize, all: usize) -> f64 {

@@ -4,6 +4,7 @@ use super::convert::{Converted, Parameter};
 use super::jbike6::{BODIES, JBIKE6};
 use crate::display::DisplayUnit;
 use crate::file::{Row, entry, quoted, write_correlations, write_rows};
+use crate::model::WHIPPLE;
 use crate::number::{shortest, unit};
 use crate::units::Units;
 
@@ -77,12 +78,17 @@ impl Parameter {
     }
 }
 
-/// `name`, `kind` and `source`, and the convention if it is not the paper's, with their texts.
+/// `name`, `kind` and `source`; and the model and the convention if they are not the usual ones, with their texts.
 fn headings(converted: &Converted) -> Vec<(&'static str, &str)> {
-    let Converted { convention, name, kind, source, .. } = converted;
-    let texts = [("name", Some(name)), ("kind", kind.as_ref()), ("source", source.as_ref())];
-    let texts = texts.into_iter().filter_map(|(key, text)| Some((key, text?.as_str())));
-    texts.chain((!convention.is_paper()).then_some(("parameterization", convention.name))).collect()
+    let Converted { convention, model, name, kind, source, .. } = converted;
+    let headings = [
+        ("name", Some(name.as_str())),
+        ("model", Some(*model).filter(|model| *model != WHIPPLE.info.name)),
+        ("kind", kind.as_deref()),
+        ("source", source.as_deref()),
+        ("parameterization", Some(convention.name).filter(|_| !convention.is_paper())),
+    ];
+    headings.into_iter().filter_map(|(key, text)| Some((key, text?))).collect()
 }
 
 fn write_toml(converted: &Converted, units: &Units, comment: &dyn Fn(&str) -> String) -> String {

@@ -357,6 +357,9 @@ impl Form {
 
 /// A script of MATLAB in Latin-1, as older programs write them, for the sake of comments such as `% ©`.
 fn latin_script(label: &str, bytes: &[u8]) -> Option<String> {
+    if !cfg!(feature = "full") {
+        return None;
+    }
     let text: String = bytes.iter().map(|&byte| char::from(byte)).collect();
     let is_text = !text.contains(|sign: char| sign.is_control() && !sign.is_whitespace());
     (is_text && lines::is_matlab(File { label, text: &text })).then_some(text)

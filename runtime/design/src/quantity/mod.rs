@@ -37,6 +37,7 @@ pub use self::literal::TOO_SMALL;
 pub use self::measured::{Measured, Part, check_parts, has_deviation, measured, number};
 pub use self::mistake::{Mistake, Reason};
 pub use self::range::{Steps, check_commas, check_units};
+#[cfg(feature = "full")]
 pub use self::units::{Scale, scale};
 pub use self::value::is_unit_alone;
 

@@ -20,6 +20,7 @@ impl Scale {
     }
 
     /// The way back.
+    #[cfg(feature = "full")]
     pub fn inverse(self) -> Self {
         Self { numerator: self.denominator, denominator: self.numerator }
     }

@@ -118,6 +118,7 @@ impl Rows {
             rows.into_iter().map(|row| Row { speed: unit.value(row.speed), ..row }).collect()
         }
         match self {
+            rows if unit.is_declared() => rows,
             Self::Modes(rows) => Self::Modes(shown(rows, unit)),
             Self::Branches(rows) => Self::Branches(shown(rows, unit)),
             Self::Sorted(rows) => Self::Sorted(rows),
