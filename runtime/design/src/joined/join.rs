@@ -4,9 +4,10 @@ use carvallo::{Covariance, ModelInfo, Sources, Uncertain};
 
 use super::body::{Body, Frame, as_numbers};
 use super::inertia::Inertia;
+use super::read::read;
 use crate::bodies::body;
-use crate::design::{Deviation, Given};
-use crate::failure::Problem;
+use crate::design::{Design, Deviation, Given};
+use crate::failure::{Failure, Problem};
 use crate::number::shortest;
 
 /// Changes the parameters of the frames to those with the bodies, and how they vary together: the mass that is added moves the
@@ -45,6 +46,19 @@ pub fn join(
     }
     *covariance = sources.covariance(&numbers).ok().filter(|together| !together.correlations().is_empty());
     Ok(())
+}
+
+/// A design with bodies joined to it: each a file, or what is in it in one line, as `carvallo --add` takes it.
+///
+/// # Errors
+/// Everything that is wrong with the bodies, or that the model has no such frame.
+pub fn add(design: Design, bodies: &[String]) -> Result<Design, Failure> {
+    let bodies = bodies.iter().map(|text| read(text, text)).collect::<Result<Vec<Body>, Failure>>()?;
+    let Design { mut parameters, mut covariance, .. } = design;
+    join(&bodies, design.model.info, &mut parameters, &mut covariance).map_err(Failure::Input)?;
+    let values: Vec<f64> = parameters.iter().map(|given| given.value).collect();
+    let equations = design.model.equations(&values).map_err(Failure::usage)?;
+    Ok(Design { name: name(design.name, &bodies), parameters, covariance, equations, ..design })
 }
 
 /// What a machine is called with the bodies.

@@ -3,9 +3,11 @@
 mod body;
 mod inertia;
 mod join;
+mod members;
 mod read;
 
 pub use self::body::{Body, Frame};
 pub use self::inertia::Inertia;
+pub use self::join::add;
 pub(crate) use self::join::{join, name};
 pub(crate) use self::read::read;
