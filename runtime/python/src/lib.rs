@@ -12,6 +12,7 @@ mod critical;
 mod designs;
 mod kernel;
 mod loaded;
+mod measured;
 mod modes;
 mod motion;
 mod one;
@@ -44,6 +45,8 @@ fn _carvallo(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<designs::Designs>()?;
     module.add("MODELS", MODELS.iter().map(Kernel::new).collect::<Vec<_>>())?;
     module.add_function(wrap_pyfunction!(loaded::read, module)?)?;
+    module.add_function(wrap_pyfunction!(measured::measure, module)?)?;
+    module.add_function(wrap_pyfunction!(measured::rider, module)?)?;
     module.add_function(wrap_pyfunction!(checking::check, module)?)?;
     module.add_function(wrap_pyfunction!(comparing::compare, module)?)?;
     module.add_function(wrap_pyfunction!(comparing::compare_svg, module)?)?;

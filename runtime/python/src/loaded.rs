@@ -18,6 +18,8 @@ pub struct Loaded {
     values: Vec<f64>,
     /// The standard deviations; 0 where there is none.
     deviations: Vec<f64>,
+    /// Of pairs of parameters that vary together, by their positions.
+    correlations: Vec<(usize, usize, f64)>,
     notes: Vec<String>,
     warnings: Vec<String>,
 }
@@ -29,6 +31,7 @@ impl From<Design> for Loaded {
             kernel: Kernel::new(design.model),
             values: design.values(),
             deviations: design.parameters.iter().map(deviation).collect(),
+            correlations: design.covariance.map_or(Vec::new(), |covariance| covariance.correlations()),
             name: design.name,
             kind: design.kind,
             source: design.source,

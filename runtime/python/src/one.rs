@@ -1,5 +1,6 @@
 //! One design with what is known of it, as analyses and pictures take it.
 
+use carvallo::Covariance;
 use carvallo_design::number::shortest;
 use carvallo_design::{Design, Deviation, Failure, Given, Shipped};
 use pyo3::prelude::*;
@@ -7,7 +8,7 @@ use pyo3::prelude::*;
 use crate::columns::{Held, gather};
 use crate::designs::Designs;
 
-/// What a design is called, what it is, where it comes from, and the standard deviations of its parameters.
+/// What a design is called, what it is, where it comes from, and the standard deviations of its parameters with their correlations.
 #[derive(FromPyObject)]
 pub struct About {
     #[pyo3(item)]
@@ -18,6 +19,8 @@ pub struct About {
     source: Option<String>,
     #[pyo3(item)]
     deviations: Vec<f64>,
+    #[pyo3(item)]
+    correlations: Vec<(usize, usize, f64)>,
 }
 
 /// One design before its equations of motion, which belong to the thread that makes them.
@@ -50,6 +53,10 @@ impl Described {
         let deviation = |value: f64| (value > 0.0).then(|| Deviation { written: shortest(value), value });
         let given =
             |(&value, &spread): (&f64, &f64)| Given { written: shortest(value), value, deviation: deviation(spread) };
+        let covariance = (!about.correlations.is_empty())
+            .then(|| Covariance::of_correlations(&about.deviations, &about.correlations))
+            .transpose()
+            .map_err(|error| Failure::usage(error.to_string()))?;
         Ok(Design {
             name: about.name.clone(),
             kind: about.kind.clone(),
@@ -57,7 +64,7 @@ impl Described {
             model,
             parameters: values.iter().zip(&about.deviations).map(given).collect(),
             feedback: Vec::new(),
-            covariance: None,
+            covariance,
             equations: model.equations(values).map_err(Failure::usage)?,
             reading: None,
             notes: Vec::new(),

@@ -19,7 +19,7 @@ from ._carvallo import __version__
 from .checking import Comparison, Explanation, Report, check
 from .comparing import Differences, Optimum, SpeedChange, compare, optimize
 from .control import InputOutput, Margins, Response, TransferFunction
-from .design import Design, Eigenvectors, Modes, StateSpace, System, read
+from .design import Design, Eigenvectors, Modes, StateSpace, System, measure, read, rider
 from .model import Coordinate, Model, Parameter, models
 from .motion import Motion
 from .pictures import Picture
@@ -66,9 +66,11 @@ __all__ = [
     "__version__",
     "check",
     "compare",
+    "measure",
     "models",
     "optimize",
     "read",
+    "rider",
     "stability",
     *models(),
 ]

@@ -8,7 +8,20 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._dicts import About, Asked, Curve, Derivatives, Loaded, Told
 
-__all__ = ["MODELS", "VERDICTS", "Designs", "Kernel", "__version__", "check", "compare", "compare_svg", "frequency_response", "read"]
+__all__ = [
+    "MODELS",
+    "VERDICTS",
+    "Designs",
+    "Kernel",
+    "__version__",
+    "check",
+    "compare",
+    "compare_svg",
+    "frequency_response",
+    "measure",
+    "read",
+    "rider",
+]
 
 __version__: str
 VERDICTS: list[str]
@@ -20,6 +33,8 @@ def compare_svg(designs: Sequence[tuple[Designs, About, str]], of: str) -> str |
 def frequency_response(
     zeros: Sequence[complex], poles: Sequence[complex], gain: float, frequencies: Sequence[float] | None
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]: ...
+def measure(path: str) -> Loaded: ...
+def rider(path: str) -> str: ...
 def check(path: str | None, json: str | None, bicycle: str | None, model: str | None) -> tuple[str, str]: ...
 @final
 class Kernel:
@@ -84,6 +99,7 @@ class Designs:
         self, about: About, speed: float, input: str, output: str
     ) -> tuple[list[tuple[float, float]], list[tuple[float, float]], bool]: ...
     def motion_svg(self, about: About, asked: Asked) -> str: ...
+    def add(self, about: About, bodies: Sequence[str]) -> Loaded: ...
     def modes(self, about: About, v: ArrayLike) -> tuple[NDArray[np.complex128], list[str]]: ...
     def sensitivity(
         self, about: About

@@ -20,6 +20,7 @@ class Loaded(TypedDict):
     source: str | None
     values: list[float]
     deviations: list[float]
+    correlations: list[tuple[int, int, float]]
     notes: list[str]
     warnings: list[str]
 
@@ -31,6 +32,7 @@ class About(TypedDict):
     kind: str | None
     source: str | None
     deviations: list[float]
+    correlations: list[tuple[int, int, float]]
 
 
 class Asked(TypedDict):

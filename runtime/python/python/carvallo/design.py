@@ -127,7 +127,7 @@ class Design(Mapping[str, Union[float, NDArray[np.float64]]]):
         for warning in loaded["warnings"]:
             warnings.warn(warning, stacklevel=3)
         about: About = {"name": loaded["name"], "kind": loaded["kind"], "source": loaded["source"],
-                                  "deviations": loaded["deviations"]}
+                                  "deviations": loaded["deviations"], "correlations": loaded["correlations"]}
         return cls._of(model, list(loaded["values"]), about, tuple(loaded["notes"]))
 
     @property
@@ -144,6 +144,27 @@ class Design(Mapping[str, Union[float, NDArray[np.float64]]]):
     def deviations(self) -> dict[str, float]:
         """The standard deviations of the parameters that were measured, in their units."""
         return {name: deviation for name, deviation in zip(self, self._about["deviations"]) if deviation > 0.0}
+
+    @property
+    def correlations(self) -> dict[tuple[str, str], float]:
+        """The correlations between measured parameters that vary together, by the names of the two, each pair once."""
+        names = tuple(self)
+        return {(names[first], names[second]): value for first, second, value in self._about["correlations"]}
+
+    def add(self, *bodies: str | os.PathLike[str]) -> Design:
+        """The same with bodies joined to its frames, such as a rider or a rack: files, or what is in them in one line::
+
+            >>> pista.add("rider.toml", "mass=1.2 kg, at=(-0.1, 0, -0.75), box=(0.4, 0.2, 0.02), to=rear")
+
+        Standard deviations of one design and of bodies propagate to the whole, and vary together then.
+
+        Raises
+        ------
+        ValueError
+            With everything that is wrong with a body, or if the model has no such frame.
+        """
+        loaded = self._one().add(self._about, [os.fspath(body) for body in bodies])
+        return self._loaded(self.model, loaded)
 
     def replace(self, **parameters: Value) -> Design:
         """The same with other values of some parameters: numbers, texts with units, or arrays.
@@ -462,4 +483,35 @@ def read(path: str | os.PathLike[str]) -> Design:
     return Design._loaded(model, loaded)
 
 
-__all__ = ["Design", "Eigenvectors", "Modes", "StateSpace", "System", "Value", "read"]
+def measure(path: str | os.PathLike[str]) -> Design:
+    """A bicycle from a file of measurements, as the command line's ``measure`` and BicycleParameters read it, with the standard
+    deviations and correlations of its parameters.
+
+    Raises
+    ------
+    ValueError
+        With everything that is wrong with the file.
+    OSError
+        If it cannot be read.
+    """
+    from .model import models
+
+    loaded = _carvallo.measure(os.fspath(path))
+    return Design._loaded(models()[loaded["kernel"].name], loaded)
+
+
+def rider(path: str | os.PathLike[str]) -> str:
+    """A rider from a file of a few measures, by the method of Moore, Hubbard, Kooijman & Schwab (2009), as the text of a body in
+    TOML: written to a file, it is one that :meth:`Design.add` and the command line take.
+
+    Raises
+    ------
+    ValueError
+        With everything that is wrong with the file.
+    OSError
+        If it cannot be read.
+    """
+    return _carvallo.rider(os.fspath(path))
+
+
+__all__ = ["Design", "Eigenvectors", "Modes", "StateSpace", "System", "Value", "measure", "read", "rider"]
