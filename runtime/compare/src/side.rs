@@ -6,21 +6,26 @@ use carvallo::{Coefficients, Evaluator, MatrixName, Model, Scalar};
 
 use crate::number::{Counted, Operations, count};
 
+/// A function of parameters.
+type Function<R> = Box<dyn Fn(&[f64]) -> R>;
+/// A function of designs that makes what can be run again and again.
+type Runs = Box<dyn Fn(&[Vec<f64>]) -> Box<dyn FnMut()>>;
+
 /// A side, for models of any number of coordinates.
 pub struct Side {
     pub name: String,
     pub double: Code,
     pub single: Option<Code>,
     /// What it does at parameters.
-    pub operations: Option<Box<dyn Fn(&[f64]) -> Operations>>,
+    pub operations: Option<Function<Operations>>,
 }
 
 /// A function in one number type.
 pub struct Code {
     /// The entries of all matrices at parameters.
-    pub entries: Box<dyn Fn(&[f64]) -> Vec<f64>>,
+    pub entries: Function<Vec<f64>>,
     /// A loop over designs, which is to be run again and again.
-    pub each: Box<dyn Fn(&[Vec<f64>]) -> Box<dyn FnMut()>>,
+    pub each: Runs,
     /// Where its code begins: that of the function alone, inlined into nothing.
     pub address: usize,
 }
@@ -83,7 +88,7 @@ pub fn single<const N: usize, M: Model<N, Scalar = f64>>(parameters: &[f64]) -> 
 /// What a function does at a design.
 pub fn counted<const N: usize, M: Model<N, Scalar = f64>, O>(
     function: impl Fn(&M::Over<Counted>) -> O + 'static,
-) -> Box<dyn Fn(&[f64]) -> Operations> {
+) -> Function<Operations> {
     Box::new(move |parameters| {
         let design = M::Over::from_parameters(|position| Counted(parameters[position]));
         count(|| function(&design)).1

@@ -57,6 +57,9 @@ impl AtDesign {
     }
 }
 
+/// All entries at a design; nothing where there are none.
+type Entries<'a> = Box<dyn Fn(&AtDesign) -> Option<Vec<f64>> + 'a>;
+
 /// One mistake.
 struct Guess<'a> {
     what: String,
@@ -64,8 +67,8 @@ struct Guess<'a> {
     of_entries: bool,
     /// Whether it is told beside another guess that explains the same, and not only in other words.
     is_another: bool,
-    /// All entries with that mistake at a design; nothing where there are none.
-    entries: Box<dyn Fn(&AtDesign) -> Option<Vec<f64>> + 'a>,
+    /// Those with that mistake.
+    entries: Entries<'a>,
 }
 
 impl Guess<'_> {

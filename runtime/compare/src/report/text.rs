@@ -16,6 +16,9 @@ const FEW: usize = 8;
 /// Digits of values that are shown beside each other.
 const DIGITS: usize = 9;
 
+/// The errors of a side in a number type.
+type Find = fn(&SideReport) -> Option<&Accuracy>;
+
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let names: Vec<&str> = self.sides.iter().map(|side| side.name.as_str()).collect();
@@ -65,10 +68,7 @@ impl Report {
                 }
             }
         }
-        let doubles = |side: &SideReport| Some(side.double.clone());
-        let singles = |side: &SideReport| side.single.clone();
-        let accuracies: [(&str, &dyn Fn(&SideReport) -> Option<Accuracy>); 2] = [("f64", &doubles), ("f32", &singles)];
-        for (scalar, accuracy) in accuracies {
+        for (scalar, accuracy) in [("f64", SideReport::in_double as Find), ("f32", SideReport::in_single)] {
             if self.sides.iter().any(|side| accuracy(side).is_some()) {
                 let name = format!("largest error in {scalar}, ulp of terms");
                 row(&name, &|side| ulps(accuracy(side), |accuracy| accuracy.ulps))?;
@@ -92,6 +92,14 @@ impl Report {
 }
 
 impl SideReport {
+    fn in_double(&self) -> Option<&Accuracy> {
+        Some(&self.double)
+    }
+
+    fn in_single(&self) -> Option<&Accuracy> {
+        self.single.as_ref()
+    }
+
     fn differences(&self, f: &mut fmt::Formatter<'_>, model: &ModelInfo) -> fmt::Result {
         let (name, differences) = (&self.name, &self.double.differences);
         let entries = if differences.len() == 1 { "one entry" } else { &*format!("{} entries", differences.len()) };
@@ -147,11 +155,11 @@ fn width(name: &str) -> usize {
     name.chars().count().max(12)
 }
 
-fn ulps(accuracy: Option<Accuracy>, ulps: fn(&Accuracy) -> f64) -> String {
+fn ulps(accuracy: Option<&Accuracy>, ulps: fn(&Accuracy) -> f64) -> String {
     match accuracy {
         None => "no function".into(),
         Some(accuracy) if !accuracy.differences.is_empty() => "differs".into(),
-        Some(accuracy) => format!("{:.2}", ulps(&accuracy)),
+        Some(accuracy) => format!("{:.2}", ulps(accuracy)),
     }
 }
 
