@@ -27,7 +27,7 @@ pub struct Accuracy {
 pub struct Worst {
     /// The entry, such as `C1_12`.
     pub entry: String,
-    /// The formula of the model; `0` for an entry that is zero, empty where the model tells none.
+    /// The formula of the model, with the definitions that it names; `0` for an entry that is zero, empty where the model tells none.
     pub formula: String,
     /// The error in units of the last place of the size of its terms.
     pub ulps: f64,

@@ -43,17 +43,28 @@ impl Reference {
         entries.unwrap_or_else(|| (self.program)(parameters))
     }
 
-    /// The formula of an entry, as the model tells it; `0` where it tells none. Behind the name of a definition alone follows
-    /// what that is.
+    /// The formula of an entry, as the model tells it, with the definitions that it names; `0` where it tells none.
     pub fn formula(&self, entry: usize) -> String {
         let Some(equations) = &self.equations else { return String::new() };
-        let mut told = equations.equation_of(entry);
-        let mut text = told.map_or_else(|| "0".to_owned(), |equation| equation.formula.to_string());
-        while let Some(Formula::Name(name)) = told.map(|equation| &equation.formula) {
-            told = equations.all.iter().find(|equation| equation.definition == Some(name));
-            text.extend(told.map(|equation| format!(" = {}", equation.formula)));
-        }
-        text
+        let Some(equation) = equations.equation_of(entry) else { return "0".to_owned() };
+        let mut names = Vec::new();
+        collect_names(&equation.formula, &mut names);
+        let named = equations.all.iter().filter(|other| other.definition.is_some_and(|name| names.contains(&name)));
+        let definitions: Vec<String> = named
+            .map(|definition| format!("{} = {}", definition.definition.unwrap_or_default(), definition.formula))
+            .collect();
+        let with = if definitions.is_empty() { "" } else { ", where " };
+        format!("{}{with}{}", equation.formula, definitions.join(", "))
+    }
+}
+
+/// The names in a formula.
+fn collect_names<'a>(formula: &'a Formula, names: &mut Vec<&'a str>) {
+    match formula {
+        Formula::Number(..) => {}
+        Formula::Name(name) => names.push(name),
+        Formula::Sum(parts) | Formula::Product(parts) => parts.iter().for_each(|(_, part)| collect_names(part, names)),
+        Formula::Power(inner, _) | Formula::Call(_, inner) => collect_names(inner, names),
     }
 }
 

@@ -51,9 +51,9 @@ impl Report {
     /// Operations and largest errors, a column for each side.
     fn table(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut row = |name: &str, cell: &dyn Fn(&SideReport) -> String| {
-            write!(f, "{name:NAMES$}")?;
-            self.sides.iter().try_for_each(|side| write!(f, " {:>width$}", cell(side), width = width(&side.name)))?;
-            writeln!(f)
+            let cells = self.sides.iter().map(|side| format!(" {:>width$}", cell(side), width = width(&side.name)));
+            let line = format!("{name:NAMES$}{}", cells.collect::<String>());
+            writeln!(f, "{}", line.trim_end())
         };
         row("", &|side| side.name.clone())?;
         if self.sides.iter().any(|side| side.operations.is_some()) {
