@@ -11,6 +11,9 @@
 //! | several of them beside each other | [`Comparison`](analysis::compare::Comparison) | [`data::compare`] | [`draw_overlay`](picture::draw_overlay), [`draw_side_views`](picture::draw_side_views), [`draw_contributions`](picture::draw_contributions) |
 //! | its motion in time | [`Linear`](analysis::simulation::Linear), [`Nonlinear`](analysis::simulation::Nonlinear) | [`data::motion`] | [`draw_motion`](picture::draw_motion) |
 //! | its steady turns | [`Families`](analysis::turns::Families) | [`data::turns`] | [`draw_turns`](picture::draw_turns) |
+//! | its transfer functions | [`Transfers`](analysis::transfer::Transfers) | [`data::transfer`] | [`draw_bode`](picture::draw_bode), [`draw_nyquist`](picture::draw_nyquist) |
+//! | its responses in time | [`Responses`](analysis::response::Responses) | [`data::response`] | [`draw_response`](picture::draw_response) |
+//! | what excites and shows its modes | [`Controllability`](analysis::controllability::Controllability) | [`data::controllability`] | [`draw_controllability`](picture::draw_controllability) |
 //! | many designs | | | [`draw_map`](picture::draw_map) |
 //! | the design itself | | [`data::matrices`] | [`draw_side_view`](picture::draw_side_view) |
 //!

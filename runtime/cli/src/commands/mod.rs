@@ -57,6 +57,8 @@ Examples:
                                                A, B, C and D for MATLAB, Python and others
   carvallo lqr --inputs Tdelta --speeds 1:8:0.5 --emit c
                                                Gains that keep it upright, as C for a controller
+  carvallo transfer --speed 5 --inputs Tdelta --outputs phi --bode bode.svg
+                                               Steer torque to lean: poles, zeros, margins and a Bode plot
   carvallo equations --format latex            The equations of motion, with all definitions
   carvallo check mine.toml                     Whether your matrices are right, and which slip makes them if not
   carvallo analyze --model Pendulum            Another model that ships, with its first parameter set
