@@ -1,7 +1,7 @@
 //! A compiled model as Python sees it: what it tells about itself, and designs by columns.
 
 use carvallo::{CoordinateInfo, MatrixName, ModelInfo, ParameterInfo, States};
-use carvallo_design::{Shipped, input, nearest};
+use carvallo_design::{Shipped, feedback, input, nearest};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -115,6 +115,12 @@ impl Kernel {
         let parameter = &self.info().parameters[position];
         input::evaluated(text, parameter)
             .map_err(|found| PyValueError::new_err(format!("`{}` is {found}", parameter.name)))
+    }
+
+    /// The model with laws of feedback, in the place of what it may have had.
+    fn with_feedback(&self, laws: Vec<String>) -> PyResult<Self> {
+        let laws = feedback::laws(&laws, self.info()).map_err(raise)?;
+        Ok(Self::new(self.model.with_feedback(&laws)))
     }
 
     fn designs(&self, py: Python<'_>, values: Vec<Bound<'_, PyAny>>, shape: Vec<usize>) -> PyResult<Designs> {

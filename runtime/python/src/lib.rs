@@ -19,6 +19,7 @@ mod one;
 mod parameterizations;
 mod parts;
 mod pictures;
+mod regulators;
 mod sheet;
 mod signals;
 mod speeds;

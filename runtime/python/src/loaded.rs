@@ -20,6 +20,8 @@ pub struct Loaded {
     deviations: Vec<f64>,
     /// Of pairs of parameters that vary together, by their positions.
     correlations: Vec<(usize, usize, f64)>,
+    /// The laws of feedback.
+    feedback: Vec<String>,
     notes: Vec<String>,
     warnings: Vec<String>,
 }
@@ -32,6 +34,7 @@ impl From<Design> for Loaded {
             values: design.values(),
             deviations: design.parameters.iter().map(deviation).collect(),
             correlations: design.covariance.map_or(Vec::new(), |covariance| covariance.correlations()),
+            feedback: design.feedback.iter().map(|law| law.written.clone()).collect(),
             name: design.name,
             kind: design.kind,
             source: design.source,

@@ -2,13 +2,14 @@
 
 use carvallo::Covariance;
 use carvallo_design::number::shortest;
-use carvallo_design::{Design, Deviation, Failure, Given, Shipped};
+use carvallo_design::{Design, Deviation, Failure, Given, Shipped, feedback};
 use pyo3::prelude::*;
 
 use crate::columns::{Held, gather};
 use crate::designs::Designs;
 
-/// What a design is called, what it is, where it comes from, and the standard deviations of its parameters with their correlations.
+/// What a design is called, what it is, where it comes from, the standard deviations of its parameters with their correlations,
+/// and its laws of feedback.
 #[derive(FromPyObject)]
 pub struct About {
     #[pyo3(item)]
@@ -21,6 +22,8 @@ pub struct About {
     deviations: Vec<f64>,
     #[pyo3(item)]
     correlations: Vec<(usize, usize, f64)>,
+    #[pyo3(item)]
+    feedback: Vec<String>,
 }
 
 /// One design before its equations of motion, which belong to the thread that makes them.
@@ -63,7 +66,7 @@ impl Described {
             source: about.source.clone(),
             model,
             parameters: values.iter().zip(&about.deviations).map(given).collect(),
-            feedback: Vec::new(),
+            feedback: feedback::laws(&about.feedback, model.info)?,
             covariance,
             equations: model.equations(values).map_err(Failure::usage)?,
             reading: None,

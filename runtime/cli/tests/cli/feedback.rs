@@ -130,6 +130,19 @@ fn mistakes_in_laws_are_told_together() {
             ),
         ),
         ("Tdelta = 10 phi", format!("expected a sign such as `*` before `phi`{example}")),
+        ("Tdelta = phi/((((v + 1)^8)^8)^8)^8", format!("the powers of `v` are too high{example}")),
+        ("Tdelta = ((((((v^8)^8)^8)^8)^8)^8)^8*phi", format!("the powers of `v` are too high{example}")),
+        (
+            "Tdelta = 10 N⋅m·s⋅ phi_rat",
+            format!("`phi_rat` is neither a position nor a rate of Whipple; did you mean `phi_rate`?{names}"),
+        ),
+        ("Tdelta = phi/0", "what multiplies `phi` is inf; it must be finite".to_owned()),
+        (
+            "Tdelta = phi^2",
+            format!(
+                "it is not linear: no power of a position or rate, and no negative one of a sum, is fed back{example}"
+            ),
+        ),
         ("Tdelta = 10*(phi", format!("a closing parenthesis is missing{example}")),
     ] {
         let message = format!("error: --feedback '{law}': {message}\n");

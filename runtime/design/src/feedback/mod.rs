@@ -9,7 +9,7 @@ mod terms;
 
 use carvallo::{Coefficients, MatrixName, ModelInfo};
 
-use crate::failure::{Place, Problem};
+use crate::failure::{Failure, Place, Problem};
 
 pub use self::law::Law;
 
@@ -28,12 +28,40 @@ pub struct Gain {
 }
 
 /// Closes the loop: forces stand on the other side of the equation than the matrices.
-pub(crate) fn close<const N: usize>(mut open: Coefficients<f64, N>, gains: &[Gain]) -> Coefficients<f64, N> {
+///
+/// Without the feature `full` nothing is closed.
+///
+/// ```
+/// use carvallo::{Model, Stability};
+/// use carvallo_design::feedback::{self, Gain};
+/// use carvallo_models::Whipple;
+///
+/// let bicycle = Whipple::BENCHMARK;
+/// let laws = feedback::laws(&["Tdelta = 10*(4.7 - v)*phi_rate".to_owned()], Whipple::<f64>::INFO)?;
+/// let gains: Vec<Gain> = laws.iter().flat_map(|law| law.gains.clone()).collect();
+/// let closed = feedback::close(bicycle.coefficients(), &gains);
+/// let stability = Stability::new(&closed, bicycle.g).unwrap();
+/// assert!((stability.stable_ranges[0].from - 1.0948652805741492).abs() < 1e-14);
+/// # Ok::<(), carvallo_design::Failure>(())
+/// ```
+///
+/// # Panics
+/// If a gain is of a coordinate that there is none of.
+pub fn close<const N: usize>(mut open: Coefficients<f64, N>, gains: &[Gain]) -> Coefficients<f64, N> {
     let gains = if cfg!(feature = "full") { gains } else { &[] };
     for Gain { matrix, row, column, value } in gains {
         open.matrix_mut(*matrix)[(*row, *column)] -= value;
     }
     open
+}
+
+/// The laws in some texts for a model, such as `Tdelta = -10*phi_rate`.
+///
+/// # Errors
+/// Everything that is wrong with them, and every second law on a coordinate.
+pub fn laws(texts: &[String], info: &ModelInfo) -> Result<Vec<Law>, Failure> {
+    let placed = |text: &String| (Place::Option(format!("feedback '{text}'")), text.clone());
+    read(&texts.iter().map(placed).collect::<Vec<_>>(), info).map_err(Failure::Input)
 }
 
 /// Reads laws for a model, each with the place that it stands at.

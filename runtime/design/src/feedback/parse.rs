@@ -11,6 +11,10 @@ const MAX_DEPTH: usize = 64;
 /// No power beyond this is in any equation.
 const MAX_POWER: f64 = 8.0;
 
+/// Nor so many terms, and powers on the way to what is left of them.
+const MAX_TERMS: usize = 512;
+const MAX_POWERS: i32 = 64;
+
 const OTHER_QUANTITIES: &str = "quantities of different units are added";
 
 /// What a name stands for in a law.
@@ -72,7 +76,7 @@ impl<'a> Parser<'a, '_> {
     fn product(&mut self) -> Result<Sum, String> {
         let mut product = self.signed()?;
         loop {
-            let factor = if self.take("*") || self.take("·") || self.take("×") {
+            let factor = if ["*", "·", "⋅", "×"].iter().any(|sign| self.take(sign)) {
                 self.signed()?
             } else if self.take("/") {
                 let is_number = self.rest.starts_with(|c: char| c.is_ascii_digit() || c == '.');
@@ -87,9 +91,10 @@ impl<'a> Parser<'a, '_> {
             } else {
                 return Ok(product);
             };
-            product = terms::times(&product, &factor)
+            let multiplied = terms::times(&product, &factor)
                 .ok_or("it is not linear: expected a sum of positions and rates, each times numbers and powers of `v`")?
                 .map_err(|()| OTHER_QUANTITIES)?;
+            product = bounded(multiplied)?;
         }
     }
 
@@ -124,9 +129,11 @@ impl<'a> Parser<'a, '_> {
         if exponent.fract() != 0.0 || exponent.abs() > MAX_POWER {
             return Err(format!("a power of {exponent} is in no equation: expected a whole number such as `v^2`"));
         }
-        terms::power(&base, exponent as i32).ok_or_else(|| {
-            "it is not linear: no power of a position or rate, and no negative one of a sum, is fed back".to_owned()
-        })
+        let power = terms::power(&base, exponent as i32);
+        bounded(
+            power
+                .ok_or("it is not linear: no power of a position or rate, and no negative one of a sum, is fed back")?,
+        )
     }
 
     fn operand(&mut self) -> Result<Sum, String> {
@@ -199,7 +206,8 @@ impl<'a> Parser<'a, '_> {
             let Some(unit) = units::in_si(&self.rest[..end]) else { break };
             found = Some((unit, end));
             end += length(&self.rest[end..], |c| c == ' ');
-            end += length(&self.rest[end..], |c| "*/·⋅".contains(c)).min(2);
+            let sign = self.rest[end..].chars().next().filter(|sign| "*/·⋅".contains(*sign));
+            end += sign.map_or(0, char::len_utf8);
             end += length(&self.rest[end..], |c| c == ' ');
         }
         let Some(((unit, scale), end)) = found else { return Ok(vec![Term::number(value)]) };
@@ -254,6 +262,14 @@ fn exponent(text: &str) -> usize {
     }
     let minus = usize::from(text[sign..].starts_with('-'));
     sign + minus + length(&text[sign + minus..], |c| c.is_ascii_digit())
+}
+
+/// A sum that is no longer than it may be.
+fn bounded(sum: Sum) -> Result<Sum, String> {
+    if sum.len() > MAX_TERMS || sum.iter().any(|term| term.power.abs() > MAX_POWERS) {
+        return Err("the powers of `v` are too high".to_owned());
+    }
+    Ok(sum)
 }
 
 /// The value of a sum that is a number alone.

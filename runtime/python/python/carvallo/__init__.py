@@ -23,6 +23,7 @@ from .design import Design, Eigenvectors, Modes, StateSpace, System, measure, re
 from .model import Coordinate, Model, Parameter, models
 from .motion import Motion
 from .pictures import Picture
+from .regulators import Regulators
 from .sensitivity import CriticalDerivatives, Sensitivity
 from .stability import CriticalSpeed, Range, Stability
 from .tables import stability
@@ -53,6 +54,7 @@ __all__ = [
     "Parameter",
     "Picture",
     "Range",
+    "Regulators",
     "Report",
     "Response",
     "Sensitivity",

@@ -21,6 +21,7 @@ class Loaded(TypedDict):
     values: list[float]
     deviations: list[float]
     correlations: list[tuple[int, int, float]]
+    feedback: list[str]
     notes: list[str]
     warnings: list[str]
 
@@ -33,6 +34,18 @@ class About(TypedDict):
     source: str | None
     deviations: list[float]
     correlations: list[tuple[int, int, float]]
+    feedback: list[str]
+
+
+class Regulated(TypedDict):
+    """Regulators along speeds: arrays run over the speeds first."""
+
+    speeds: list[float] | None
+    inputs: list[str]
+    states: list[str]
+    gains: NDArray[np.float64]
+    eigenvalues: NDArray[np.complex128]
+    unstable: list[list[float]]
 
 
 class Asked(TypedDict):

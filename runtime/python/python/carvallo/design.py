@@ -16,6 +16,7 @@ from ._dicts import About, Loaded
 from .control import InputOutput, Margins, TransferFunction, margins_of, state_space_of, transfer_function_of
 from .motion import Force, Motion, simulate
 from .pictures import Picture
+from .regulators import Regulators, lqr_of
 from .sensitivity import Sensitivity
 from .stability import CriticalSpeed, Range, Stability, stability_of
 from .turns import SteadyTurns, turns_of
@@ -102,6 +103,7 @@ class Design(Mapping[str, Union[float, NDArray[np.float64]]]):
     model: Model
     """The model that it is of."""
     _values: list[float | NDArray[np.float64]]
+    _kernel: _carvallo.Kernel
     _designs: _carvallo.Designs
     _about: About
 
@@ -116,7 +118,8 @@ class Design(Mapping[str, Union[float, NDArray[np.float64]]]):
         shape = np.broadcast_shapes(*(np.shape(value) for value in values))
         self._values = [float(value) if np.ndim(value) == 0 else np.broadcast_to(value, shape) for value in values]
         columns = [value if isinstance(value, float) else np.ascontiguousarray(value).reshape(-1) for value in self._values]
-        self._designs = model._kernel.designs(columns, list(shape))
+        self._kernel = model._closed_by(tuple(about["feedback"]))
+        self._designs = self._kernel.designs(columns, list(shape))
         self._about = about
         self.name, self.kind, self.source = about["name"], about["kind"], about["source"]
         self.notes = notes
@@ -127,7 +130,8 @@ class Design(Mapping[str, Union[float, NDArray[np.float64]]]):
         for warning in loaded["warnings"]:
             warnings.warn(warning, stacklevel=3)
         about: About = {"name": loaded["name"], "kind": loaded["kind"], "source": loaded["source"],
-                                  "deviations": loaded["deviations"], "correlations": loaded["correlations"]}
+                                  "deviations": loaded["deviations"], "correlations": loaded["correlations"],
+                                  "feedback": loaded["feedback"]}
         return cls._of(model, list(loaded["values"]), about, tuple(loaded["notes"]))
 
     @property
@@ -175,6 +179,49 @@ class Design(Mapping[str, Union[float, NDArray[np.float64]]]):
             If one is no parameter of the model, or its value is none that it can have.
         """
         return self._replaced(parameters)
+
+    @property
+    def feedback(self) -> tuple[str, ...]:
+        """The laws of the forces that follow from the motion, as they were written."""
+        return tuple(self._about["feedback"])
+
+    def with_feedback(self, *laws: str) -> Design:
+        """The same with forces that follow from the motion, in the place of what :attr:`feedback` it has; without laws it has none.
+
+        Each law is of the force on one coordinate, a sum of positions and rates, each times numbers and powers of the speed v from
+        1/v to v (rates) and from 1 to v^2 (positions)::
+
+            >>> carvallo.Whipple("benchmark").with_feedback("Tdelta = 10*(4.7 - v)*phi_rate").stability()
+
+        Matrices, eigenvalues, critical speeds and all else are then of the closed loop; motions are those of the linear equations.
+
+        Raises
+        ------
+        ValueError
+            With everything that is wrong with the laws.
+        """
+        about: About = {**self._about, "feedback": list(laws)}
+        return self._of(self.model, list(self._values), about, self.notes)
+
+    def lqr(self, v: ArrayLike = 0.0, *, inputs: str | Sequence[str] | None = None,
+            weights: Mapping[str, float] | None = None) -> Regulators:
+        """Linear quadratic regulators at forward speeds in m/s: the gains K of ``u = -K x`` that keep the integral of the weighted
+        squares of outputs and inputs as small as it can be.
+
+        Parameters
+        ----------
+        inputs
+            The names of forces, such as ``"Tdelta"``; all of them unless given.
+        weights
+            By the names of positions, rates and inputs, ``{"phi": 10, "Tdelta": 0.5}``. Without one for an output every state has
+            the weight 1, with one the others have none; inputs without one have 1.
+
+        Raises
+        ------
+        ValueError
+            If there are no such gains, as where no input reaches a mode that grows; or for an array of designs.
+        """
+        return lqr_of(self, v, inputs, weights)
 
     def _replaced(self, parameters: Mapping[str, Value]) -> Design:
         if not parameters:
@@ -236,7 +283,8 @@ class Design(Mapping[str, Union[float, NDArray[np.float64]]]):
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Design):
             return NotImplemented
-        return self.model == other.model and all(np.array_equal(a, b) for a, b in zip(self._values, other._values))
+        is_same = self.model == other.model and self.feedback == other.feedback
+        return is_same and all(np.array_equal(a, b) for a, b in zip(self._values, other._values))
 
     __hash__ = None  # type: ignore[assignment]
 
@@ -259,7 +307,7 @@ class Design(Mapping[str, Union[float, NDArray[np.float64]]]):
         """
         names = ("M", "C-1", "C0", "C1", "Kc", "K0", "K1", "K2")
         matrices = dict(zip(names, self._designs.matrices(threads)))
-        return {name: matrices[name] for name in self.model.matrices}
+        return {name: matrices[name] for name in self._kernel.matrices}
 
     def system(self, v: ArrayLike = 0.0, *, paired: bool = False, threads: int | None = None) -> System:
         """M, C and K of ``M q'' + C q' + K q = f`` at forward speeds in m/s, each of shape

@@ -54,6 +54,7 @@ class Model:
     def __init__(self, kernel: Kernel, module: str = "carvallo") -> None:
         """Of compiled code; ``module`` is the Python module that has it, under the name of the model."""
         self._kernel = kernel
+        self._closed: dict[tuple[str, ...], Kernel] = {}
         self._module = module
         self.__doc__ = _documentation(self)
 
@@ -97,6 +98,14 @@ class Model:
             return self._of_mapping({str(name): source[name] for name in source.keys()})._replaced(parameters)
         kind = type(source).__name__
         raise ValueError(f"the parameters are of the type {kind}; expected a name, a path, or a mapping from names to values")
+
+    def _closed_by(self, laws: tuple[str, ...]) -> Kernel:
+        """Itself with feedback; one for each set of laws, since they stay as long as the program."""
+        if not laws:
+            return self._kernel
+        if laws not in self._closed:
+            self._closed[laws] = self._kernel.with_feedback(laws)
+        return self._closed[laws]
 
     def _of_mapping(self, values: Mapping[str, Value]) -> Design:
         arrays = {name: np.asarray(value, dtype=float) for name, value in values.items() if is_array(value)}
