@@ -78,6 +78,14 @@ impl Measure {
         NAMES.iter().find(|(known, _)| *known == name.replace('_', "-")).map(|(_, measure)| *measure)
     }
 
+    /// What a design has of which this is the measure, with an article.
+    pub(crate) fn had(self) -> String {
+        match self {
+            Self::StableRange => "a stable range".to_owned(),
+            measure => format!("a {measure}"),
+        }
+    }
+
     /// The unit of it.
     pub fn unit(self) -> &'static str {
         if let Self::Parameter(_, info) = self { info.unit } else { "m/s" }

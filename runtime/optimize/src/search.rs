@@ -350,9 +350,9 @@ impl<'a> Search<'a> {
             let nearest = reached.iter().map(|point| point.instability()).fold(f64::INFINITY, f64::min);
             let [low, high] = problem.settings.speeds.map(shortest);
             return Failure::Run(format!(
-                "{title}: no design within these ranges was found that has a {}; the largest real part of the eigenvalues, at \
+                "{title}: no design within these ranges was found that has {}; the largest real part of the eigenvalues, at \
                  the speed from {low} to {high} m/s at which it is least, comes down to {} 1/s",
-                problem.goal.measure,
+                problem.goal.measure.had(),
                 fixed(nearest, 4)
             ));
         }

@@ -126,11 +126,7 @@ fn a_design_that_is_stable_nowhere_is_made_stable_first() {
     let nowhere = ["optimize", "--set", "xH=0.5", "--vary", "xH=-3:0.5", "--maximize", "stable-range"];
     let run = Directory::of_this_test().run(&nowhere);
     assert_eq!(run.code, Some(1));
-    assert!(
-        run.stderr.contains("no design within these ranges was found that has a width of the stable range; "),
-        "{}",
-        run.stderr
-    );
+    assert!(run.stderr.contains("no design within these ranges was found that has a stable range; "), "{}", run.stderr);
 }
 
 #[test]

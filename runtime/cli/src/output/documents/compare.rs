@@ -54,10 +54,15 @@ pub fn critical_speeds(comparison: &Comparison) -> Table {
             |speeds: Vec<String>| Cell::number(if speeds.is_empty() { "-".to_owned() } else { speeds.join(", ") });
         [Cell::words(kind.replace('_', " "))].into_iter().chain(cells.map(cell)).collect()
     };
-    let stable = comparison
-        .designs
-        .iter()
-        .map(|compared| Cell::words(ranges(compared.analysis.stable_ranges(), &compared.analysis.unit)));
+    let stable = |Compared { analysis, .. }: &Compared| {
+        let is_same = !analysis.design.model.depends_on_speed() && !analysis.stable_ranges().is_empty();
+        Cell::words(if is_same {
+            "at every speed".to_owned()
+        } else {
+            ranges(analysis.stable_ranges(), &analysis.unit)
+        })
+    };
+    let stable = comparison.designs.iter().map(stable);
     let stable = [Cell::words("self-stable")].into_iter().chain(stable).collect();
     Table {
         title: "Critical speeds (m/s)".to_owned(),
