@@ -5,7 +5,21 @@ use std::cell::RefCell;
 use std::ffi::{CStr, CString, c_char};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use carvallo_design::in_words;
+
 use crate::types::CarvalloStatus;
+
+/// What the command line calls things, and C.
+const WORDS: [(&str, &str); 8] = [
+    ("the speeds come from --speeds", "the speeds are arguments of functions"),
+    ("--eigenvalues takes speeds", "functions take speeds"),
+    ("--gravity", "a file"),
+    ("but --model is ", "but `model` is "),
+    ("`--model ", "the model `"),
+    ("--model ", "`model` "),
+    ("--set ", ""),
+    ("\n`carvallo bicycles` lists the bicycles", ""),
+];
 
 /// What is wrong.
 #[derive(Debug)]
@@ -16,7 +30,7 @@ pub struct Failure {
 
 impl Failure {
     pub fn new(status: CarvalloStatus, message: impl ToString) -> Self {
-        Self { status, message: message.to_string() }
+        Self { status, message: in_words(&message.to_string(), &WORDS) }
     }
 }
 

@@ -31,6 +31,7 @@ pub mod quantity;
 pub mod speeds;
 #[cfg(feature = "full")]
 pub mod units;
+mod words;
 
 pub use self::bodies::body;
 pub use self::capacity::{Capacity, of_kind};
@@ -39,3 +40,4 @@ pub use self::display::DisplayUnit;
 pub use self::failure::{Failure, Place, Problem};
 pub use self::model::{Equations, MODELS, MachineVisitor, Sensitive, Shape, Shipped, Visitor, WHIPPLE};
 pub use self::nearest::nearest;
+pub use self::words::in_words;

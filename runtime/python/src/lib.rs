@@ -24,6 +24,7 @@ mod sheet;
 mod signals;
 mod speeds;
 mod turning;
+mod words;
 
 use carvallo::Model;
 use carvallo_design::{MODELS, Shipped};

@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 use pyo3::{IntoPyObject, PyErr};
 
 use crate::kernel::Kernel;
+use crate::words::in_python;
 
 /// A design that was read, with what there is to say of it.
 #[derive(IntoPyObject)]
@@ -38,18 +39,19 @@ impl From<Design> for Loaded {
             name: design.name,
             kind: design.kind,
             source: design.source,
-            notes: design.notes,
-            warnings: design.warnings,
+            notes: design.notes.iter().map(|note| in_python(note)).collect(),
+            warnings: design.warnings.iter().map(|warning| in_python(warning)).collect(),
         }
     }
 }
 
-/// What is wrong with input is a ValueError, and what cannot be read an OSError; there the message of the command line stands.
+/// What is wrong with input is a ValueError, and what cannot be read an OSError; there the message of the command line stands, in the
+/// words of Python.
 pub fn raise(failure: Failure) -> PyErr {
     match failure {
-        Failure::Input(_) => PyValueError::new_err(failure.to_string()),
-        Failure::Run(message) if message.starts_with("cannot read") => PyOSError::new_err(message),
-        Failure::Run(message) => PyValueError::new_err(message),
+        Failure::Input(_) => PyValueError::new_err(in_python(&failure.to_string())),
+        Failure::Run(message) if message.starts_with("cannot read") => PyOSError::new_err(in_python(&message)),
+        Failure::Run(message) => PyValueError::new_err(in_python(&message)),
     }
 }
 

@@ -11,6 +11,7 @@ use crate::designs::Designs;
 use crate::loaded::raise;
 use crate::one::About;
 use crate::signals::Signals;
+use crate::words::in_python;
 
 /// What a motion begins with, what acts on it, and by which equations it goes.
 #[derive(FromPyObject)]
@@ -123,8 +124,8 @@ impl Rows {
             quantities: quantities.collect(),
             wheels: motion.wheels,
             rows: motion.rows,
-            end: motion.end,
-            notes: motion.notes,
+            end: motion.end.as_deref().map(in_python),
+            notes: motion.notes.iter().map(|note| in_python(note)).collect(),
         }
     }
 

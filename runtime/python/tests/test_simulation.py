@@ -54,3 +54,15 @@ def test_mistakes_are_told(benchmark):
 def test_a_motion_has_a_picture(benchmark):
     svg = benchmark.simulate(4.6, 2.0, initial={"phi_rate": 0.5})._repr_svg_()
     assert svg.startswith("<svg") and "benchmark" in svg
+
+
+def test_messages_speak_of_python():
+    bicycle = carvallo.WhippleMechanism("benchmark")
+    with pytest.raises(ValueError, match=r"^`initial`, v=3.0: the speed is given by `v`$"):
+        bicycle.simulate(4.6, 1, initial={"v": 3})
+    with pytest.raises(ValueError, match=r"it follows from `v`$"):
+        bicycle.simulate(4.6, 1, initial={"thetaR_rate": 1})
+    with pytest.raises(ValueError, match=r"^`forces`, delta=5 kg: `5 kg`: `kg` is no unit for it; it is in N m$"):
+        bicycle.simulate(4.6, 1, forces={"delta": "5 kg"})
+    with pytest.raises(ValueError, match=r"it is a model: `carvallo.Pendulum`\n`carvallo.Whipple.sets` has the bicycles$"):
+        carvallo.Whipple("pendulum")
