@@ -23,7 +23,10 @@ impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let names: Vec<&str> = self.sides.iter().map(|side| side.name.as_str()).collect();
         let designs = match self.seed {
-            Some(seed) => format!("its sets and random designs (seed {seed}), {} in all", self.designs),
+            Some(seed) => {
+                let sets = if self.model.sets.is_empty() { "" } else { "its sets and " };
+                format!("{sets}random designs (seed {seed}), {} in all", self.designs)
+            }
             None => format!("{} designs", self.designs),
         };
         let reference = match self.reference {
