@@ -60,10 +60,22 @@ pub fn express(
     };
     let parts: Vec<_> = given.iter().map(|(_, given)| given).collect();
     let covariance = resolve_correlations(std::mem::take(&mut document.correlations), &names, &parts, &|_| false);
-    let covariance = covariance.ok()?.map_or_else(|| Covariance::independent(&deviations(parts)).ok(), Some)?;
-    let expressed = (convention.from_paper)(&values).ok()?;
-    let carried = Carried::new(&values, &covariance, convention.from_paper);
+    let covariance = match covariance {
+        Ok(covariance) => covariance.map_or_else(|| Covariance::independent(&deviations(parts)).ok(), Some)?,
+        Err(problems) => {
+            document.problems.extend(problems);
+            return None;
+        }
+    };
     let place = || Place::File(label.to_owned());
+    let expressed = match (convention.from_paper)(&values) {
+        Ok(expressed) => expressed,
+        Err(message) => {
+            document.problem(place(), message);
+            return None;
+        }
+    };
+    let carried = Carried::new(&values, &covariance, convention.from_paper);
     let entries: Vec<Entry> = expressed
         .iter()
         .map(|(name, value)| {
