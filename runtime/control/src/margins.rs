@@ -1,6 +1,8 @@
 //! Gain and phase margins.
 
-use carvallo::{Complex, SystemError, matrix_eigenvalues};
+use std::f64::consts::PI;
+
+use carvallo::{Complex, SystemError, Verdict, matrix_eigenvalues};
 use nalgebra::DMatrix;
 
 use crate::balance::Channel;
@@ -16,7 +18,7 @@ pub struct Margins {
     /// Where the gain is one, ascending in frequency.
     pub phase: Vec<PhaseMargin>,
     /// Whether every motion of the closed loop `u = -y` dies away.
-    pub closed_loop_is_stable: bool,
+    pub closed_loop: Verdict,
 }
 
 /// By what factor the gain may change.
@@ -33,7 +35,7 @@ pub struct GainMargin {
 pub struct PhaseMargin {
     /// In rad/s.
     pub frequency: f64,
-    /// In rad, from -π to π: above zero the phase may lag by so much more.
+    /// In rad, above -π and up to π: above zero the phase may lag by so much more.
     pub angle: f64,
 }
 
@@ -68,9 +70,10 @@ impl Margins {
             }
         }
         let crossings = on_axis(series(&channel), |frequency| response(frequency).norm().ln())?;
-        let phase =
-            crossings.into_iter().map(|frequency| PhaseMargin { frequency, angle: (-response(frequency)).arg() });
-        Ok(Self { gain, phase: phase.collect(), closed_loop_is_stable: is_stable_when_closed(space, input, output)? })
+        let phase = crossings
+            .into_iter()
+            .map(|frequency| PhaseMargin { frequency, angle: angle_from_minus_one(response(frequency)) });
+        Ok(Self { gain, phase: phase.collect(), closed_loop: closed_loop(space, input, output)? })
     }
 
     /// The gain margin whose factor is nearest to one.
@@ -84,13 +87,19 @@ impl Margins {
     }
 }
 
-/// Whether all eigenvalues of `A - B (1 + D)^-1 C` are to the left of the imaginary axis.
-fn is_stable_when_closed(space: &StateSpace, input: usize, output: usize) -> Result<bool, SystemError> {
+/// The angle from -1 to a number; half a turn is ahead.
+fn angle_from_minus_one(value: Complex<f64>) -> f64 {
+    let angle = (-value).arg();
+    if angle <= -PI + 4.0 * f64::EPSILON { PI } else { angle }
+}
+
+/// By the eigenvalues of `A - B (1 + D)^-1 C`; where 1 + D is zero the loop has no motion at all.
+fn closed_loop(space: &StateSpace, input: usize, output: usize) -> Result<Verdict, SystemError> {
     let Channel { a, b, c, d } = Channel::of(space, input, output);
     if 1.0 + d == 0.0 {
-        return Ok(false);
+        return Ok(Verdict::Unstable);
     }
-    Ok(matrix_eigenvalues(&(a - b * c / (1.0 + d)))?.iter().all(|value| value.re < 0.0))
+    Ok(Verdict::of(&matrix_eigenvalues(&(a - b * c / (1.0 + d)))?))
 }
 
 /// `G(s) - G(-s)`.

@@ -1,7 +1,7 @@
 //! State spaces with inputs and outputs, and transfer functions.
 
 use carvallo::nalgebra::DMatrix;
-use carvallo::{Complex, SystemError};
+use carvallo::{Complex, SystemError, Verdict};
 use carvallo_control::{FrequencyResponse, Margins, Ports, Signal, StateSpace, TransferFunction};
 use carvallo_design::number::shortest;
 use carvallo_design::{Design, Failure};
@@ -117,10 +117,10 @@ impl Designs {
             let space = space(&design, speed, Some(&[input]), Some(&[output]))?;
             Margins::new(&space, 0, 0).map_err(|error| fail(&design, speed, error))
         });
-        let Margins { gain, phase, closed_loop_is_stable } = found.map_err(raise)?;
+        let Margins { gain, phase, closed_loop } = found.map_err(raise)?;
         let gain = gain.iter().map(|margin| (margin.frequency, margin.factor)).collect();
         let phase = phase.iter().map(|margin| (margin.frequency, margin.angle)).collect();
-        Ok((gain, phase, closed_loop_is_stable))
+        Ok((gain, phase, closed_loop == Verdict::Stable))
     }
 }
 

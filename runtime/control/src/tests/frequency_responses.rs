@@ -1,6 +1,8 @@
 //! Frequency responses and margins, against python-control 0.10.2 (`stability_margins(…, returnall=True)`, `sys(1j*w)`,
 //! `feedback`), and in closed form.
 
+use carvallo::Verdict;
+
 use super::{design, state_space};
 use crate::{Margins, StateSpace, TransferFunction};
 
@@ -85,7 +87,7 @@ fn margins_and_responses_are_those_of_python_control() {
             let same = found.len() == expected.len() && found.iter().zip(expected).all(is_same);
             assert!(same, "{what}: {found:?} is not {expected:?}");
         }
-        assert_eq!(found.closed_loop_is_stable, is_stable, "{what}");
+        assert_eq!(found.closed_loop == Verdict::Stable, is_stable, "{what}");
         let function = TransferFunction::new(&channel, 0, 0).expect("a transfer function");
         for (frequency, gain, degrees) in response {
             let found = function.frequency_response(&[frequency])[0];
@@ -117,6 +119,21 @@ fn phases_do_not_jump() {
     assert!(response.windows(2).all(|pair| (pair[1].phase - pair[0].phase).abs() < 0.3));
 }
 
+/// Of `1/(s² + 4)` the gain is one at the roots of 3, where it is positive, and of 5; the loop swings at the root of 5.
+#[test]
+fn an_undamped_loop_is_marginal() {
+    let mut space = state_space(&design("Pendulum", "seconds"), 0.0, &["Ttheta"], &["theta"]);
+    space.a = nalgebra::DMatrix::from_row_slice(2, 2, &[0.0, 1.0, -4.0, 0.0]);
+    space.b = nalgebra::DMatrix::from_row_slice(2, 1, &[0.0, 1.0]);
+    let margins = Margins::new(&space, 0, 0).expect("margins");
+    let found: Vec<(f64, f64)> = margins.phase.iter().map(|margin| (margin.frequency, margin.angle)).collect();
+    for ((frequency, angle), expected) in found.iter().zip([(3_f64.sqrt(), std::f64::consts::PI), (5_f64.sqrt(), 0.0)])
+    {
+        assert!((frequency - expected.0).abs() < 1e-14 && (angle - expected.1).abs() < 1e-14, "{found:?}");
+    }
+    assert_eq!((found.len(), margins.closed_loop), (2, Verdict::Marginal));
+}
+
 /// The gain of `k / (s (s + 1) (s + 2))` may be 6: its phase is -180 degrees at the root of two.
 #[test]
 fn a_textbook_loop_has_its_margin() {
@@ -128,5 +145,5 @@ fn a_textbook_loop_has_its_margin() {
     let gain = margins.nearest_gain().expect("a gain margin");
     assert_eq!(margins.gain.len(), 1);
     assert!((gain.frequency - 2_f64.sqrt()).abs() < 1e-14 && (gain.factor - 4.0).abs() < 1e-13, "{gain:?}");
-    assert!(margins.closed_loop_is_stable && margins.nearest_phase().expect("a phase margin").angle > 0.0);
+    assert!(margins.closed_loop == Verdict::Stable && margins.nearest_phase().expect("a phase margin").angle > 0.0);
 }

@@ -11,7 +11,10 @@ use crate::output::typeset::{Cell, Column, Document, Table};
 /// Outputs at each time; angles and their rates are in degrees.
 pub fn of_responses(responses: &Responses) -> Document {
     let Responses { design, space, response, .. } = responses;
-    let columns = space.outputs.iter().map(|signal| Column::right(format!("{} ({})", signal.name, shown(signal).0)));
+    let columns = space.outputs.iter().map(|signal| match shown(signal).0 {
+        unit if unit.is_empty() => Column::right(&signal.name),
+        unit => Column::right(format!("{} ({unit})", signal.name)),
+    });
     let cell = |(signal, value): (&Signal, &f64)| {
         let value = shown(signal).1 * value;
         Cell::number(if value == 0.0 { "0.000000".to_owned() } else { fixed(value, 6) })

@@ -57,8 +57,7 @@ fn table(channel: &Transfer, at: &str) -> Table {
         let text = format!("{}° at {} rad/s", fixed(margin.angle.to_degrees(), 3), fixed(margin.frequency, 4));
         rows.push(["phase margin".to_owned(), text]);
     }
-    let verdict = if margins.closed_loop_is_stable { "stable" } else { "unstable" };
-    rows.push(["the loop u = -y".to_owned(), verdict.to_owned()]);
+    rows.push(["the loop u = -y".to_owned(), margins.closed_loop.to_string()]);
     Table {
         title: format!("{}{at}  {} to {}", channel.title(), function.input.label, function.output.label),
         columns: ["", ""].map(Column::left).into(),

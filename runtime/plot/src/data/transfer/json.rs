@@ -35,7 +35,7 @@ struct Told<'a> {
     denominator: Line<Vec<f64>>,
     gain_margins: Vec<Line<Gain>>,
     phase_margins: Vec<Line<Phase>>,
-    closed_loop: &'static str,
+    closed_loop: String,
     /// Where it is asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     frequency_response: Option<Vec<Line<Point>>>,
@@ -105,7 +105,7 @@ fn told(channel: &Transfer, responses: bool) -> Told<'_> {
             .iter()
             .map(|&PhaseMargin { frequency, angle }| Line(Phase { frequency, angle }))
             .collect(),
-        closed_loop: if margins.closed_loop_is_stable { "stable" } else { "unstable" },
+        closed_loop: margins.closed_loop.to_string(),
         frequency_response: responses.then(|| response.iter().map(point).collect()),
     }
 }
