@@ -59,7 +59,7 @@ fn last_digit(text: &str) -> (f64, usize) {
     let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len()) as i32;
     let digits = mantissa.replace('.', "").trim_start_matches('0').len();
     // 10^-2 as 1e-2 is nearer to it than the inverse of 100 may be.
-    (format!("1e{}", power - decimals).parse().unwrap_or(0.0), digits)
+    (format!("1e{}", power.saturating_sub(decimals)).parse().unwrap_or(0.0), digits)
 }
 
 /// Numbers that were printed together lend each other digits: a zero has the decimals of the finest beside it, and where one
