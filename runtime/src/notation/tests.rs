@@ -15,7 +15,7 @@ fn formulas_keep_their_meaning() {
     let cases = [
         ("a - (b - c)", "a - (b - c)", "a - (b - c)"),
         ("-a*b + c", "-a b + c", "-a b + c"),
-        ("a + (-b)*c", "a + (-b c)", "a + (-b c)"),
+        ("a + (-b*c)", "a + (-b c)", "a + (-b c)"),
         ("a/b*c/d", "\\frac{a c}{b d}", "frac(a c, b d)"),
         ("a/(b*c)", "\\frac{a}{b c}", "frac(a, b c)"),
         ("1/(a + b)", "\\frac{1}{a + b}", "frac(1, a + b)"),
@@ -78,7 +78,7 @@ fn what_is_written_is_read_as_the_same_formula() {
     let texts = [
         "a - (b - c)",
         "-a*b + c",
-        "a + (-b)*c",
+        "a + (-b*c)",
         "a/b*c/d",
         "a/(b*c)",
         "1/(a + b)",
