@@ -37,6 +37,8 @@ const BEYOND: f64 = 10.0;
 const FAR: f64 = 30.0;
 /// Points of a graph for each decade.
 const PER_DECADE: f64 = 100.0;
+/// Points on either side of a root that is near the imaginary axis.
+const NEAR_ROOT: i32 = 40;
 
 impl TransferFunction {
     /// The response at frequencies above zero, in rad/s.
@@ -57,11 +59,19 @@ impl TransferFunction {
     pub fn frequencies(&self, range: Option<[f64; 2]>) -> Vec<f64> {
         let minimal = self.minimal();
         let [low, high] = range.unwrap_or_else(|| minimal.range());
-        let steps = ((high / low).log10() * PER_DECADE).ceil().max(1.0);
-        let evenly = (0..=steps as u32).map(|step| low * (high / low).powf(f64::from(step) / steps));
-        let mut frequencies: Vec<f64> = evenly.collect();
+        // The quotient of the ends themselves may be beyond the largest double.
+        let decades = high.log10() - low.log10();
+        let steps = (decades * PER_DECADE).ceil().max(1.0);
+        let between = |step: u32| {
+            let half = 10_f64.powf(0.5 * decades * f64::from(step) / steps);
+            low * half * half
+        };
+        let mut frequencies = vec![low, high];
+        frequencies.extend((1..steps as u32).map(between));
         for root in minimal.poles.iter().chain(&minimal.zeros).filter(|root| root.im > 0.0) {
-            let near = [0.0, 0.1, 0.2, 0.4, 0.7, 1.0, 1.5, 2.0, 3.0].into_iter().flat_map(|share| [share, -share]);
+            // Evenly along the circle that a response is in the complex plane near its pole.
+            let near =
+                (-NEAR_ROOT..=NEAR_ROOT).map(|step| (PI / 2.0 * f64::from(step) / f64::from(NEAR_ROOT + 1)).tan());
             frequencies.extend(near.map(|share| root.im + share * root.re).filter(|near| (low..=high).contains(near)));
         }
         frequencies.sort_by(f64::total_cmp);

@@ -41,6 +41,8 @@ pub struct PhaseMargin {
 
 /// Roots whose real part is a smaller share of them are on the imaginary axis, until the response itself is looked at.
 const ON_AXIS: f64 = 1e-5;
+/// Angles that are no larger are none, in rad: what the rounding of undamped roots leaves.
+const ROUNDING: f64 = 1e-13;
 /// How far the frequency is from that of the root at most.
 const NEAR: f64 = 1e-4;
 
@@ -87,10 +89,16 @@ impl Margins {
     }
 }
 
-/// The angle from -1 to a number; half a turn is ahead.
+/// The angle from -1 to a number, which without damping is zero or half a turn but for rounding; half a turn is ahead.
 fn angle_from_minus_one(value: Complex<f64>) -> f64 {
     let angle = (-value).arg();
-    if angle <= -PI + 4.0 * f64::EPSILON { PI } else { angle }
+    if angle.abs() <= ROUNDING {
+        0.0
+    } else if angle.abs() >= PI - ROUNDING {
+        PI
+    } else {
+        angle
+    }
 }
 
 /// By the eigenvalues of `A - B (1 + D)^-1 C`; where 1 + D is zero the loop has no motion at all.

@@ -2,7 +2,7 @@
 
 use carvallo::{Complex, States};
 use carvallo_design::number::shortest;
-use carvallo_design::{Design, Failure, Shape};
+use carvallo_design::{Design, Failure, Place, Shape};
 
 use crate::ports::{Output, Ports};
 use crate::state_space::StateSpace;
@@ -50,7 +50,7 @@ impl<'a> ModalAnalysis<'a> {
         let space = StateSpace::new(self.design, speed, &self.inputs, &self.outputs)?;
         if let Some(integral) = space.states.get(self.count()) {
             let message = format!("`{0}` is an integral, which no mode is of; its rate is `{0}_rate`", integral.name);
-            return Err(Failure::usage(message));
+            return Err(Failure::at(Place::Option(format!("--outputs {}", integral.name)), message));
         }
         let gravity = self.design.gravity().unwrap_or(0.0);
         let fail = |error| Failure::Run(format!("{} at {} m/s: {error}", self.design.title(), shortest(speed)));

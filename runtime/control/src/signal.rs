@@ -61,7 +61,11 @@ impl Signal {
     /// The unit of a gain by which it follows another signal: `N*m/rad`, `N*m*s/rad`.
     pub fn unit_by(&self, other: &Self) -> String {
         let (of, time) = other.unit.strip_suffix("/s").map_or((other.unit.as_str(), ""), |of| (of, "*s"));
-        if of == "1" { format!("{}{time}", self.unit) } else { format!("{}{time}/{of}", self.unit) }
+        match (self.unit.as_str(), time, of) {
+            ("1", "*s", "1") => "s".to_owned(),
+            (unit, time, "1") => format!("{unit}{time}"),
+            (unit, time, of) => format!("{unit}{time}/{of}"),
+        }
     }
 }
 

@@ -6,6 +6,9 @@ use nalgebra::{DMatrix, DVector};
 /// Beyond this many halvings a step is too long for what moves fastest.
 const MOST_HALVINGS: i32 = 64;
 
+/// The sum of squares of larger entries leaves the range of doubles.
+const LARGEST_ENTRY: f64 = 1e150;
+
 /// The last power of the series: beyond it terms of a matrix whose norm is at most 1/2 are below rounding.
 const LAST_POWER: u32 = 16;
 
@@ -48,7 +51,8 @@ impl Propagator {
     pub fn new(a: &DMatrix<f64>, step: f64) -> Option<Self> {
         let states = a.nrows();
         let mut scaled = a * step;
-        if !is_finite(&scaled) {
+        // Balancing squares the entries, and does not end where a square is infinite.
+        if !is_finite(&scaled) || scaled.amax() > LARGEST_ENTRY {
             return None;
         }
         // Coordinates in units that are alike, by powers of two: else the exponential errs relative to the largest entry.

@@ -128,6 +128,9 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         if let Some(picture) = &options.plot {
             return Err(picture.problem(format!("{nothing}, so there is no graph against it")));
         }
+        if let Some(picture) = &options.locus {
+            return Err(picture.problem_of("--locus", format!("{nothing}, so there is no root locus along it")));
+        }
         if options.speeds.is_some() {
             note(WARNING, "note", &format!("{nothing}: --speeds is ignored"));
         }
@@ -153,7 +156,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let shapes = shapes.transpose()?;
     if let Some(picture) = &options.locus {
         let (low, high) = extremes(&speeds_or(false));
-        if low == high || !model.depends_on_speed() {
+        if low == high {
             let message = "a root locus needs a range of speeds, such as --speeds 0:10:0.1";
             return Err(picture.problem_of("--locus", message));
         }

@@ -73,7 +73,12 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let rows = controllability.rows(&speeds)?;
     let lost = controllability.lost(most)?;
     if let Some(picture) = &options.plot {
-        if least == most || !controllability.analysis.design.model.depends_on_speed() {
+        let model = controllability.analysis.design.model;
+        if !model.depends_on_speed() {
+            let nothing = format!("nothing in the model {} depends on the speed", model.info.name);
+            return Err(picture.problem(format!("{nothing}, so there is no graph against it")));
+        }
+        if least == most {
             return Err(picture.problem("a picture needs a range of speeds, such as --speeds 0:10:0.1"));
         }
         let drawn = controllability.rows(&drawn(least, most, &lost))?;

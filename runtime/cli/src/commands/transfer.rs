@@ -40,6 +40,7 @@ pub struct Options {
     #[arg(
         long,
         value_name = "LOW:HIGH",
+        allow_hyphen_values = true,
         help = "The frequencies of responses, in rad/s or Hz; or a list of them [default: all that there is to see]"
     )]
     frequencies: Option<Given>,

@@ -61,7 +61,10 @@ fn cosines_are_drawn_and_mistakes_told() {
     directory
         .run(&["controllability", "--speeds", "5", "--plot", "c.svg"])
         .fails(2, "error: --plot c.svg: a picture needs a range of speeds, such as --speeds 0:10:0.1\n");
+    let message =
+        "error: --plot c.svg: nothing in the model Pendulum depends on the speed, so there is no graph against it\n";
+    directory.run(&["controllability", "--model", "Pendulum", "--plot", "c.svg"]).fails(2, message);
     directory
         .run(&["controllability", "--outputs", "psi"])
-        .fails(2, "error: `psi` is an integral, which no mode is of; its rate is `psi_rate`\n");
+        .fails(2, "error: --outputs psi: `psi` is an integral, which no mode is of; its rate is `psi_rate`\n");
 }

@@ -25,5 +25,6 @@ fn a_root_locus_needs_a_range_of_speeds() {
     let directory = Directory::of_this_test();
     let message = "error: --locus l.svg: a root locus needs a range of speeds, such as --speeds 0:10:0.1\n";
     directory.run(&["analyze", "--speeds", "5", "--locus", "l.svg"]).fails(2, message);
+    let message = "error: --locus l.svg: nothing in the model Pendulum depends on the speed, so there is no root locus along it\n";
     directory.run(&["analyze", "--model", "Pendulum", "--locus", "l.svg"]).fails(2, message);
 }

@@ -233,3 +233,24 @@ fn mistakes_and_machines_that_no_gains_hold() {
     let note = "note: between 0 and 0.5 m/s the interpolated gains do not hold it: more speeds are needed there\n";
     assert_eq!((run.code, run.stderr.as_str()), (Some(0), note));
 }
+
+/// What is stable by itself costs least if it is left alone, where nothing but the input has a weight.
+#[test]
+fn without_weights_what_is_stable_is_left_alone() {
+    let directory = Directory::of_this_test();
+    let table = directory.run(&["lqr", "--inputs", "Tdelta", "--speeds", "5", "--weight", "phi=0"]).ok();
+    let zeros = table.lines().find(|line| line.trim_start().starts_with("5 ")).expect("gains");
+    assert_eq!(zeros.split_whitespace().collect::<Vec<_>>(), ["5", "0.000000", "0.000000", "0.000000", "0.000000"]);
+}
+
+#[test]
+fn gains_without_units_have_no_brackets() {
+    let directory = Directory::of_this_test();
+    directory.write("m.json", r#"{"M": [[1]], "Kc": [[-1]]}"#);
+    let table = directory.run(&["lqr", "m.json"]).ok();
+    assert_eq!(
+        table.lines().nth(3).map(|line| line.split("  ").filter(|name| !name.is_empty()).map(str::trim).collect()),
+        Some(vec!["q1", "q1_rate (s)"]),
+        "{table}"
+    );
+}

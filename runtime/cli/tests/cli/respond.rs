@@ -105,3 +105,14 @@ fn mistakes_are_told() {
          delta_rate\n--initial lean=3: it is given twice",
     );
 }
+
+/// Steps whose squares are no doubles end as others do that are too long.
+#[test]
+fn the_longest_duration_ends() {
+    let directory = Directory::of_this_test();
+    for duration in ["1e200", "1e300"] {
+        let run = directory.run(&["respond", "--speed", "5", "--input", "Tdelta", "--step", "--duration", duration]);
+        let is_told = run.stderr.contains("the response then leaves the range of floating-point numbers");
+        assert!(run.code == Some(0) && is_told, "{}", run.stderr);
+    }
+}

@@ -104,6 +104,7 @@ fn mistakes_are_told() {
     let directory = Directory::of_this_test();
     for (text, message) in [
         ("0", "a frequency is 0; it must be > 0"),
+        ("-1:1", "a frequency is -1; it must be > 0"),
         ("10:1", "the range goes from 10 to 1 rad/s; it must ascend"),
         ("1:2:3", "expected a list such as 1,2,5 or a range LOW:HIGH such as 0.1:100"),
         ("1 kg", "`kg` is no unit for a frequency: it is in rad/s, or in Hz"),
@@ -111,4 +112,29 @@ fn mistakes_are_told() {
         let message = format!("error: --frequencies {text}: {message}\n");
         directory.run(&["transfer", "--speed", "5", "--frequencies", text]).fails(2, &message);
     }
+}
+
+/// The quotient of these ends is no double; the response of `1/(s^2 + 4)` is its static gain at the lower one.
+#[test]
+fn ranges_may_go_as_far_as_numbers_do() {
+    let directory = Directory::of_this_test();
+    directory.write("spring.json", r#"{"M": [[1]], "Kc": [[4]]}"#);
+    let csv = directory.run(&["transfer", "spring.json", "--frequencies", "1e-300:1e300", "--format", "csv"]).ok();
+    let rows: Vec<&str> = csv.lines().skip(1).collect();
+    let [first, last] = [rows[0], rows[rows.len() - 1]].map(|row| row.split(',').collect::<Vec<_>>());
+    assert!(!csv.contains("inf,") && !csv.contains("NaN"));
+    assert_eq!([first[0].parse(), first[1].parse()], [Ok(1e-300), Ok(0.25)]);
+    assert_eq!([last[0].parse(), last[1].parse()], [Ok(1e300), Ok(0.0)]);
+    let frequencies = rows.iter().map(|row| row.split(',').next().and_then(|cell| cell.parse::<f64>().ok()));
+    assert!(frequencies.collect::<Option<Vec<f64>>>().expect("numbers").is_sorted());
+}
+
+/// What is left of the real part of undamped poles by rounding is not told, and neither is that of angles.
+#[test]
+fn undamped_poles_have_no_real_part() {
+    let directory = Directory::of_this_test();
+    directory.write("two.json", r#"{"M": [[2, 0], [0, 3]], "g": 9.81, "K0": [[1, 0.5], [0.5, 2]]}"#);
+    let table = directory.run(&["transfer", "two.json"]).ok();
+    assert!(table.contains("  0.000000 ± 1.886690 i             1.8867         0.0000\n"), "{table}");
+    assert!(!table.contains("e-1") && !table.contains("-180.000°") && table.contains("  180.000° at"), "{table}");
 }

@@ -53,11 +53,16 @@ impl Riccati {
     /// If there is no solution that stabilizes: where an input reaches no unstable mode, or where an undamped one is seen by no
     /// weight.
     pub fn new(a: &DMatrix<f64>, g: &DMatrix<f64>, q: &DMatrix<f64>) -> Result<Self, RiccatiError> {
-        let mut solution = symmetric(by_sign(a, g, q).ok_or(RiccatiError::OnAxis)?);
-        let mut residual = residual(a, g, q, &solution);
         let is_stable = |solution: &DMatrix<f64>| {
             eigenvalues(a - g * solution).is_some_and(|values| values.iter().all(|value| value.re < 0.0))
         };
+        // Without weights nothing is gained by what costs, and there is no term to measure what is left by.
+        let zero = DMatrix::zeros(a.nrows(), a.ncols());
+        if *q == zero && is_stable(&zero) {
+            return Ok(Self { solution: zero, residual: 0.0 });
+        }
+        let mut solution = symmetric(by_sign(a, g, q).ok_or(RiccatiError::OnAxis)?);
+        let mut residual = residual(a, g, q, &solution);
         if !is_stable(&solution) {
             return Err(RiccatiError::NotStabilizing);
         }

@@ -147,3 +147,18 @@ fn a_textbook_loop_has_its_margin() {
     assert!((gain.frequency - 2_f64.sqrt()).abs() < 1e-14 && (gain.factor - 4.0).abs() < 1e-13, "{gain:?}");
     assert!(margins.closed_loop == Verdict::Stable && margins.nearest_phase().expect("a phase margin").angle > 0.0);
 }
+
+/// Near a pole with little damping a response is a circle of the diameter of its largest gain, here `1 / (c w)`, in the complex plane;
+/// with points of a hundredth of a decade alone it would be a triangle.
+#[test]
+fn resonances_are_round() {
+    let space = state_space(&design("Pendulum", "seconds"), 0.0, &["Ttheta"], &["theta"]);
+    let function = TransferFunction::new(&space, 0, 0).expect("a transfer function");
+    let response = function.frequency_response(&function.frequencies(None));
+    let largest = response.iter().map(|point| point.gain).fold(0.0, f64::max);
+    // The damping of 0.1 N m s and the undamped frequency of 3.1415 rad/s.
+    assert!((largest - 1.0 / (0.1 * 3.1415)).abs() < 1e-3, "{largest}");
+    for pair in response.windows(2) {
+        assert!((pair[1].value() - pair[0].value()).norm() < 0.05 * largest, "{pair:?}");
+    }
+}

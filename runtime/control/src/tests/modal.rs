@@ -141,5 +141,5 @@ fn integrals_are_no_modes() {
     let bicycle = benchmark();
     let output = Ports::of(&bicycle).output("psi").expect("an output");
     let failure = ModalAnalysis::new(&bicycle, vec![1], vec![output]).at(5.0, &[]).unwrap_err();
-    assert_eq!(failure.to_string(), "`psi` is an integral, which no mode is of; its rate is `psi_rate`");
+    assert_eq!(failure.to_string(), "--outputs psi: `psi` is an integral, which no mode is of; its rate is `psi_rate`");
 }

@@ -18,6 +18,8 @@ const BELOW: f32 = 66.0;
 const TEXT_SIZE: f32 = 13.0;
 /// What is larger than so many times what most of the response is, as close to a pole, is beyond the picture.
 const LARGE: f64 = 3.0;
+/// What is nowhere larger is shown whole, with -1 well apart from zero.
+const ALL: f64 = 10.0;
 /// What is nowhere larger is shown without -1, beside which it would vanish.
 const SMALL: f64 = 0.3;
 const GREY: Color = Color(0x88, 0x8e, 0x96);
@@ -79,8 +81,12 @@ fn scaled(transfers: &Transfers, area: [f32; 4]) -> Axes {
         quantile(sizes, 6).unwrap_or(1.0)
     };
     let all = transfers.channels.iter().flat_map(|channel| &channel.response).map(|point| point.gain);
-    let is_small = all.filter(|gain| gain.is_finite()).fold(0.0, f64::max) < SMALL;
-    let limit = LARGE * transfers.channels.iter().map(sizes).fold(if is_small { SMALL } else { 0.4 }, f64::max);
+    let largest = all.filter(|gain| gain.is_finite()).fold(0.0, f64::max);
+    let is_small = largest < SMALL;
+    let usual = LARGE * transfers.channels.iter().map(sizes).fold(if is_small { SMALL } else { 0.4 }, f64::max);
+    // Behind an integral a response has no end that could be shown.
+    let is_bounded = transfers.channels.iter().all(|channel| channel.function.static_gain().is_some());
+    let limit = if is_bounded && largest <= ALL { usual.max(largest) } else { usual };
     let values = transfers.channels.iter().flat_map(|channel| &channel.response);
     let values = values.filter(|point| point.gain <= limit).map(|point| point.value());
     let (real, imaginary): (Vec<f64>, Vec<f64>) = values.map(|value| (value.re, value.im.abs())).unzip();
@@ -109,17 +115,17 @@ fn is_inside(value: &Complex<f64>, axes: &Axes) -> bool {
 
 /// An arrow in the direction of growing frequency, at half of the length that is shown.
 fn draw_head(values: &[Complex<f64>], axes: &Axes, color: Color, scene: &mut Scene) {
-    let points: Vec<(f32, f32)> =
-        values.iter().filter(|value| is_inside(value, axes)).map(|value| axes.place(value.re, value.im)).collect();
-    let lengths: Vec<f32> =
-        points.windows(2).map(|pair| (pair[1].0 - pair[0].0).hypot(pair[1].1 - pair[0].1)).collect();
+    let pieces = values.split(|value| !is_inside(value, axes)).flat_map(|piece| piece.windows(2));
+    let steps: Vec<[(f32, f32); 2]> =
+        pieces.map(|pair| [pair[0], pair[1]].map(|value| axes.place(value.re, value.im))).collect();
+    let lengths: Vec<f32> = steps.iter().map(|[from, to]| (to.0 - from.0).hypot(to.1 - from.1)).collect();
     let half = lengths.iter().sum::<f32>() / 2.0;
     let mut passed = 0.0;
-    for (pair, length) in points.windows(2).zip(&lengths) {
+    for ([from, to], length) in steps.iter().zip(&lengths) {
         passed += length;
         if passed >= half && *length > 0.0 {
-            let (dx, dy) = ((pair[1].0 - pair[0].0) / length, (pair[1].1 - pair[0].1) / length);
-            let (x, y) = pair[1];
+            let (dx, dy) = ((to.0 - from.0) / length, (to.1 - from.1) / length);
+            let (x, y) = *to;
             let back = |side: f32| (x - 12.0 * dx - side * 5.0 * dy, y - 12.0 * dy + side * 5.0 * dx);
             scene.polyline(&[(x, y), back(1.0), back(-1.0)], Paint::Fill, color);
             return;

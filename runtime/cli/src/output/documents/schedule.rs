@@ -15,7 +15,11 @@ pub fn of_schedule(design: &Design, schedule: &Schedule) -> Document {
 
 /// The gains of one input.
 fn gains(schedule: &Schedule, input: usize, signal: &Signal) -> Table {
-    let state = |state: &Signal| Column::right(format!("{} ({})", state.name, unit(&signal.unit_by(state))));
+    // Of matrices without units a gain may have none, either.
+    let state = |state: &Signal| match unit(&signal.unit_by(state)) {
+        none if none.is_empty() => Column::right(state.name.clone()),
+        unit => Column::right(format!("{} ({unit})", state.name)),
+    };
     let states = schedule.regulators[0].space.states.iter().map(state);
     let row = |own: &Regulator| {
         let gains = own.gains.row(input).iter().map(|gain| Cell::number(fixed(*gain, 6))).collect::<Vec<_>>();

@@ -23,13 +23,20 @@ pub fn of_transfers(transfers: &Transfers) -> Document {
 /// A pole, or a pair, with its natural frequency and damping ratio.
 fn modal(pole: Complex<f64>) -> Vec<Cell> {
     let size = pole.norm();
-    let ratio = if size == 0.0 { "-".to_owned() } else { fixed(-pole.re / size, 4) };
+    // Adding zero turns -0 into 0.
+    let ratio = if size == 0.0 { "-".to_owned() } else { fixed(0.0 - real(pole) / size + 0.0, 4) };
     [root(pole), fixed(size, 4), ratio].map(Cell::number).to_vec()
+}
+
+/// The real part, without what rounding leaves of none.
+fn real(root: Complex<f64>) -> f64 {
+    const ROUNDING: f64 = 1e-14;
+    if root.re.abs() > ROUNDING * root.norm() { root.re } else { 0.0 }
 }
 
 /// A real root, or the pair that a root is half of.
 fn root(root: Complex<f64>) -> String {
-    let re = fixed(root.re, 6);
+    let re = fixed(real(root), 6);
     if root.im == 0.0 { re } else { format!("{re} ± {} i", fixed(root.im, 6)) }
 }
 
