@@ -138,3 +138,23 @@ fn undamped_poles_have_no_real_part() {
     assert!(table.contains("  0.000000 ± 1.886690 i             1.8867         0.0000\n"), "{table}");
     assert!(!table.contains("e-1") && !table.contains("-180.000°") && table.contains("  180.000° at"), "{table}");
 }
+
+/// Far below the poles of `k (s + z) / (s (s^2 + b s + c))` the gain is one at `k z / c`: 0.0010277 by 2.12793.
+#[test]
+fn slow_margins_are_told_in_pictures() {
+    let directory = Directory::of_this_test();
+    let asked =
+        ["transfer", "--model", "Car", "--speed", "20", "--inputs", "Fy", "--outputs", "y", "--nyquist", "n.svg"];
+    directory.run(&asked);
+    let svg = std::fs::read_to_string(directory.0.join("n.svg")).expect("a picture");
+    assert!(svg.contains("phase margin 89.98° at 4.83e−4 rad/s"), "{svg}");
+}
+
+/// The gain of a pendulum at its resonance is 3.18, so that the axes go beyond it.
+#[test]
+fn resonances_are_shown_whole() {
+    let directory = Directory::of_this_test();
+    directory.run(&["transfer", "--model", "Pendulum", "--nyquist", "n.svg"]);
+    let svg = std::fs::read_to_string(directory.0.join("n.svg")).expect("a picture");
+    assert!(svg.contains(">−3<") && svg.contains(">3<"), "{svg}");
+}

@@ -1,5 +1,7 @@
 //! Frequency responses: gain above phase, against the frequency by decades.
 
+use carvallo_design::number::fixed;
+
 use super::axes::{self, INK, Scale};
 use super::curves::Curve;
 use super::graph::{Graph, Line, range, roomy};
@@ -76,12 +78,11 @@ pub fn color(index: usize, count: usize) -> Color {
 pub fn notes(channel: &Transfer) -> Vec<String> {
     let gain = channel.margins.nearest_gain().map(|margin| {
         let decibels = 20.0 * margin.factor.log10();
-        format!("gain margin {decibels:.2} dB at {:.3} rad/s", margin.frequency)
+        format!("gain margin {decibels:.2} dB at {} rad/s", fixed(margin.frequency, 3))
     });
-    let phase = channel
-        .margins
-        .nearest_phase()
-        .map(|margin| format!("phase margin {:.2}° at {:.3} rad/s", margin.angle.to_degrees(), margin.frequency));
+    let phase = channel.margins.nearest_phase().map(|margin| {
+        format!("phase margin {:.2}° at {} rad/s", margin.angle.to_degrees(), fixed(margin.frequency, 3))
+    });
     gain.into_iter().chain(phase).map(|note| note.replace('-', "−")).collect()
 }
 
