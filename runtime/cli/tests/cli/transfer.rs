@@ -159,3 +159,11 @@ fn resonances_are_shown_whole() {
     // On both axes.
     assert_eq!(svg.matches("aria-label=\"−3\"").count(), 2, "{svg}");
 }
+
+#[test]
+fn polynomials_are_formulas_in_latex() {
+    let directory = Directory::of_this_test();
+    let latex = directory.run(&to_lean(&["--format", "latex"])).ok();
+    assert!(latex.contains("& $s^{4} + 15.9519\\,s^{3} + 47.4134\\,s^{2} + 302.796\\,s + 93.346$ "), "{latex}");
+    assert!(latex.contains("& $-59.259923$, $-13.746500$ ") && !latex.contains("asciicircum"), "{latex}");
+}

@@ -68,9 +68,15 @@ fn table(channel: &Transfer, at: &str) -> Table {
     Table {
         title: format!("{}{at}  {} to {}", channel.title(), function.input.label, function.output.label),
         columns: ["", ""].map(Column::left).into(),
-        rows: rows.into_iter().map(|row| row.map(Cell::words).to_vec()).collect(),
+        rows: rows.into_iter().map(|[name, text]| vec![Cell::words(name), cell(text)]).collect(),
         notes: Vec::new(),
     }
+}
+
+/// Numbers and polynomials are set as such; behind a unit or a margin there are words.
+fn cell(text: String) -> Cell {
+    let is_number = |c: char| c.is_ascii_digit() || "+-. eis^±,".contains(c);
+    if text.chars().all(is_number) { Cell::number(text) } else { Cell::words(text) }
 }
 
 fn roots(roots: &[Complex<f64>]) -> String {

@@ -72,9 +72,13 @@ fn words(text: &str) -> String {
     text.chars().map(word).collect()
 }
 
-/// A number in math mode: `-1.5e-6 ± 2 i`; what is none stays a text.
+/// A number in math mode: `-1.5e-6 ± 2 i`, a polynomial in s, or several with commas between them; what is none stays a text.
 fn number(text: &str) -> String {
-    let is_part = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | 'e' | 'i' | '±' | ' ' | '*');
+    if text.contains(", ") {
+        return text.split(", ").map(number).collect::<Vec<_>>().join(", ");
+    }
+    let is_part =
+        |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | 'e' | 'i' | '±' | ' ' | '*' | 's' | '^');
     if text == "-" {
         return "--".to_owned();
     }
@@ -91,6 +95,21 @@ fn number(text: &str) -> String {
                     exponent.push(sign);
                 }
                 math.push_str(&format!(" \\cdot 10^{{{exponent}}}"));
+            }
+            '^' => {
+                let mut power = String::new();
+                while let Some(digit) = rest.next_if(char::is_ascii_digit) {
+                    power.push(digit);
+                }
+                math.push_str(&format!("^{{{power}}}"));
+            }
+            's' => {
+                // A thin space between a coefficient and its power.
+                if math.ends_with(' ') && math.trim_end().ends_with(|c: char| c.is_ascii_digit() || c == '}') {
+                    math.truncate(math.trim_end().len());
+                    math.push_str("\\,");
+                }
+                math.push('s');
             }
             '±' => math.push_str("\\pm"),
             'i' => {
@@ -112,6 +131,8 @@ mod tests {
     fn numbers_stand_in_math_mode() {
         assert_eq!(number("-0.775342 ± 4.464868 i"), "$-0.775342 \\pm 4.464868\\,\\mathrm{i}$");
         assert_eq!(number("+1.20000e-5"), "$+1.20000 \\cdot 10^{-5}$");
+        assert_eq!(number("s^12 - 15.9e8 s^3 + 2 s - 3"), "$s^{12} - 15.9 \\cdot 10^{8}\\,s^{3} + 2\\,s - 3$");
+        assert_eq!(number("-1.5 ± 2 i, 3"), "$-1.5 \\pm 2\\,\\mathrm{i}$, $3$");
         assert_eq!(number("3.1-2.0i"), "$3.1-2.0\\,\\mathrm{i}$");
         assert_eq!([number("-"), number("straight")], ["--", "straight"]);
     }
