@@ -17,7 +17,9 @@ use carvallo_design::Design;
 pub use self::given::Given;
 pub use self::report::{Comparison, Explanation, Group, Part, Report, Suspects, words};
 
+use self::explain::{Cause, Found};
 use self::machine::Machine;
+use self::predict::Predictor;
 
 /// Holds somebody's numbers against those of a design, and explains where they do not agree.
 ///
@@ -34,9 +36,28 @@ pub fn check(given: &Given, design: &Design) -> Result<Report, String> {
 /// As there.
 pub fn check_machine(given: &Given, machine: &Machine) -> Result<Report, String> {
     given.fits(machine.info)?;
-    let predictor = predict::Predictor::new(given, machine.info);
+    let predictor = Predictor::new(given, machine.info);
     let here = predictor.predict(&machine.world());
-    let agrees = here.iter().enumerate().all(|(at, value)| predictor.agrees(at, *value));
-    let found = if agrees { Vec::new() } else { explain::explain(machine, &predictor) };
-    Ok(Report::new(machine, &predictor, found))
+    let found = |predictor: &Predictor| match predictor.agreeing(&here) == here.len() {
+        true => Vec::new(),
+        false => explain::explain(machine, predictor),
+    };
+    // Who cuts one number off cuts all of them: where more agree so, that is how they were made.
+    let cut = given.cut_off(&mut |_| true);
+    let of_cut = Predictor::new(&cut, machine.info);
+    if of_cut.agreeing(&here) > predictor.agreeing(&here) {
+        return Ok(Report::new(machine, &predictor, &of_cut, found(&of_cut)));
+    }
+    let explained = found(&predictor);
+    // Or some of them were, by hand: likelier than any two causes, or a definition of another value, but not than one slip.
+    let is_one = |found: &Found| matches!(found.causes[..], [Cause::Convention(_) | Cause::Slip(_)]);
+    let some = given.cut_off(&mut |at| !predictor.agrees(at, here[at]) && of_cut.agrees(at, here[at]));
+    let of_some = Predictor::new(&some, machine.info);
+    if !explained.iter().any(is_one) && of_some.agreeing(&here) > predictor.agreeing(&here) {
+        let others = found(&of_some);
+        if explained.is_empty() || !others.is_empty() || of_some.agreeing(&here) == here.len() {
+            return Ok(Report::new(machine, &predictor, &of_some, others));
+        }
+    }
+    Ok(Report::new(machine, &predictor, &predictor, explained))
 }

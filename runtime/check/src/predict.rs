@@ -64,6 +64,11 @@ impl<'a> Predictor<'a> {
         (value - self.numbers[at].1.value).abs() <= self.tolerances[at]
     }
 
+    /// How many of all numbers agree.
+    pub fn agreeing(&self, values: &[f64]) -> usize {
+        values.iter().enumerate().filter(|(at, value)| self.agrees(*at, **value)).count()
+    }
+
     /// How near each number must come.
     pub fn tolerances(&self) -> &[f64] {
         &self.tolerances

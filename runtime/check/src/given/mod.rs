@@ -130,7 +130,7 @@ impl Given {
         numbers
     }
 
-    /// Lets each number be changed.
+    /// Lets each number be changed, in the order of [`Self::numbers`].
     pub fn each_reading(&mut self, change: &mut dyn FnMut(&mut Reading)) {
         let rows = self.matrices.iter_mut().map(|(_, rows)| rows);
         let rows = rows.chain(self.system_matrices.iter_mut().map(|own| &mut own.rows));
@@ -142,6 +142,19 @@ impl Given {
         }
         self.critical_speeds.iter_mut().for_each(|own| change(&mut own.speed));
         self.accelerations.iter_mut().flat_map(|own| &mut own.values).flatten().for_each(change);
+    }
+
+    /// The same with those numbers cut off, not rounded, that are chosen by their place in [`Self::numbers`].
+    pub fn cut_off(&self, is_cut: &mut dyn FnMut(usize) -> bool) -> Self {
+        let mut own = self.clone();
+        let mut place = 0;
+        own.each_reading(&mut |reading| {
+            if let Some(cut) = reading.cut_off().filter(|_| is_cut(place)) {
+                *reading = cut;
+            }
+            place += 1;
+        });
+        own
     }
 
     /// What a number is called: `M_12`, or `Re s2 at 5 m/s`.

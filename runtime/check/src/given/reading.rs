@@ -40,6 +40,20 @@ impl Reading {
         Self { value, tolerance: tolerance / 2.0, digits, written }
     }
 
+    /// The same where digits were cut off and nothing was rounded: `-0.322` agrees with all from -0.322 to -0.323. `None` for
+    /// what says its tolerance itself, and for a single digit, which many numbers begin with.
+    pub fn cut_off(&self) -> Option<Self> {
+        let is_printed = self.digits > 1 && self.value != 0.0 && self.tolerance > 0.0;
+        let value = self.value + self.tolerance.copysign(self.value);
+        is_printed.then(|| Self { value, ..self.clone() })
+    }
+
+    /// A number with the decimals of this one, rounded.
+    pub fn rounding(&self, value: f64) -> String {
+        let decimals = (-(2.0 * self.tolerance).log10()).round().clamp(0.0, 17.0) as usize;
+        format!("{value:.decimals$}")
+    }
+
     /// Trusts no more than so many significant digits.
     pub fn limit(&mut self, digits: usize) {
         let place = self.value.abs().log10().floor() as i32 + 1 - digits as i32;

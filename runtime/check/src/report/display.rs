@@ -18,7 +18,9 @@ impl fmt::Display for Report {
         writeln!(f, "Held against {machine}, by the equations of {model}\n")?;
         let shown: Vec<&Comparison> =
             numbers.iter().filter(|number| numbers.len() <= NUMBERS || !number.agrees).collect();
-        let wrong = numbers.iter().filter(|number| !number.agrees).count();
+        let is_wrong = |number: &&Comparison| !number.agrees && number.cut_off.is_none();
+        let wrong = numbers.iter().filter(is_wrong).count();
+        let cut = numbers.iter().filter(|number| number.cut_off.is_some()).count();
         if !shown.is_empty() {
             table(&shown, f)?;
             match numbers.len() - shown.len() {
@@ -26,7 +28,15 @@ impl fmt::Display for Report {
                 others => writeln!(f, "  and {others} that agree\n")?,
             }
         }
+        let first = numbers.iter().find_map(|own| Some((own, own.ours?, own.cut_off.as_ref()?)));
+        if let Some((Comparison { yours, .. }, value, rounded)) = first {
+            let are = if cut == 1 { "number is" } else { "numbers are" };
+            writeln!(f, "{cut} of {} {are} cut off, not rounded:", numbers.len())?;
+            writeln!(f, "  {yours} is {} cut off; rounded it is {rounded}\n", shown_value(yours, value))?;
+        }
         match (wrong, numbers.len()) {
+            (0, _) if cut == numbers.len() => return writeln!(f, "Nothing else differs."),
+            (0, _) if cut > 0 => return writeln!(f, "All others agree to all digits given."),
             (0, 1) => return writeln!(f, "The number agrees to all digits given."),
             (0, count) => return writeln!(f, "All {count} numbers agree to all digits given."),
             (1, 1) => writeln!(f, "The number does not agree.")?,
@@ -43,18 +53,13 @@ impl fmt::Display for Report {
 fn table(numbers: &[&Comparison], f: &mut fmt::Formatter<'_>) -> fmt::Result {
     let ours = |number: &Comparison| match number.ours {
         None => "none".to_owned(),
-        Some(0.0) => "0".to_owned(),
-        // Two digits more than were given.
-        Some(value) => {
-            let written = number.yours.chars().filter(char::is_ascii_digit).count();
-            let digits = (written + 2).clamp(6, 17);
-            shortest(format!("{value:.*e}", digits - 1).parse().unwrap_or(value))
-        }
+        Some(value) => shown_value(&number.yours, value),
     };
     let rows: Vec<[String; 5]> = numbers
         .iter()
         .map(|number| {
             let digits = match (number.agrees, number.digits) {
+                (false, digits) if number.cut_off.is_some() => format!("{digits}, cut off"),
                 (true, 0) => "all".to_owned(),
                 (true, digits) => format!("all {digits}"),
                 (false, digits) => format!("{digits}, differs"),
@@ -71,6 +76,16 @@ fn table(numbers: &[&Comparison], f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "  {label:<name$}  {symbol:<unit$}  {given:>yours$}  {value:>own$}  {digits}")?;
     }
     Ok(())
+}
+
+/// A number with two digits more than one beside it was given to.
+fn shown_value(yours: &str, value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let written = yours.chars().filter(char::is_ascii_digit).count();
+    let digits = (written + 2).clamp(6, 17);
+    shortest(format!("{value:.*e}", digits - 1).parse().unwrap_or(value))
 }
 
 fn explanations(groups: &[Group], count: usize, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -49,6 +49,8 @@ pub struct Comparison {
     pub digits: usize,
     /// Whether that is all that was given.
     pub agrees: bool,
+    /// Where the digits that were given are those of the number, but cut off and not rounded: as they are rounded.
+    pub cut_off: Option<String>,
 }
 
 /// Explanations that make the same matrices of this machine.
@@ -77,8 +79,8 @@ impl Report {
         serde_json::to_string_pretty(self).map(|text| text + "\n").unwrap_or_default()
     }
 
-    /// From everything that reproduces the numbers.
-    pub(crate) fn new(machine: &Machine, predictor: &Predictor, found: Vec<Found>) -> Self {
+    /// From everything that reproduces the numbers as they are meant: rounded, or cut off.
+    pub(crate) fn new(machine: &Machine, predictor: &Predictor, meant: &Predictor, found: Vec<Found>) -> Self {
         let here = predictor.predict(&machine.world());
         let numbers: Vec<Comparison> = predictor
             .numbers()
@@ -95,12 +97,13 @@ impl Report {
                     _ => digits(reading.value, ours, predictor.tolerances()[at]),
                 },
                 agrees: predictor.agrees(at, ours),
+                cut_off: (!predictor.agrees(at, ours) && meant.agrees(at, ours)).then(|| reading.rounding(ours)),
             })
             .collect();
         let agrees = numbers.iter().all(|number| number.agrees);
-        let is_unexplained = !agrees && found.is_empty();
-        let unexplained = is_unexplained.then(|| Suspects::new(machine, predictor, &here));
-        let explanations = groups::groups(machine, predictor, found);
+        let is_unexplained = meant.agreeing(&here) < here.len() && found.is_empty();
+        let unexplained = is_unexplained.then(|| Suspects::new(machine, meant, &here));
+        let explanations = groups::groups(machine, meant, found);
         Self {
             machine: machine.info.name.to_owned(),
             model: machine.info.name.to_owned(),

@@ -87,7 +87,7 @@ pub fn run(options: &Options) -> Result<ExitCode, Failure> {
 fn write_csv(report: &Report, output: &mut dyn Write) -> std::io::Result<()> {
     let mut csv = csv::Writer::from_writer(output);
     csv.write_record(["number", "unit", "yours", "ours", "digits", "agrees"])?;
-    for Comparison { name, unit, yours, ours, digits, agrees } in &report.numbers {
+    for Comparison { name, unit, yours, ours, digits, agrees, cut_off: _ } in &report.numbers {
         let ours = ours.map(shortest).unwrap_or_default();
         csv.write_record([name.as_str(), unit, yours, &ours, &digits.to_string(), &agrees.to_string()])?;
     }

@@ -31,6 +31,39 @@ All come out as yours if
     assert!(run.stdout.contains(expected), "{}", run.stdout);
 }
 
+/// Of Meijaard et al. (2007): the eigenvalues at 5 m/s of Table 2, -14.07838969279822, -0.32286642900409 and
+/// -0.77534188219585 ± 4.46486771378823i, and the matrices, with digits cut off.
+#[test]
+fn numbers_that_are_cut_off_are_told_so() {
+    let directory = Directory::of_this_test();
+    directory.write("mine.toml", "speed = 5\neigenvalues = [-14.078, -0.322, \"-0.775+4.464i\"]");
+    let run = directory.run(&["check", "mine.toml"]);
+    let expected = "2 of 6 numbers are cut off, not rounded:
+  -0.322 is -0.322866 cut off; rounded it is -0.323
+
+All others agree to all digits given.
+";
+    assert!(run.code == Some(1) && run.stdout.ends_with(expected), "{}", run.stdout);
+
+    directory.write("one.toml", MATRICES.replace("76.597", "76.59"));
+    let run = directory.run(&["check", "one.toml"]);
+    assert!(run.stdout.contains("1 of 16 numbers is cut off, not rounded:\n  76.59 is 76.5973 cut off; rounded it is 76.60\n"), "{}", run.stdout);
+}
+
+#[test]
+fn a_slip_is_named_of_numbers_that_are_cut_off() {
+    let directory = Directory::of_this_test();
+    let cut = "M = [[80.81, 2.31], [2.31, 0.297]]\nC1 = [[0, 33.86], [-0.850, 1.685]]\nK2 = [[0, 0], [0, 2.65]]";
+    let run = directory.write("mine.toml", cut).run(&["check", "mine.toml"]);
+    let expected = "1 of 12 numbers does not agree.
+
+All come out as yours if
+  K2 was filled row by column: K2_12 has the value of K2_21
+";
+    assert!(run.stdout.contains(expected), "{}", run.stdout);
+    assert!(run.stdout.contains("5 of 12 numbers are cut off, not rounded:\n  80.81 is 80.8172"), "{}", run.stdout);
+}
+
 #[test]
 fn json_has_everything() {
     let directory = Directory::of_this_test();

@@ -176,6 +176,27 @@ fn every_form_is_read_again() {
     }
 }
 
+/// A script whose comments stand behind statements, without a name that ends in `.m`.
+#[test]
+fn scripts_are_read_from_the_standard_input() {
+    let directory = Directory::of_this_test();
+    let json = ["--to", "paper", "--format", "json"];
+    let whole: serde_json::Value =
+        serde_json::from_str(&directory.run(&[&["convert", "benchmark"], &json[..]].concat()).ok()).unwrap();
+    for convention in ["paper", "moore", "jbike6", "geometry"] {
+        for format in ["matlab", "python"] {
+            let script = directory.run(&["convert", "benchmark", "--to", convention, "--format", format]).stdout;
+            let run = directory.run_with_input(&[&["convert", "-"], &json[..]].concat(), &script);
+            assert_eq!(run.code, Some(0), "{convention} {format}: {}", run.stderr);
+            let read: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+            for name in ["w", "c", "lam", "mB", "IHxz", "IFyy"] {
+                let [found, value] = [&read, &whole].map(|json| json["parameters"][name].as_f64().unwrap());
+                assert!((found - value).abs() <= 1e-13 * value.abs().max(1.0), "{convention} {format}: {name} is {found}");
+            }
+        }
+    }
+}
+
 /// Deviations of independent measurements become correlated ones in other parameters, and on the way back independent again.
 #[test]
 fn deviations_and_correlations_lead_back() {
@@ -291,8 +312,8 @@ fn mistakes_are_told_by_the_names_of_the_file() {
     let bicycle = |arguments: &[&str], message: &str| {
         directory.run(&[&["convert"], arguments].concat()).fails(2, &format!("error: {message}\n"));
     };
-    let known = "there is no parameterization `more`; did you mean `moore`?; there are paper, moore, pydy, principal, \
-                 gyrostats, jbike6, geometry";
+    let known = "there is no parameterization `more`; there are paper, moore, pydy, principal, gyrostats, \
+                 jbike6, geometry; did you mean `moore`?";
     bicycle(&["--to", "more"], &format!("--to more: {known}"));
     bicycle(
         &["--model", "Pendulum", "--to", "moore"],

@@ -46,6 +46,14 @@ fn tables_of_markdown_have_as_many_cells_in_each_line() {
     }
 }
 
+#[test]
+fn symbols_keep_their_letters() {
+    for language in ["latex", "markdown"] {
+        let text = document(&["analyze", "benchmark"], language);
+        assert!(text.contains("g = 9.81 N/kg") && !text.contains("G = "), "{language}: {text}");
+    }
+}
+
 /// Each environment that begins ends, each line of a table has as many cells as the table has columns, braces are in pairs, and
 /// there is no character that LaTeX would not take for text.
 #[test]

@@ -106,7 +106,7 @@ impl Convention {
         let names: Vec<&str> = Self::all().map(|convention| convention.name).collect();
         let hint = crate::nearest::nearest(name, names.iter().copied());
         let hint = hint.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default();
-        format!("there is no parameterization `{name}`{hint}; there are {}", names.join(", "))
+        format!("there is no parameterization `{name}`; there are {}{hint}", names.join(", "))
     }
 
     /// Whether it is that of the paper.

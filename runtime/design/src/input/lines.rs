@@ -133,10 +133,13 @@ fn whole_lines(text: &str, separator: char, is_matlab: bool) -> Vec<(usize, Cow<
     whole
 }
 
-/// Whether a text is a script of MATLAB, in which `%` begins a comment.
+/// Whether a text is a script of MATLAB, in which `%` begins a comment, alone in its line or behind a statement.
 pub fn is_matlab(file: File) -> bool {
     let is_python = file.label.ends_with(".py");
-    file.label.ends_with(".m") || !is_python && file.text.lines().any(|line| line.starts_with('%'))
+    let has_comment = |line: &str| {
+        line.starts_with('%') || line.split(';').skip(1).any(|behind| behind.trim_start().starts_with('%'))
+    };
+    file.label.ends_with(".m") || !is_python && file.text.lines().any(has_comment)
 }
 
 fn indent_of(line: &str) -> usize {

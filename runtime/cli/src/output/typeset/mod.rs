@@ -117,8 +117,11 @@ fn widths(lines: &[Vec<String>], least: usize) -> Vec<usize> {
     (0..columns).map(widest).collect()
 }
 
-/// A note with a capital letter, since it stands by itself.
+/// A note with a capital letter, since it stands by itself; a symbol that it begins with, as in `g = 9.81`, keeps its own.
 fn sentence(note: &str) -> String {
+    if note.split_whitespace().nth(1) == Some("=") {
+        return note.to_owned();
+    }
     let mut letters = note.chars();
     letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect()
 }
