@@ -30,8 +30,11 @@ impl fmt::Display for Report {
         }
         let first = numbers.iter().find_map(|own| Some((own, own.ours?, own.cut_off.as_ref()?)));
         if let Some((Comparison { yours, .. }, value, rounded)) = first {
-            let are = if cut == 1 { "number is" } else { "numbers are" };
-            writeln!(f, "{cut} of {} {are} cut off, not rounded:", numbers.len())?;
+            match (cut, numbers.len()) {
+                (1, 1) => writeln!(f, "The number is cut off, not rounded:")?,
+                (1, count) => writeln!(f, "1 of {count} numbers is cut off, not rounded:")?,
+                (cut, count) => writeln!(f, "{cut} of {count} numbers are cut off, not rounded:")?,
+            }
             writeln!(f, "  {yours} is {} cut off; rounded it is {rounded}\n", shown_value(yours, value))?;
         }
         match (wrong, numbers.len()) {

@@ -47,7 +47,12 @@ All others agree to all digits given.
 
     directory.write("one.toml", MATRICES.replace("76.597", "76.59"));
     let run = directory.run(&["check", "one.toml"]);
-    assert!(run.stdout.contains("1 of 16 numbers is cut off, not rounded:\n  76.59 is 76.5973 cut off; rounded it is 76.60\n"), "{}", run.stdout);
+    assert!(
+        run.stdout
+            .contains("1 of 16 numbers is cut off, not rounded:\n  76.59 is 76.5973 cut off; rounded it is 76.60\n"),
+        "{}",
+        run.stdout
+    );
 }
 
 #[test]

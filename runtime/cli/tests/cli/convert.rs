@@ -191,7 +191,10 @@ fn scripts_are_read_from_the_standard_input() {
             let read: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
             for name in ["w", "c", "lam", "mB", "IHxz", "IFyy"] {
                 let [found, value] = [&read, &whole].map(|json| json["parameters"][name].as_f64().unwrap());
-                assert!((found - value).abs() <= 1e-13 * value.abs().max(1.0), "{convention} {format}: {name} is {found}");
+                assert!(
+                    (found - value).abs() <= 1e-13 * value.abs().max(1.0),
+                    "{convention} {format}: {name} is {found}"
+                );
             }
         }
     }
