@@ -27,6 +27,8 @@ class Comparison(NamedTuple):
     """How many significant digits agree."""
     agrees: bool
     """Whether that is all that was given."""
+    cut_off: str | None
+    """Where the digits that were given are cut off and not rounded: as it is rounded. Else None."""
 
 
 class Explanation(NamedTuple):
