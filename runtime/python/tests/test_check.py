@@ -15,7 +15,7 @@ MATRICES = {
 def test_numbers_that_agree():
     report = carvallo.check(MATRICES)
     assert report.agrees and report.explanations == () and len(report.numbers) == 16
-    assert report.numbers[1] == ("M_12", "kg*m^2", "2.3194", pytest.approx(2.31941332208709), 5, True)
+    assert report.numbers[1] == ("M_12", "kg*m^2", "2.3194", pytest.approx(2.31941332208709), 5, True, None)
     assert "All 16 numbers agree" in str(report)
 
 
