@@ -36,28 +36,38 @@ pub fn check(given: &Given, design: &Design) -> Result<Report, String> {
 /// As there.
 pub fn check_machine(given: &Given, machine: &Machine) -> Result<Report, String> {
     given.fits(machine.info)?;
-    let predictor = Predictor::new(given, machine.info);
-    let here = predictor.predict(&machine.world());
-    let found = |predictor: &Predictor| match predictor.agreeing(&here) == here.len() {
+    let rounded = Predictor::new(given, machine.info);
+    let here = rounded.predict(&machine.world());
+    let found = |meant: &Predictor| match meant.agreeing(&here) == here.len() {
         true => Vec::new(),
-        false => explain::explain(machine, predictor),
+        false => explain::explain(machine, meant),
     };
-    // Who cuts one number off cuts all of them: where more agree so, that is how they were made.
-    let cut = given.cut_off(&mut |_| true);
-    let of_cut = Predictor::new(&cut, machine.info);
-    if of_cut.agreeing(&here) > predictor.agreeing(&here) {
-        return Ok(Report::new(machine, &predictor, &of_cut, found(&of_cut)));
-    }
-    let explained = found(&predictor);
-    // Or some of them were, by hand: likelier than any two causes, or a definition of another value, but not than one slip.
+    let explained = found(&rounded);
     let is_one = |found: &Found| matches!(found.causes[..], [Cause::Convention(_) | Cause::Slip(_)]);
-    let some = given.cut_off(&mut |at| !predictor.agrees(at, here[at]) && of_cut.agrees(at, here[at]));
+    let is_one_cause = explained.iter().any(is_one);
+    // Numbers that may have been cut off: some of them, by hand, or all.
+    let all = given.cut_off(&mut |_| true);
+    let of_all = Predictor::new(&all, machine.info);
+    let some = given.cut_off(&mut |at| !rounded.agrees(at, here[at]) && of_all.agrees(at, here[at]));
     let of_some = Predictor::new(&some, machine.info);
-    if !explained.iter().any(is_one) && of_some.agreeing(&here) > predictor.agreeing(&here) {
-        let others = found(&of_some);
-        if explained.is_empty() || !others.is_empty() || of_some.agreeing(&here) == here.len() {
-            return Ok(Report::new(machine, &predictor, &of_some, others));
+    if of_some.agreeing(&here) == rounded.agreeing(&here) {
+        return Ok(Report::new(machine, &rounded, &rounded, explained));
+    }
+    // Who cuts off needs no other cause; but a slip that makes the very same numbers is told beside that.
+    if of_some.agreeing(&here) == here.len() {
+        return Ok(Report::new(machine, &rounded, &of_some, if is_one_cause { explained } else { Vec::new() }));
+    }
+    // One slip or convention is likelier than it beside a slip; two causes, or a definition of another value, are not.
+    if !is_one_cause {
+        for cut in [&of_all, &of_some] {
+            if cut.agreeing(&here) > rounded.agreeing(&here) {
+                let others = found(cut);
+                if !others.is_empty() {
+                    return Ok(Report::new(machine, &rounded, cut, others));
+                }
+            }
         }
     }
-    Ok(Report::new(machine, &predictor, &predictor, explained))
+    let meant = if explained.is_empty() { &of_some } else { &rounded };
+    Ok(Report::new(machine, &rounded, meant, explained))
 }

@@ -40,3 +40,10 @@ fn slips_are_named_from_critical_speeds() {
     let [named, of] = measure(&benchmark(), Evidence::CriticalSpeeds(FULL), 397).named();
     assert!(of > 10 && named == of);
 }
+
+/// Also where a slip changes no more than what cutting digits off would.
+#[test]
+fn slips_are_named_from_rounded_eigenvalues() {
+    let [named, of] = measure(&benchmark(), Evidence::Eigenvalues(4), 41).named();
+    assert!(of > 200 && named == of, "{named} of {of}");
+}

@@ -38,8 +38,15 @@ impl fmt::Display for Report {
             writeln!(f, "  {yours} is {} cut off; rounded it is {rounded}\n", shown_value(yours, value))?;
         }
         match (wrong, numbers.len()) {
-            (0, _) if cut == numbers.len() => return writeln!(f, "Nothing else differs."),
-            (0, _) if cut > 0 => return writeln!(f, "All others agree to all digits given."),
+            (0, count) if cut > 0 => {
+                let others =
+                    if cut == count { "Nothing else differs." } else { "All others agree to all digits given." };
+                writeln!(f, "{others}")?;
+                if self.explanations.is_empty() {
+                    return Ok(());
+                }
+                writeln!(f, "\nBut if all numbers are rounded, there is another cause.")?;
+            }
             (0, 1) => return writeln!(f, "The number agrees to all digits given."),
             (0, count) => return writeln!(f, "All {count} numbers agree to all digits given."),
             (1, 1) => writeln!(f, "The number does not agree.")?,

@@ -79,7 +79,8 @@ impl Report {
         serde_json::to_string_pretty(self).map(|text| text + "\n").unwrap_or_default()
     }
 
-    /// From everything that reproduces the numbers as they are meant: rounded, or cut off.
+    /// From everything that reproduces the numbers as they are meant, rounded or cut off; or, where all that does not agree is
+    /// cut off, as rounded.
     pub(crate) fn new(machine: &Machine, predictor: &Predictor, meant: &Predictor, found: Vec<Found>) -> Self {
         let here = predictor.predict(&machine.world());
         let numbers: Vec<Comparison> = predictor
@@ -101,9 +102,10 @@ impl Report {
             })
             .collect();
         let agrees = numbers.iter().all(|number| number.agrees);
-        let is_unexplained = meant.agreeing(&here) < here.len() && found.is_empty();
-        let unexplained = is_unexplained.then(|| Suspects::new(machine, meant, &here));
-        let explanations = groups::groups(machine, meant, found);
+        let is_whole = meant.agreeing(&here) == here.len();
+        let unexplained = (!is_whole && found.is_empty()).then(|| Suspects::new(machine, meant, &here));
+        // Where all are cut off numbers or right ones, what is found explains them as rounded.
+        let explanations = groups::groups(machine, if is_whole { predictor } else { meant }, found);
         Self {
             machine: machine.info.name.to_owned(),
             model: machine.info.name.to_owned(),
