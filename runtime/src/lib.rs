@@ -88,7 +88,7 @@ pub use motion::{Linearizable, Motion, MotionError};
 pub use nalgebra;
 pub use nalgebra::Complex;
 #[cfg(feature = "std")]
-pub use notation::{Formula, Notation};
+pub use notation::{Expression, Formula, FormulaNumber, Function, Notation};
 pub use number::{Number, Scalar, to_f32};
 #[cfg(feature = "std")]
 pub use sensitivity::{

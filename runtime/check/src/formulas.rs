@@ -1,8 +1,6 @@
 //! The formulas of a model, all of them compiled to trees, and what becomes of the matrices when one is changed.
 
-use carvallo::{FormulaSubject, MatrixName, ModelInfo};
-
-use crate::formula::Expression;
+use carvallo::{Expression, FormulaSubject, MatrixName, ModelInfo};
 
 /// What a formula is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,7 +60,7 @@ impl Values {
 
     /// That of a formula in parameters and these definitions.
     pub fn of(&self, formula: &Expression, parameters: &[f64]) -> f64 {
-        formula.value(parameters, &self.definitions)
+        formula.evaluate(parameters, &self.definitions).unwrap_or(f64::NAN)
     }
 }
 
@@ -130,7 +128,7 @@ impl Formulas {
                 Some(definition) => Expression::Definition(definition),
             })
         };
-        Expression::parse(text, &name)
+        Expression::new(&carvallo::Formula::parse(text)?, &name)
     }
 
     fn find_dependents(&self) -> Vec<Vec<usize>> {
@@ -182,7 +180,8 @@ impl Formulas {
 
     fn evaluate(&self, at: usize, text: Option<&Expression>, parameters: &[f64], values: &mut Values) {
         let formula = &self.formulas[at];
-        let value = text.unwrap_or(&formula.expression).value(parameters, &values.definitions);
+        let value = text.unwrap_or(&formula.expression);
+        let value = value.evaluate(parameters, &values.definitions).unwrap_or(f64::NAN);
         match formula.subject {
             Subject::Definition(_) => values.definitions[at] = value,
             Subject::Entry(matrix, row, column) => values.entries[index(matrix, row, column, self.count)] = value,

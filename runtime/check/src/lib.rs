@@ -2,7 +2,6 @@
 
 pub mod conventions;
 pub mod explain;
-pub mod formula;
 pub mod formulas;
 pub mod given;
 pub mod machine;

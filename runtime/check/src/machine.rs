@@ -2,12 +2,11 @@
 
 use std::sync::OnceLock;
 
-use carvallo::ModelInfo;
+use carvallo::{Expression, ModelInfo};
 use carvallo_design::Design;
 
 use crate::conventions::{self, Convention};
 use crate::explain::Cause;
-use crate::formula::Expression;
 use crate::formulas::{Formulas, Subject, Values};
 use crate::predict::World;
 use crate::slips::{Slip, slips};

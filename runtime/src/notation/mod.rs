@@ -1,5 +1,6 @@
 //! The equations of a model in notations that people read and typeset.
 
+mod expression;
 mod formula;
 mod latex;
 mod markup;
@@ -10,6 +11,7 @@ mod typst;
 
 use std::fmt::Write as _;
 
+pub use self::expression::{Expression, FormulaNumber, Function};
 pub use self::formula::Formula;
 use self::latex::Latex;
 use self::markup::{Markup, Writer};

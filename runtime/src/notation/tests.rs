@@ -1,3 +1,4 @@
+use super::expression::Expression;
 use super::formula::Formula;
 use super::latex::Latex;
 use super::markup::{Markup, Writer};
@@ -95,5 +96,45 @@ fn what_is_written_is_read_as_the_same_formula() {
         let formula = Formula::parse(text).unwrap_or_else(|| panic!("{text} is a formula"));
         assert_eq!(formula.to_string(), text);
         assert_eq!(Formula::parse(&formula.to_string()), Some(formula));
+    }
+}
+
+/// The value with a = 2 and b = 3 for parameters and c = 5 for a definition.
+fn value(text: &str) -> Option<f64> {
+    let name = |name: &str| match name {
+        "a" => Some(Expression::Parameter(0)),
+        "b" => Some(Expression::Parameter(1)),
+        "c" => Some(Expression::Definition(0)),
+        _ => None,
+    };
+    Expression::new(&Formula::parse(text)?, &name)?.evaluate(&[2.0, 3.0], &[5.0])
+}
+
+#[test]
+fn formulas_have_the_values_of_their_text() {
+    for (text, expected) in [
+        ("a + b*c", 17.0),
+        ("(a + b)*c", 25.0),
+        ("a - b - c", -6.0),
+        ("a/b/c", 2.0 / 15.0),
+        ("-a^2", -4.0),
+        ("a*-b^-1", -2.0 / 3.0),
+        ("(a + b)^-1", 0.2),
+        (" - b + 0.5", -2.5),
+        ("2*a1", f64::NAN),
+        ("sqrt(a*8) + sin(0) + cos(0) + tan(0)", 5.0),
+        ("2e-1*a", 0.4),
+        ("--a", 2.0),
+        ("a^0", 1.0),
+    ] {
+        assert_eq!(value(text).unwrap_or(f64::NAN).to_bits(), expected.to_bits(), "{text}");
+    }
+    assert_eq!(value("cos(pi)"), Some(-1.0));
+}
+
+#[test]
+fn what_is_no_formula_has_no_value() {
+    for text in ["", "a +", "a b", "(a", "a)", "a^b", "unknown", "exp(a)", "a^0.5", "1.2.3", "a # b", "()", "*a"] {
+        assert_eq!(value(text), None, "{text}");
     }
 }

@@ -3,8 +3,9 @@
 mod double;
 mod solve;
 
+use carvallo::Expression;
+
 use crate::conventions::{Convention, Effect};
-use crate::formula::Expression;
 use crate::machine::{FormulaSlip, Machine};
 use crate::predict::{Predictor, World};
 
@@ -219,7 +220,7 @@ impl<'a> Search<'a, '_> {
         for at in 0..definitions {
             let world = |x: f64| {
                 let mut own = machine.values.clone();
-                let number = Expression::Number(x);
+                let number = Expression::Number(String::new(), x);
                 let done = machine.formulas.change(&[at], &number, &machine.parameters, &mut own);
                 done.then(|| World { entries: own.entries, gravity: machine.gravity(&machine.parameters) })
             };

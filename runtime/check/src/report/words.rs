@@ -6,9 +6,9 @@ use carvallo_design::number::{shortest, with_unit};
 
 use crate::conventions::Effect;
 use crate::explain::{Cause, relation};
-use crate::formula::{Token, TokenKind, tokens};
 use crate::machine::Machine;
 use crate::slips::{Kind, Slip};
+use crate::slips::{Token, TokenKind, tokens};
 
 /// Formulas up to this length are shown whole.
 const WHOLE: usize = 24;

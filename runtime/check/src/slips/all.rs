@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
+use super::token::{Token, TokenKind, tokens};
 use super::{Kind, Slip};
-use crate::formula::{Token, TokenKind, tokens};
 
 /// All slips of a formula, in its order: names become any other of these names, those of parameters and definitions. Of a
 /// text that is no formula there are none.

@@ -2,11 +2,13 @@
 //! factor.
 
 mod all;
+mod token;
 
 use std::fmt;
 use std::ops::Range;
 
 pub use self::all::slips;
+pub use self::token::{Token, TokenKind, tokens};
 
 /// One slip in the text of a formula.
 #[derive(Clone, Debug, PartialEq, Eq)]

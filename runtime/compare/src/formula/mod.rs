@@ -1,13 +1,9 @@
 //! The formulas of a model, as it tells them.
 
-mod evaluate;
-mod names;
 mod slips;
 
-use carvallo::{Formula, FormulaSubject, MatrixName, ModelInfo};
+use carvallo::{Expression, Formula, FormulaNumber, FormulaSubject, MatrixName, ModelInfo};
 
-pub use evaluate::Value;
-pub use names::{Name, Resolved};
 pub use slips::{Slip, slips};
 
 /// The matrices, of which one entry after the other makes the entries of a machine.
@@ -38,7 +34,7 @@ pub struct Equation {
     pub positions: Vec<usize>,
     pub unit: &'static str,
     pub formula: Formula,
-    resolved: Resolved,
+    expression: Expression,
 }
 
 /// The definitions of a model, each in those before it, and then its entries.
@@ -58,32 +54,41 @@ impl Equations {
         for told in info.formulas {
             let formula = Formula::parse(told.text)?;
             let definitions: Vec<_> = all.iter().filter_map(|equation| equation.definition).collect();
-            let resolved = Resolved::new(&formula, |name| find(info, &definitions, name))?;
+            let expression = Expression::new(&formula, &|name| find(info, &definitions, name))?;
             let (definition, positions) = match told.of {
                 FormulaSubject::Definition(name) => (Some(name), Vec::new()),
                 FormulaSubject::Entry(entry) => (None, entry.places.iter().map(|at| position(n, *at)).collect()),
             };
-            all.push(Equation { definition, positions, unit: told.unit, formula, resolved });
+            all.push(Equation { definition, positions, unit: told.unit, formula, expression });
         }
         (!all.is_empty()).then_some(Self { info, n, all })
     }
 
     /// The entries of all matrices at parameters; nothing where a formula has no value.
-    pub fn entries<T: Value>(&self, parameters: &[T]) -> Option<Vec<T>> {
+    pub fn entries<T: FormulaNumber>(&self, parameters: &[T]) -> Option<Vec<T>> {
         self.entries_but(parameters, usize::MAX, None)
     }
 
     /// The same with a slip in one of the formulas.
-    pub fn entries_with<T: Value>(&self, parameters: &[T], Slip { equation, resolved, .. }: &Slip) -> Option<Vec<T>> {
-        self.entries_but(parameters, *equation, Some(resolved))
+    pub fn entries_with<T: FormulaNumber>(
+        &self,
+        parameters: &[T],
+        Slip { equation, expression, .. }: &Slip,
+    ) -> Option<Vec<T>> {
+        self.entries_but(parameters, *equation, Some(expression))
     }
 
-    fn entries_but<T: Value>(&self, parameters: &[T], at: usize, instead: Option<&Resolved>) -> Option<Vec<T>> {
+    fn entries_but<T: FormulaNumber>(
+        &self,
+        parameters: &[T],
+        at: usize,
+        instead: Option<&Expression>,
+    ) -> Option<Vec<T>> {
         let mut definitions = Vec::new();
-        let mut entries = vec![T::decimal("0"); count(self.n)];
+        let mut entries = vec![T::decimal("0", 0.0); count(self.n)];
         for (index, equation) in self.all.iter().enumerate() {
-            let resolved = instead.filter(|_| index == at).unwrap_or(&equation.resolved);
-            let value = resolved.evaluate(parameters, &definitions)?;
+            let expression = instead.filter(|_| index == at).unwrap_or(&equation.expression);
+            let value = expression.evaluate(parameters, &definitions)?;
             match equation.definition {
                 Some(_) => definitions.push(value),
                 None => equation.positions.iter().for_each(|position| entries[*position] = value),
@@ -93,7 +98,7 @@ impl Equations {
     }
 
     /// What a name stands for in the equation at an index.
-    pub fn name(&self, name: &str, index: usize) -> Option<Name> {
+    pub fn name(&self, name: &str, index: usize) -> Option<Expression> {
         let definitions: Vec<_> = self.all[..index].iter().filter_map(|equation| equation.definition).collect();
         find(self.info, &definitions, name)
     }
@@ -104,7 +109,7 @@ impl Equations {
     }
 }
 
-fn find(info: &ModelInfo, definitions: &[&str], name: &str) -> Option<Name> {
-    let definition = definitions.iter().rposition(|known| *known == name).map(Name::Definition);
-    definition.or_else(|| info.position(name).map(Name::Parameter)).or((name == "pi").then_some(Name::Pi))
+fn find(info: &ModelInfo, definitions: &[&str], name: &str) -> Option<Expression> {
+    let definition = definitions.iter().rposition(|known| *known == name).map(Expression::Definition);
+    definition.or_else(|| info.position(name).map(Expression::Parameter))
 }

@@ -1,8 +1,8 @@
 //! Formulas with one slip, as people make them.
 
-use carvallo::Formula;
+use carvallo::{Expression, Formula};
 
-use super::{Equations, Resolved};
+use super::Equations;
 
 /// One of the formulas of a model with a slip in one place.
 #[derive(Clone, Debug)]
@@ -13,7 +13,7 @@ pub struct Slip {
     pub what: String,
     /// The formula with the slip.
     pub formula: Formula,
-    pub resolved: Resolved,
+    pub expression: Expression,
 }
 
 /// All single slips of the equations: a sign, a factor of two, what is missing, what divides and should multiply, a power,
@@ -28,8 +28,8 @@ pub fn slips(equations: &Equations) -> impl Iterator<Item = Slip> + '_ {
             None => slips.inside(&equation.formula),
         };
         varied.into_iter().filter_map(move |(what, formula)| {
-            let resolved = Resolved::new(&formula, |name| equations.name(name, index))?;
-            Some(Slip { equation: index, what, formula, resolved })
+            let expression = Expression::new(&formula, &|name| equations.name(name, index))?;
+            Some(Slip { equation: index, what, formula, expression })
         })
     })
 }

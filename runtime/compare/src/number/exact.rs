@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use carvallo::Number;
+use carvallo::{FormulaNumber, Function, Number};
 
 use super::Real;
 
@@ -110,8 +110,34 @@ impl Number for Exact {
     }
 }
 
+impl FormulaNumber for Exact {
+    fn decimal(digits: &str, _: f64) -> Self {
+        Self::given(Real::parse(digits))
+    }
+
+    fn pi() -> Self {
+        Self::given(Real::pi())
+    }
+
+    fn call(self, function: Function) -> Self {
+        match function {
+            Function::Sin => Number::sin(self),
+            Function::Cos => Number::cos(self),
+            Function::Tan => Number::tan(self),
+            Function::Sqrt => Number::sqrt(self),
+        }
+    }
+
+    fn sign(self) -> i8 {
+        let zero = Real::from(0.0);
+        i8::from(self.value > zero) - i8::from(self.value < zero)
+    }
+}
+
 #[cfg(test)]
 mod tests {
+    use carvallo::{Expression, Formula};
+
     use super::*;
 
     fn exact(value: f64) -> Exact {
@@ -138,5 +164,48 @@ mod tests {
         assert!((sum.sin().size - (1_f64.sin() + 1_f64.cos())).abs() < 1e-15);
         assert!((sum.tan().value.to_f64() - 1_f64.tan()).abs() < 1e-15);
         assert!((exact(2.0).sqrt().value.to_f64() - 2_f64.sqrt()).abs() < 1e-15);
+    }
+
+    fn at(text: &str, a: f64, b: f64) -> Option<f64> {
+        let find = |name: &str| match name {
+            "a" => Some(Expression::Parameter(0)),
+            "b" => Some(Expression::Parameter(1)),
+            _ => None,
+        };
+        let formula = Expression::new(&Formula::parse(text).expect("a formula"), &find).expect("names that are known");
+        let exact = formula.evaluate(&[Exact::from(a), Exact::from(b)], &[]).map(|exact| exact.value.to_f64());
+        let double = formula.evaluate(&[a, b], &[]);
+        assert!(exact.is_none() == double.is_none());
+        if let (Some(exact), Some(double)) = (exact, double) {
+            assert!((exact - double).abs() <= 1e-14 * exact.abs(), "{text}: {exact}, {double}");
+        }
+        exact
+    }
+
+    #[test]
+    fn formulas_have_their_values() {
+        let cases = [
+            ("a - (b - 1)", 2.0),
+            ("-a^2 + b", -7.0),
+            ("1/a*b", 2.0 / 3.0),
+            ("a^-1*b^0", 1.0 / 3.0),
+            ("sqrt(a + 2*b + 2)", 3.0),
+            ("2 [cm]*a", 0.06),
+            ("90 [deg]/pi", 0.5),
+            ("36 [km/h]", 10.0),
+            ("3 [g*mm^2]", 3e-9),
+            ("sin(pi/6) + cos(pi/3) + tan(pi/4)", 2.0),
+        ];
+        for (text, expected) in cases {
+            let found = at(text, 3.0, 2.0).expect("a value");
+            assert!((found - expected).abs() <= 1e-15 * expected.abs(), "{text}: {found}");
+        }
+    }
+
+    #[test]
+    fn what_has_no_value_has_none() {
+        assert_eq!(at("1/(a - b)", 2.0, 2.0), None);
+        assert_eq!(at("sqrt(a - b)", 1.0, 2.0), None);
+        assert_eq!(at("(a - b)^-2", 2.0, 2.0), None);
     }
 }
