@@ -102,6 +102,9 @@ fn a_rider_from_a_few_measures_is_joined() {
         let [found, published] = [&found, &published].map(|all| all[name]["value"].as_f64().unwrap());
         assert!((found - published).abs() < 2e-3, "{name}: {found}, not {published}");
     }
+    // What ships says of the Pista that it has no rider.
+    let ridden = directory.run(&["analyze", "pista", "--add", "rider.toml"]).ok();
+    assert!(ridden.starts_with("pista + rider") && !ridden.contains("no rider"), "{ridden}");
     let missing = directory.run_with_input(&["rider", "-"], "mass = 72\n");
     assert_eq!(missing.code, Some(2));
     assert!(missing.stderr.starts_with("error: <stdin>: missing: lean, lower_leg"), "{}", missing.stderr);

@@ -7,7 +7,7 @@
 
 use super::Convention;
 use super::dual::Dual;
-use super::name::{Name, Values};
+use super::name::{AXISYMMETRIC, Name, Values};
 use super::tensor::{Body, Tensor, turned};
 
 pub const JBIKE6: Convention = Convention {
@@ -124,7 +124,7 @@ fn wheel(given: &Values, names: &[Name; 5]) -> Result<[Dual; 3], String> {
     if (first.value - second.value).abs() > 1e-9 * first.value.abs().max(second.value.abs()) {
         let names = format!("`{}` and `{}`", names[1].name, names[2].name);
         let [first, second] = [first, second].map(|moment| crate::number::with_unit(moment.value, "kg*m^2"));
-        return Err(format!("{names} are {first} and {second}; they must be equal, as wheels are axisymmetric"));
+        return Err(format!("{names} are {first} and {second}; they must be equal, as {AXISYMMETRIC}"));
     }
     Ok([mass, first, axial])
 }

@@ -5,7 +5,7 @@
 //! steer axis (3) and across it (1), and centres of mass are measured from the centres of the wheels.
 
 use super::Convention;
-use super::name::{Name, Need, Values};
+use super::name::{AXISYMMETRIC, Name, Need, SYMMETRIC, Values};
 use super::steered::{Offsets, offsets, paper};
 use super::tensor::{Tensor, turned};
 
@@ -19,8 +19,6 @@ pub const MOORE: Convention = Convention {
     to_paper,
     from_paper,
 };
-
-const SYMMETRIC: Need = Need::Zero("the bicycle is laterally symmetric");
 
 const NAMES: &[Name] = &[
     Name::new("rr", "m", "Radius of the rear wheel").positive(),
@@ -61,8 +59,8 @@ const NAMES: &[Name] = &[
     Name::extra("ic23", "kg*m^2", SYMMETRIC),
     Name::extra("ie12", "kg*m^2", SYMMETRIC),
     Name::extra("ie23", "kg*m^2", SYMMETRIC),
-    Name::extra("id33", "kg*m^2", Need::Equal("id11", "wheels are axisymmetric")),
-    Name::extra("if33", "kg*m^2", Need::Equal("if11", "wheels are axisymmetric")),
+    Name::extra("id33", "kg*m^2", Need::Equal("id11", AXISYMMETRIC)),
+    Name::extra("if33", "kg*m^2", Need::Equal("if11", AXISYMMETRIC)),
     Name::extra("mg", "kg", Need::Zero("the rider is rigid, and part of C")),
     Name::extra("v", "m/s", Need::Ignored("the speeds come from --speeds")),
 ];

@@ -40,6 +40,12 @@ pub enum Need {
     Equal(&'static str, &'static str),
 }
 
+/// Of what stands beside the plane of symmetry.
+pub const SYMMETRIC: Need = Need::Zero("the bicycle is laterally symmetric");
+
+/// Why the radial moments of inertia of a wheel are one.
+pub const AXISYMMETRIC: &str = "wheels are axisymmetric";
+
 impl Name {
     /// One that must be there.
     pub const fn new(name: &'static str, unit: &'static str, docs: &'static str) -> Self {

@@ -8,7 +8,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::Convention;
 use super::dual::Dual;
-use super::name::{Name, Need, Values};
+use super::name::{AXISYMMETRIC, Name, Need, SYMMETRIC, Values};
 use super::tensor::{Body, Tensor};
 
 pub const PRINCIPAL: Convention = Convention {
@@ -22,8 +22,6 @@ pub const PRINCIPAL: Convention = Convention {
     from_paper,
 };
 
-const SYMMETRIC: Need = Need::Zero("the bicycle is laterally symmetric");
-const AXISYMMETRIC: &str = "wheels are axisymmetric";
 const DRAWN: Need = Need::Ignored("only pictures of the person have it");
 
 const NAMES: &[Name] = &[

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::terms::{self, Motion, Sum, Term};
-use crate::quantity::{function, literal, units};
+use crate::quantity::{expression, function, literal, units};
 
 /// Deeper nesting than this is refused, so that no input can exhaust the stack.
 const MAX_DEPTH: usize = 64;
@@ -226,17 +226,8 @@ impl<'a> Parser<'a, '_> {
         word
     }
 
-    /// `*` is not the beginning of `**`.
     fn take(&mut self, wanted: &str) -> bool {
-        self.skip_space();
-        let rest = match self.rest.strip_prefix(wanted) {
-            Some(rest) if wanted == "*" && rest.starts_with('*') => None,
-            rest => rest,
-        };
-        let is_there = rest.is_some();
-        self.rest = rest.unwrap_or(self.rest);
-        self.skip_space();
-        is_there
+        expression::take(&mut self.rest, wanted)
     }
 
     fn skip_space(&mut self) {

@@ -150,6 +150,8 @@ pub fn resolve(
     warnings.extend(magnitude::warnings(info, &values));
     warnings.extend(plausible::warnings(info, &values));
     let (kind, source) = (document.kind, document.source);
+    #[cfg(feature = "full")]
+    let kind = crate::joined::kind(kind, &changes.bodies);
     Ok(Design {
         name,
         kind,

@@ -58,7 +58,8 @@ pub fn add(design: Design, bodies: &[String]) -> Result<Design, Failure> {
     join(&bodies, design.model.info, &mut parameters, &mut covariance).map_err(Failure::Input)?;
     let values: Vec<f64> = parameters.iter().map(|given| given.value).collect();
     let equations = design.model.equations(&values).map_err(Failure::usage)?;
-    Ok(Design { name: name(design.name, &bodies), parameters, covariance, equations, ..design })
+    let (name, kind) = (name(design.name, &bodies), kind(design.kind, &bodies));
+    Ok(Design { name, kind, parameters, covariance, equations, ..design })
 }
 
 /// What a machine is called with the bodies.
@@ -67,6 +68,11 @@ pub fn name(machine: String, bodies: &[Body]) -> String {
         let body = body.name.clone().unwrap_or_else(|| format!("{} kg", shortest(body.mass[0])));
         format!("{name} + {body}")
     })
+}
+
+/// What it is: with bodies joined, no longer what was said of it alone, as that it has no rider.
+pub fn kind(alone: Option<String>, bodies: &[Body]) -> Option<String> {
+    alone.filter(|_| bodies.is_empty())
 }
 
 fn deviation(given: &Given) -> f64 {

@@ -9,5 +9,5 @@ mod read;
 pub use self::body::{Body, Frame};
 pub use self::inertia::Inertia;
 pub use self::join::add;
-pub(crate) use self::join::{join, name};
+pub(crate) use self::join::{join, kind, name};
 pub(crate) use self::read::read;

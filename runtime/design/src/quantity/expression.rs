@@ -297,22 +297,23 @@ impl<'a> Parser<'a, '_> {
         word
     }
 
-    /// `*` is not the beginning of `**`.
     fn take(&mut self, wanted: &str) -> bool {
-        self.skip_space();
-        let rest = match self.rest.strip_prefix(wanted) {
-            Some(rest) if wanted == "*" && rest.starts_with('*') => None,
-            rest => rest,
-        };
-        let is_there = rest.is_some();
-        self.rest = rest.unwrap_or(self.rest);
-        self.skip_space();
-        is_there
+        take(&mut self.rest, wanted)
     }
 
     fn skip_space(&mut self) {
         self.rest = self.rest.trim_start();
     }
+}
+
+/// Takes a sign that comes next, with the space around it. `*` is not the beginning of `**`.
+pub fn take(text: &mut &str, wanted: &str) -> bool {
+    let rest = match text.trim_start().strip_prefix(wanted) {
+        Some(rest) if wanted == "*" && rest.starts_with('*') => None,
+        rest => rest,
+    };
+    *text = rest.unwrap_or(*text).trim_start();
+    rest.is_some()
 }
 
 #[cfg(test)]

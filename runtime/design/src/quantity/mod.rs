@@ -22,7 +22,7 @@
 
 mod context;
 mod decimals;
-mod expression;
+pub(crate) mod expression;
 pub(crate) mod function;
 pub(crate) mod literal;
 mod measured;
