@@ -2,7 +2,7 @@
 
 use carvallo_control::Ports;
 use carvallo_design::Failure;
-use carvallo_plot::analysis::controllability::{Controllability, LostTo};
+use carvallo_plot::analysis::controllability::{Controllability, drawn};
 use carvallo_plot::analysis::{Analysis, reach};
 use carvallo_plot::{data, picture};
 use clap::Args;
@@ -11,9 +11,6 @@ use crate::options::{DesignOptions, Format, Picture, Speeds};
 use crate::output::documents;
 use crate::ports::PortNames;
 use crate::terminal::{print, write};
-
-/// Speeds of a picture.
-const DRAWN: u32 = 250;
 
 const HELP: &str = "\
 Of each mode, how much of it an input excites and an output shows: the cosines of the angles between its left eigenvector
@@ -92,17 +89,4 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         Format::Json => write(|output| data::controllability::write_json(&controllability, &lost, &rows, output)),
         Format::Csv => write(|output| data::controllability::write_csv(&controllability, &rows, output)),
     }
-}
-
-/// The speeds of a picture: evenly, and closer and closer to where a mode is lost.
-fn drawn(least: f64, most: f64, lost: &[LostTo]) -> Vec<f64> {
-    let step = (most - least) / f64::from(DRAWN);
-    let mut speeds: Vec<f64> = (0..DRAWN).map(|index| least + f64::from(index) * step).chain([most]).collect();
-    for lost in lost.iter().flat_map(|of| &of.lost) {
-        let around = (0..6).map(|power| step / 3_f64.powi(power)).flat_map(|shift| [-shift, shift]);
-        speeds.extend(around.chain([0.0]).map(|shift| lost.speed + shift));
-    }
-    speeds.retain(|speed| (least..=most).contains(speed));
-    speeds.sort_by(f64::total_cmp);
-    speeds
 }

@@ -1,10 +1,9 @@
 //! `carvallo respond`: responses to steps, impulses and initial states.
 
-use carvallo_control::{Ports, Signal, StateSpace};
-use carvallo_design::quantity::{self, Context, Mistake, Reason, no_names};
-use carvallo_design::{Design, Failure, Place, Problem, nearest, number};
-use carvallo_plot::analysis::response::{Excitation, Responses};
-use carvallo_plot::analysis::simulation::{Quantity, value};
+use carvallo_control::{Ports, StateSpace};
+use carvallo_design::{Design, Failure};
+use carvallo_plot::analysis::excitation::Excitation;
+use carvallo_plot::analysis::response::Responses;
 use carvallo_plot::{data, picture};
 use clap::Args;
 
@@ -106,69 +105,11 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 /// What is asked for.
 fn excitation(options: &Options, design: &Design, space: &StateSpace) -> Result<Excitation, Failure> {
     match (&options.step, &options.impulse) {
-        (Some(size), _) => sized("--step", size, space).map(|(input, size)| Excitation::Step { input, size }),
-        (None, Some(size)) => sized("--impulse", size, space).map(|(input, size)| Excitation::Impulse { input, size }),
+        (Some(size), _) => Excitation::step(size, space),
+        (None, Some(size)) => Excitation::impulse(size, space),
         (None, None) if options.initial.is_empty() => {
             Err(Failure::usage("expected --step, --impulse or --initial NAME=VALUE, such as --initial phi_rate=0.5"))
         }
-        (None, None) => initial(&options.initial, design, space).map(Excitation::Initial).map_err(Failure::Input),
+        (None, None) => Excitation::initial(&options.initial, design, space),
     }
-}
-
-/// The one input, and the size in its unit; of an impulse, that times s.
-fn sized(option: &str, text: &str, space: &StateSpace) -> Result<(usize, f64), Failure> {
-    let [input] = &space.inputs[..] else {
-        let names: Vec<&str> = space.inputs.iter().map(|input| input.name.as_str()).collect();
-        let place = Place::Option(option.to_owned());
-        return Err(Failure::at(place, format!("of which input? Name one by --input: {}", names.join(", "))));
-    };
-    let unit = match (option, input.unit.as_str()) {
-        ("--impulse", "1") => "s".to_owned(),
-        ("--impulse", unit) => format!("{unit}*s"),
-        (_, unit) => unit.to_owned(),
-    };
-    let fail = |message| Failure::at(Place::Option(format!("{option}={text}")), message);
-    read(text, &unit).map(|size| (0, size)).map_err(fail)
-}
-
-/// A number in a unit.
-fn read(text: &str, unit: &str) -> Result<f64, String> {
-    quantity::number(text, Context { unit, names: &no_names }).map_err(|Mistake { reason, .. }| match reason {
-        Reason::Unit(found) => format!("`{text}`: `{found}` is no unit for it; it is in {}", number::unit(unit)),
-        Reason::Other(reason) => format!("`{text}` must be a finite number: {reason}"),
-    })
-}
-
-/// All states, those that are given and zeros.
-fn initial(given: &[String], design: &Design, space: &StateSpace) -> Result<Vec<f64>, Vec<Problem>> {
-    let ports = Ports::of(design);
-    let mut state = vec![None; space.states.len()];
-    let mut problems = Vec::new();
-    for option in given {
-        if let Err(message) = add(option, &ports, space, &mut state) {
-            problems.push(Problem { place: Place::Option(format!("--initial {option}")), message });
-        }
-    }
-    if problems.is_empty() { Ok(state.into_iter().map(|value| value.unwrap_or(0.0)).collect()) } else { Err(problems) }
-}
-
-/// Reads one of them.
-fn add(option: &str, ports: &Ports, space: &StateSpace, state: &mut [Option<f64>]) -> Result<(), String> {
-    let (name, text) = option.split_once('=').ok_or("expected NAME=VALUE, such as phi=0.1 or phi_rate=0.5")?;
-    let named = ports.output(name).map(|output| (output, ports.signal(output)));
-    let is_state = |signal: &Signal| space.states.iter().position(|state| state.name == signal.name);
-    let found = named.ok().and_then(|(output, signal)| Some((output, is_state(&signal)?)));
-    let Some((output, place)) = found else {
-        let names: Vec<&str> = space.states.iter().map(|state| state.name.as_str()).collect();
-        let hint = nearest(name.trim(), names.iter().copied());
-        let hint = hint.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default();
-        return Err(format!("`{}` is no state{hint}\nthey are {}", name.trim(), names.join(", ")));
-    };
-    let quantity = ports.quantities[output.quantity];
-    let quantity = Quantity::new(quantity.name, quantity.label, quantity.unit);
-    let value = value(text, &quantity, output.order == carvallo_control::Order::Rate)?;
-    if state[place].replace(value).is_some() {
-        return Err("it is given twice".to_owned());
-    }
-    Ok(())
 }

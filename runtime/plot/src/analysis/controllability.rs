@@ -6,6 +6,9 @@ use carvallo_design::Failure;
 
 use crate::analysis::Analysis;
 
+/// Speeds of a picture.
+const DRAWN: u32 = 250;
+
 /// The modes of a design along the speed, between inputs and outputs.
 pub struct Controllability {
     /// The design, with its modes.
@@ -83,4 +86,17 @@ impl Controllability {
         };
         inputs.chain(outputs).map(of).collect()
     }
+}
+
+/// The speeds of a picture, in m/s: evenly from the least to the most, and closer and closer to where a mode is lost.
+pub fn drawn(least: f64, most: f64, lost: &[LostTo]) -> Vec<f64> {
+    let step = (most - least) / f64::from(DRAWN);
+    let mut speeds: Vec<f64> = (0..DRAWN).map(|index| least + f64::from(index) * step).chain([most]).collect();
+    for lost in lost.iter().flat_map(|of| &of.lost) {
+        let around = (0..6).map(|power| step / 3_f64.powi(power)).flat_map(|shift| [-shift, shift]);
+        speeds.extend(around.chain([0.0]).map(|shift| lost.speed + shift));
+    }
+    speeds.retain(|speed| (least..=most).contains(speed));
+    speeds.sort_by(f64::total_cmp);
+    speeds
 }

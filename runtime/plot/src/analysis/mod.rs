@@ -4,6 +4,8 @@ pub mod along;
 pub mod compare;
 #[cfg(feature = "control")]
 pub mod controllability;
+#[cfg(feature = "control")]
+pub mod excitation;
 mod followed;
 pub mod reach;
 #[cfg(feature = "control")]

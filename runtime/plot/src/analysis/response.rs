@@ -5,28 +5,8 @@ use carvallo_control::{Response, StateSpace};
 use carvallo_design::number::{shortest, unit};
 use carvallo_design::{Design, Failure};
 
+use crate::analysis::excitation::Excitation;
 use crate::analysis::extremes;
-
-/// What a response is to.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Excitation {
-    /// An input, by its place, that is so large from time zero on.
-    Step {
-        /// Its place.
-        input: usize,
-        /// In the unit of the input.
-        size: f64,
-    },
-    /// An impulse of an input, by its place.
-    Impulse {
-        /// Its place.
-        input: usize,
-        /// In the unit of the input times s.
-        size: f64,
-    },
-    /// A state at time zero, in SI units, in the order of the states.
-    Initial(Vec<f64>),
-}
 
 /// A response of a design at a speed.
 pub struct Responses<'a> {

@@ -4,7 +4,8 @@ use std::io::{Result, Write};
 
 use serde::Serialize;
 
-use crate::analysis::response::{Excitation, Responses};
+use crate::analysis::excitation::Excitation;
+use crate::analysis::response::Responses;
 use crate::data::head::Head;
 use crate::data::layout::{Line, Members, write_document};
 use crate::data::signals::{Named, Told};
