@@ -529,6 +529,246 @@ carvallo_motion_error_t double_pendulum_f64_motion_energy(const double_pendulum_
     return error;
 }
 
+static void double_pendulum_f64_compute_linearization(const double_pendulum_f64_motion_t *motion,
+    const double positions[DOUBLE_PENDULUM_POSITIONS], const double speeds[DOUBLE_PENDULUM_SPEEDS],
+    const double forces[DOUBLE_PENDULUM_FORCES], double_pendulum_f64_linearization_t *linearization)
+{
+    double sin_theta2 = 0.0;
+    double cos_theta2 = 0.0;
+    carvallo_sin_cos_f64(positions[1], &sin_theta2, &cos_theta2);
+    const double t8 = motion->constants[0] * cos_theta2 * motion->constants[7];
+    const double t11 = motion->constants[8] - t8;
+    const double t14 = motion->constants[6] + motion->constants[11] + t11 - t8;
+    const double t15 = 1.0 / t14;
+    double sin_theta1 = 0.0;
+    double cos_theta1 = 0.0;
+    carvallo_sin_cos_f64(positions[0], &sin_theta1, &cos_theta1);
+    const double t20 = cos_theta1 * motion->constants[9];
+    const double t23 = motion->constants[0] * sin_theta2;
+    const double t28 = motion->constants[9] * sin_theta1;
+    const double t29 = cos_theta2 * motion->constants[3];
+    const double t34 = (motion->constants[0] * t29) - motion->constants[7];
+    const double t35 = sin_theta2 * t28;
+    const double t37 = t35 - (cos_theta2 * t20);
+    const double t40 = (motion->constants[5] * t20) + (t23 * ((t20 * sin_theta2 *
+        motion->constants[3]) + (t28 * t29))) - (t34 * t37);
+    const double t42 = t11 * t15;
+    const double t46 = 1.0 / (motion->constants[8] - (t14 * t42 * t42));
+    const double t50 = t46 * ((motion->constants[7] * t37) - (t40 * t42));
+    const double t52 = (t15 * t40) - (t42 * t50);
+    const double t54 = motion->constants[0] * speeds[0];
+    const double t56 = (speeds[0] * t54) - t20;
+    const double t57 = sin_theta2 * t56;
+    const double t61 = t57 - (cos_theta2 * t28);
+    const double t62 = motion->constants[7] * t61;
+    const double t64 = cos_theta2 * t56;
+    const double t68 = speeds[0] + speeds[1];
+    const double t69 = motion->constants[7] * t68;
+    const double t70 = t68 * t69;
+    const double t74 = motion->constants[0] * ((t29 * t61) - (sin_theta2 * ((motion->constants[3] *
+        (t35 + t64)) - t70)));
+    const double t77 = forces[0] + (motion->constants[5] * t28) + t62 - t74;
+    const double t83 = t46 * (t62 + forces[1] - (t42 * t77));
+    const double t85 = (t15 * t77) - (t42 * t83);
+    const double t87 = (motion->constants[0] * t85) - t28;
+    const double t90 = motion->constants[3] * (t57 + (cos_theta2 * t87));
+    const double t96 = t64 - (sin_theta2 * t87);
+    const double t101 = motion->constants[0] * ((sin_theta2 * (t90 - (motion->constants[7] * (t83 +
+        t85)))) + (cos_theta2 * ((motion->constants[3] * t96) - t70)));
+    const double t105 = (t23 * t90) + (t34 * t96) - t101;
+    const double t110 = t46 * ((motion->constants[7] * t96) + (t42 * t105));
+    const double t113 = t69 + t69;
+    const double t114 = t54 + t54;
+    const double t118 = sin_theta2 * t114;
+    const double t120 = (t23 * ((t29 * t114) - t113)) - (t34 * t118);
+    const double t125 = t46 * ((motion->constants[7] * t118) - (t42 * t120));
+    const double t127 = (t15 * t120) - (t42 * t125);
+    const double t128 = t23 * t113;
+    const double t130 = t42 * t46;
+    const double t131 = t128 * t130;
+    const double t135 = t15 + (t42 * t130);
+    const double t136 = -((t15 * t105) + (t42 * t110));
+    const double t137 = -((t15 * t128) + (t42 * t131));
+    const double t138 = -t130;
+    linearization->a[0][0] = 0.0;
+    linearization->a[0][1] = 0.0;
+    linearization->a[0][2] = 1.0;
+    linearization->a[0][3] = 0.0;
+    linearization->b[0][0] = 0.0;
+    linearization->b[0][1] = 0.0;
+    linearization->a[1][0] = 0.0;
+    linearization->a[1][1] = 0.0;
+    linearization->a[1][2] = 0.0;
+    linearization->a[1][3] = 1.0;
+    linearization->b[1][0] = 0.0;
+    linearization->b[1][1] = 0.0;
+    linearization->a[2][0] = t52;
+    linearization->a[2][1] = t136;
+    linearization->a[2][2] = t127;
+    linearization->a[2][3] = t137;
+    linearization->b[2][0] = t135;
+    linearization->b[2][1] = t138;
+    linearization->a[3][0] = t50;
+    linearization->a[3][1] = t110;
+    linearization->a[3][2] = t125;
+    linearization->a[3][3] = t131;
+    linearization->b[3][0] = t138;
+    linearization->b[3][1] = t46;
+}
+
+carvallo_motion_error_t double_pendulum_f64_motion_linearize(const double_pendulum_f64_motion_t *motion,
+    const double positions[DOUBLE_PENDULUM_POSITIONS], const double speeds[DOUBLE_PENDULUM_SPEEDS],
+    const double forces[DOUBLE_PENDULUM_FORCES], double_pendulum_f64_linearization_t *linearization)
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f64(positions, DOUBLE_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f64(speeds, DOUBLE_PENDULUM_SPEEDS) && carvallo_are_finite_f64(forces,
+        DOUBLE_PENDULUM_FORCES)) {
+        bool are_finite = true;
+        double_pendulum_f64_compute_linearization(motion, positions, speeds, forces, linearization);
+        for (size_t row = 0U; row < DOUBLE_PENDULUM_STATES; row++) {
+            are_finite = are_finite && carvallo_are_finite_f64(linearization->a[row],
+                DOUBLE_PENDULUM_STATES) && carvallo_are_finite_f64(linearization->b[row],
+                DOUBLE_PENDULUM_FORCES);
+        }
+        error = are_finite ? CARVALLO_MOTION_OK : CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void double_pendulum_f64_compute_by_parameters(const double_pendulum_f64_motion_t *motion,
+    const double positions[DOUBLE_PENDULUM_POSITIONS], const double speeds[DOUBLE_PENDULUM_SPEEDS],
+    const double forces[DOUBLE_PENDULUM_FORCES],
+    double by_parameters[DOUBLE_PENDULUM_STATES][DOUBLE_PENDULUM_PARAMETERS])
+{
+    double sin_theta2 = 0.0;
+    double cos_theta2 = 0.0;
+    carvallo_sin_cos_f64(positions[1], &sin_theta2, &cos_theta2);
+    const double t7 = motion->constants[0] * cos_theta2 * motion->constants[7];
+    const double t10 = motion->constants[8] - t7;
+    const double t13 = motion->constants[6] + motion->constants[11] + t10 - t7;
+    const double t14 = 1.0 / t13;
+    double sin_theta1 = 0.0;
+    double cos_theta1 = 0.0;
+    carvallo_sin_cos_f64(positions[0], &sin_theta1, &cos_theta1);
+    const double t22 = speeds[0] * speeds[0];
+    const double t24 = (motion->constants[0] * t22) - (cos_theta1 * motion->constants[9]);
+    const double t25 = sin_theta2 * t24;
+    const double t27 = motion->constants[9] * sin_theta1;
+    const double t32 = t25 - (cos_theta2 * t27);
+    const double t33 = motion->constants[7] * t32;
+    const double t34 = cos_theta2 * motion->constants[3];
+    const double t36 = cos_theta2 * t24;
+    const double t41 = speeds[0] + speeds[1];
+    const double t42 = t41 * t41;
+    const double t43 = motion->constants[7] * t42;
+    const double t46 = (t32 * t34) - (sin_theta2 * ((motion->constants[3] * (t36 + (sin_theta2 *
+        t27))) - t43));
+    const double t50 = forces[0] + (t27 * motion->constants[5]) + t33 - (motion->constants[0] *
+        t46);
+    const double t52 = t10 * t14;
+    const double t60 = 1.0 / (motion->constants[8] - (t13 * t52 * t52));
+    const double t61 = (t33 + forces[1] - (t50 * t52)) * t60;
+    const double t63 = (t14 * t50) - (t52 * t61);
+    const double t65 = (motion->constants[0] * t63) - t27;
+    const double t67 = t25 + (cos_theta2 * t65);
+    const double t69 = t61 + t63;
+    const double t70 = motion->constants[7] * t69;
+    const double t74 = t36 - (sin_theta2 * t65);
+    const double t80 = (sin_theta2 * t22) + (cos_theta2 * t63);
+    const double t81 = motion->constants[7] * t80;
+    const double t82 = sin_theta2 * t34;
+    const double t85 = motion->constants[3] * sin_theta2 * sin_theta2;
+    const double t93 = (sin_theta2 * ((motion->constants[3] * t74) - t43)) + t81 - (cos_theta2 *
+        ((motion->constants[3] * t67) - t70)) - (motion->constants[0] * ((t63 * t85) + (t34 * t80) -
+        (t22 * t82)));
+    const double t97 = t60 * (t81 - (t52 * t93));
+    const double t99 = (t14 * t93) - (t52 * t97);
+    const double t104 = (t63 * motion->constants[2]) - t27;
+    const double t106 = (motion->constants[5] * t63) + (motion->constants[1] * t104);
+    const double t108 = t52 * t60;
+    const double t109 = t106 * t108;
+    const double t112 = motion->constants[2] * t104;
+    const double t114 = t108 * t112;
+    const double t118 = t63 * t108;
+    const double t123 = motion->constants[0] - motion->constants[0] - motion->constants[4];
+    const double t125 = (t69 * t123) - t67;
+    const double t127 = t70 + (motion->constants[3] * t125);
+    const double t130 = (sin_theta2 * t42) - (cos_theta2 * t69);
+    const double t133 = t127 + (motion->constants[0] * motion->constants[3] * t130);
+    const double t137 = t60 * (t127 - (t52 * t133));
+    const double t139 = (t14 * t133) - (t52 * t137);
+    const double t140 = t123 * t125;
+    const double t147 = t140 + (motion->constants[0] * ((cos_theta2 * t67) + (t123 * t130) -
+        (sin_theta2 * t74)));
+    const double t151 = t60 * ((t52 * t147) - t140);
+    const double t157 = t60 * ((t52 * t69) - t69);
+    const double t163 = (sin_theta2 * cos_theta1) + (cos_theta2 * sin_theta1);
+    const double t164 = motion->constants[7] * t163;
+    const double t172 = (sin_theta1 * motion->constants[5]) - t164 - (motion->constants[0] *
+        ((cos_theta1 * t82) - (sin_theta1 * t85) - (t34 * t163)));
+    const double t176 = t60 * (t164 + (t52 * t172));
+    const double t178 = (t14 * t172) + (t52 * t176);
+    const double t179 = -((t14 * t106) + (t52 * t109));
+    const double t180 = -((t14 * t112) + (t52 * t114));
+    const double t181 = -((t14 * t63) + (t52 * t118));
+    const double t182 = -((t14 * t147) + (t52 * t151));
+    const double t183 = -((t14 * t69) + (t52 * t157));
+    const double t184 = -t176;
+    by_parameters[0][0] = 0.0;
+    by_parameters[0][1] = 0.0;
+    by_parameters[0][2] = 0.0;
+    by_parameters[0][3] = 0.0;
+    by_parameters[0][4] = 0.0;
+    by_parameters[0][5] = 0.0;
+    by_parameters[0][6] = 0.0;
+    by_parameters[0][7] = 0.0;
+    by_parameters[1][0] = 0.0;
+    by_parameters[1][1] = 0.0;
+    by_parameters[1][2] = 0.0;
+    by_parameters[1][3] = 0.0;
+    by_parameters[1][4] = 0.0;
+    by_parameters[1][5] = 0.0;
+    by_parameters[1][6] = 0.0;
+    by_parameters[1][7] = 0.0;
+    by_parameters[2][0] = t99;
+    by_parameters[2][1] = t179;
+    by_parameters[2][2] = t180;
+    by_parameters[2][3] = t181;
+    by_parameters[2][4] = t139;
+    by_parameters[2][5] = t182;
+    by_parameters[2][6] = t183;
+    by_parameters[2][7] = t178;
+    by_parameters[3][0] = t97;
+    by_parameters[3][1] = t109;
+    by_parameters[3][2] = t114;
+    by_parameters[3][3] = t118;
+    by_parameters[3][4] = t137;
+    by_parameters[3][5] = t151;
+    by_parameters[3][6] = t157;
+    by_parameters[3][7] = t184;
+}
+
+carvallo_motion_error_t double_pendulum_f64_motion_by_parameters(const double_pendulum_f64_motion_t *motion,
+    const double positions[DOUBLE_PENDULUM_POSITIONS], const double speeds[DOUBLE_PENDULUM_SPEEDS],
+    const double forces[DOUBLE_PENDULUM_FORCES],
+    double by_parameters[DOUBLE_PENDULUM_STATES][DOUBLE_PENDULUM_PARAMETERS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f64(positions, DOUBLE_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f64(speeds, DOUBLE_PENDULUM_SPEEDS) && carvallo_are_finite_f64(forces,
+        DOUBLE_PENDULUM_FORCES)) {
+        bool are_finite = true;
+        double_pendulum_f64_compute_by_parameters(motion, positions, speeds, forces, by_parameters);
+        for (size_t row = 0U; row < DOUBLE_PENDULUM_STATES; row++) {
+            are_finite = are_finite && carvallo_are_finite_f64(by_parameters[row],
+                DOUBLE_PENDULUM_PARAMETERS);
+        }
+        error = are_finite ? CARVALLO_MOTION_OK : CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
 const double_pendulum_f32_t double_pendulum_f32_sets[DOUBLE_PENDULUM_SETS] = {
     { /* rods */
         .l1 = 1.0F,
@@ -939,6 +1179,245 @@ carvallo_motion_error_t double_pendulum_f32_motion_energy(const double_pendulum_
         double_pendulum_f32_compute_energy(motion, positions, speeds, energy);
         error = (carvallo_are_finite_f32(energy, 2U)) ? CARVALLO_MOTION_OK :
             CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void double_pendulum_f32_compute_linearization(const double_pendulum_f32_motion_t *motion,
+    const float positions[DOUBLE_PENDULUM_POSITIONS], const float speeds[DOUBLE_PENDULUM_SPEEDS],
+    const float forces[DOUBLE_PENDULUM_FORCES], double_pendulum_f32_linearization_t *linearization)
+{
+    float sin_theta2 = 0.0F;
+    float cos_theta2 = 0.0F;
+    carvallo_sin_cos_f32(positions[1], &sin_theta2, &cos_theta2);
+    const float t8 = motion->constants[0] * cos_theta2 * motion->constants[7];
+    const float t11 = motion->constants[8] - t8;
+    const float t14 = motion->constants[6] + motion->constants[11] + t11 - t8;
+    const float t15 = 1.0F / t14;
+    float sin_theta1 = 0.0F;
+    float cos_theta1 = 0.0F;
+    carvallo_sin_cos_f32(positions[0], &sin_theta1, &cos_theta1);
+    const float t20 = cos_theta1 * motion->constants[9];
+    const float t23 = motion->constants[0] * sin_theta2;
+    const float t28 = motion->constants[9] * sin_theta1;
+    const float t29 = cos_theta2 * motion->constants[3];
+    const float t34 = (motion->constants[0] * t29) - motion->constants[7];
+    const float t35 = sin_theta2 * t28;
+    const float t37 = t35 - (cos_theta2 * t20);
+    const float t40 = (motion->constants[5] * t20) + (t23 * ((t20 * sin_theta2 *
+        motion->constants[3]) + (t28 * t29))) - (t34 * t37);
+    const float t42 = t11 * t15;
+    const float t46 = 1.0F / (motion->constants[8] - (t14 * t42 * t42));
+    const float t50 = t46 * ((motion->constants[7] * t37) - (t40 * t42));
+    const float t52 = (t15 * t40) - (t42 * t50);
+    const float t54 = motion->constants[0] * speeds[0];
+    const float t56 = (speeds[0] * t54) - t20;
+    const float t57 = sin_theta2 * t56;
+    const float t61 = t57 - (cos_theta2 * t28);
+    const float t62 = motion->constants[7] * t61;
+    const float t64 = cos_theta2 * t56;
+    const float t68 = speeds[0] + speeds[1];
+    const float t69 = motion->constants[7] * t68;
+    const float t70 = t68 * t69;
+    const float t74 = motion->constants[0] * ((t29 * t61) - (sin_theta2 * ((motion->constants[3] *
+        (t35 + t64)) - t70)));
+    const float t77 = forces[0] + (motion->constants[5] * t28) + t62 - t74;
+    const float t83 = t46 * (t62 + forces[1] - (t42 * t77));
+    const float t85 = (t15 * t77) - (t42 * t83);
+    const float t87 = (motion->constants[0] * t85) - t28;
+    const float t90 = motion->constants[3] * (t57 + (cos_theta2 * t87));
+    const float t96 = t64 - (sin_theta2 * t87);
+    const float t101 = motion->constants[0] * ((sin_theta2 * (t90 - (motion->constants[7] * (t83 +
+        t85)))) + (cos_theta2 * ((motion->constants[3] * t96) - t70)));
+    const float t105 = (t23 * t90) + (t34 * t96) - t101;
+    const float t110 = t46 * ((motion->constants[7] * t96) + (t42 * t105));
+    const float t113 = t69 + t69;
+    const float t114 = t54 + t54;
+    const float t118 = sin_theta2 * t114;
+    const float t120 = (t23 * ((t29 * t114) - t113)) - (t34 * t118);
+    const float t125 = t46 * ((motion->constants[7] * t118) - (t42 * t120));
+    const float t127 = (t15 * t120) - (t42 * t125);
+    const float t128 = t23 * t113;
+    const float t130 = t42 * t46;
+    const float t131 = t128 * t130;
+    const float t135 = t15 + (t42 * t130);
+    const float t136 = -((t15 * t105) + (t42 * t110));
+    const float t137 = -((t15 * t128) + (t42 * t131));
+    const float t138 = -t130;
+    linearization->a[0][0] = 0.0F;
+    linearization->a[0][1] = 0.0F;
+    linearization->a[0][2] = 1.0F;
+    linearization->a[0][3] = 0.0F;
+    linearization->b[0][0] = 0.0F;
+    linearization->b[0][1] = 0.0F;
+    linearization->a[1][0] = 0.0F;
+    linearization->a[1][1] = 0.0F;
+    linearization->a[1][2] = 0.0F;
+    linearization->a[1][3] = 1.0F;
+    linearization->b[1][0] = 0.0F;
+    linearization->b[1][1] = 0.0F;
+    linearization->a[2][0] = t52;
+    linearization->a[2][1] = t136;
+    linearization->a[2][2] = t127;
+    linearization->a[2][3] = t137;
+    linearization->b[2][0] = t135;
+    linearization->b[2][1] = t138;
+    linearization->a[3][0] = t50;
+    linearization->a[3][1] = t110;
+    linearization->a[3][2] = t125;
+    linearization->a[3][3] = t131;
+    linearization->b[3][0] = t138;
+    linearization->b[3][1] = t46;
+}
+
+carvallo_motion_error_t double_pendulum_f32_motion_linearize(const double_pendulum_f32_motion_t *motion,
+    const float positions[DOUBLE_PENDULUM_POSITIONS], const float speeds[DOUBLE_PENDULUM_SPEEDS],
+    const float forces[DOUBLE_PENDULUM_FORCES], double_pendulum_f32_linearization_t *linearization)
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f32(positions, DOUBLE_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f32(speeds, DOUBLE_PENDULUM_SPEEDS) && carvallo_are_finite_f32(forces,
+        DOUBLE_PENDULUM_FORCES)) {
+        bool are_finite = true;
+        double_pendulum_f32_compute_linearization(motion, positions, speeds, forces, linearization);
+        for (size_t row = 0U; row < DOUBLE_PENDULUM_STATES; row++) {
+            are_finite = are_finite && carvallo_are_finite_f32(linearization->a[row],
+                DOUBLE_PENDULUM_STATES) && carvallo_are_finite_f32(linearization->b[row],
+                DOUBLE_PENDULUM_FORCES);
+        }
+        error = are_finite ? CARVALLO_MOTION_OK : CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void double_pendulum_f32_compute_by_parameters(const double_pendulum_f32_motion_t *motion,
+    const float positions[DOUBLE_PENDULUM_POSITIONS], const float speeds[DOUBLE_PENDULUM_SPEEDS],
+    const float forces[DOUBLE_PENDULUM_FORCES],
+    float by_parameters[DOUBLE_PENDULUM_STATES][DOUBLE_PENDULUM_PARAMETERS])
+{
+    float sin_theta2 = 0.0F;
+    float cos_theta2 = 0.0F;
+    carvallo_sin_cos_f32(positions[1], &sin_theta2, &cos_theta2);
+    const float t7 = motion->constants[0] * cos_theta2 * motion->constants[7];
+    const float t10 = motion->constants[8] - t7;
+    const float t13 = motion->constants[6] + motion->constants[11] + t10 - t7;
+    const float t14 = 1.0F / t13;
+    float sin_theta1 = 0.0F;
+    float cos_theta1 = 0.0F;
+    carvallo_sin_cos_f32(positions[0], &sin_theta1, &cos_theta1);
+    const float t22 = speeds[0] * speeds[0];
+    const float t24 = (motion->constants[0] * t22) - (cos_theta1 * motion->constants[9]);
+    const float t25 = sin_theta2 * t24;
+    const float t27 = motion->constants[9] * sin_theta1;
+    const float t32 = t25 - (cos_theta2 * t27);
+    const float t33 = motion->constants[7] * t32;
+    const float t34 = cos_theta2 * motion->constants[3];
+    const float t36 = cos_theta2 * t24;
+    const float t41 = speeds[0] + speeds[1];
+    const float t42 = t41 * t41;
+    const float t43 = motion->constants[7] * t42;
+    const float t46 = (t32 * t34) - (sin_theta2 * ((motion->constants[3] * (t36 + (sin_theta2 *
+        t27))) - t43));
+    const float t50 = forces[0] + (t27 * motion->constants[5]) + t33 - (motion->constants[0] * t46);
+    const float t52 = t10 * t14;
+    const float t60 = 1.0F / (motion->constants[8] - (t13 * t52 * t52));
+    const float t61 = (t33 + forces[1] - (t50 * t52)) * t60;
+    const float t63 = (t14 * t50) - (t52 * t61);
+    const float t65 = (motion->constants[0] * t63) - t27;
+    const float t67 = t25 + (cos_theta2 * t65);
+    const float t69 = t61 + t63;
+    const float t70 = motion->constants[7] * t69;
+    const float t74 = t36 - (sin_theta2 * t65);
+    const float t80 = (sin_theta2 * t22) + (cos_theta2 * t63);
+    const float t81 = motion->constants[7] * t80;
+    const float t82 = sin_theta2 * t34;
+    const float t85 = motion->constants[3] * sin_theta2 * sin_theta2;
+    const float t93 = (sin_theta2 * ((motion->constants[3] * t74) - t43)) + t81 - (cos_theta2 *
+        ((motion->constants[3] * t67) - t70)) - (motion->constants[0] * ((t63 * t85) + (t34 * t80) -
+        (t22 * t82)));
+    const float t97 = t60 * (t81 - (t52 * t93));
+    const float t99 = (t14 * t93) - (t52 * t97);
+    const float t104 = (t63 * motion->constants[2]) - t27;
+    const float t106 = (motion->constants[5] * t63) + (motion->constants[1] * t104);
+    const float t108 = t52 * t60;
+    const float t109 = t106 * t108;
+    const float t112 = motion->constants[2] * t104;
+    const float t114 = t108 * t112;
+    const float t118 = t63 * t108;
+    const float t123 = motion->constants[0] - motion->constants[0] - motion->constants[4];
+    const float t125 = (t69 * t123) - t67;
+    const float t127 = t70 + (motion->constants[3] * t125);
+    const float t130 = (sin_theta2 * t42) - (cos_theta2 * t69);
+    const float t133 = t127 + (motion->constants[0] * motion->constants[3] * t130);
+    const float t137 = t60 * (t127 - (t52 * t133));
+    const float t139 = (t14 * t133) - (t52 * t137);
+    const float t140 = t123 * t125;
+    const float t147 = t140 + (motion->constants[0] * ((cos_theta2 * t67) + (t123 * t130) -
+        (sin_theta2 * t74)));
+    const float t151 = t60 * ((t52 * t147) - t140);
+    const float t157 = t60 * ((t52 * t69) - t69);
+    const float t163 = (sin_theta2 * cos_theta1) + (cos_theta2 * sin_theta1);
+    const float t164 = motion->constants[7] * t163;
+    const float t172 = (sin_theta1 * motion->constants[5]) - t164 - (motion->constants[0] *
+        ((cos_theta1 * t82) - (sin_theta1 * t85) - (t34 * t163)));
+    const float t176 = t60 * (t164 + (t52 * t172));
+    const float t178 = (t14 * t172) + (t52 * t176);
+    const float t179 = -((t14 * t106) + (t52 * t109));
+    const float t180 = -((t14 * t112) + (t52 * t114));
+    const float t181 = -((t14 * t63) + (t52 * t118));
+    const float t182 = -((t14 * t147) + (t52 * t151));
+    const float t183 = -((t14 * t69) + (t52 * t157));
+    const float t184 = -t176;
+    by_parameters[0][0] = 0.0F;
+    by_parameters[0][1] = 0.0F;
+    by_parameters[0][2] = 0.0F;
+    by_parameters[0][3] = 0.0F;
+    by_parameters[0][4] = 0.0F;
+    by_parameters[0][5] = 0.0F;
+    by_parameters[0][6] = 0.0F;
+    by_parameters[0][7] = 0.0F;
+    by_parameters[1][0] = 0.0F;
+    by_parameters[1][1] = 0.0F;
+    by_parameters[1][2] = 0.0F;
+    by_parameters[1][3] = 0.0F;
+    by_parameters[1][4] = 0.0F;
+    by_parameters[1][5] = 0.0F;
+    by_parameters[1][6] = 0.0F;
+    by_parameters[1][7] = 0.0F;
+    by_parameters[2][0] = t99;
+    by_parameters[2][1] = t179;
+    by_parameters[2][2] = t180;
+    by_parameters[2][3] = t181;
+    by_parameters[2][4] = t139;
+    by_parameters[2][5] = t182;
+    by_parameters[2][6] = t183;
+    by_parameters[2][7] = t178;
+    by_parameters[3][0] = t97;
+    by_parameters[3][1] = t109;
+    by_parameters[3][2] = t114;
+    by_parameters[3][3] = t118;
+    by_parameters[3][4] = t137;
+    by_parameters[3][5] = t151;
+    by_parameters[3][6] = t157;
+    by_parameters[3][7] = t184;
+}
+
+carvallo_motion_error_t double_pendulum_f32_motion_by_parameters(const double_pendulum_f32_motion_t *motion,
+    const float positions[DOUBLE_PENDULUM_POSITIONS], const float speeds[DOUBLE_PENDULUM_SPEEDS],
+    const float forces[DOUBLE_PENDULUM_FORCES],
+    float by_parameters[DOUBLE_PENDULUM_STATES][DOUBLE_PENDULUM_PARAMETERS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f32(positions, DOUBLE_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f32(speeds, DOUBLE_PENDULUM_SPEEDS) && carvallo_are_finite_f32(forces,
+        DOUBLE_PENDULUM_FORCES)) {
+        bool are_finite = true;
+        double_pendulum_f32_compute_by_parameters(motion, positions, speeds, forces, by_parameters);
+        for (size_t row = 0U; row < DOUBLE_PENDULUM_STATES; row++) {
+            are_finite = are_finite && carvallo_are_finite_f32(by_parameters[row],
+                DOUBLE_PENDULUM_PARAMETERS);
+        }
+        error = are_finite ? CARVALLO_MOTION_OK : CARVALLO_MOTION_SINGULAR;
     }
     return error;
 }

@@ -598,6 +598,290 @@ carvallo_motion_error_t rolling_disc_f64_motion_contact_forces(const rolling_dis
     return error;
 }
 
+static void rolling_disc_f64_compute_linearization(const rolling_disc_f64_motion_t *motion,
+    const double positions[ROLLING_DISC_POSITIONS], const double speeds[ROLLING_DISC_SPEEDS],
+    rolling_disc_f64_linearization_t *linearization)
+{
+    const double t3 = motion->constants[0] * speeds[2];
+    double sin_psi = 0.0;
+    double cos_psi = 0.0;
+    carvallo_sin_cos_f64(positions[2], &sin_psi, &cos_psi);
+    const double t6 = t3 * sin_psi;
+    double sin_phi = 0.0;
+    double cos_phi = 0.0;
+    carvallo_sin_cos_f64(positions[3], &sin_phi, &cos_phi);
+    const double t15 = sin_phi * motion->constants[6];
+    const double t19 = cos_phi * motion->constants[1];
+    const double t22 = sin_phi * motion->constants[2];
+    const double t25 = (sin_phi * t15) + (cos_phi * t19) + (sin_phi * t22);
+    const double t26 = 1.0 / t25;
+    const double t29 = sin_phi * speeds[0];
+    const double t31 = motion->constants[2] * (speeds[2] + t29);
+    const double t33 = motion->constants[1] * speeds[1];
+    const double t35 = (speeds[1] * t31) - (t29 * t33);
+    const double t36 = speeds[1] * t29;
+    const double t37 = cos_phi * speeds[0];
+    const double t39 = motion->constants[1] * t37;
+    const double t41 = (t33 * t37) - (speeds[1] * t39);
+    const double t42 = speeds[1] * t37;
+    const double t45 = motion->constants[0] * speeds[1];
+    const double t46 = t37 * t45;
+    const double t49 = motion->constants[0] * motion->constants[3];
+    const double t51 = (motion->constants[2] * t42) + (((motion->constants[0] * t42) + t46) * t49);
+    const double t57 = (sin_phi * (t41 + t51)) + (cos_phi * (t35 - (motion->constants[1] * t36)));
+    const double t60 = t26 * (t15 + t22);
+    const double t67 = 1.0 / (motion->constants[8] - (t25 * t60 * t60));
+    const double t68 = ((t57 * t60) - t51) * t67;
+    const double t70 = (t26 * t57) + (t60 * t68);
+    const double t72 = t36 + (cos_phi * t70);
+    const double t76 = sin_phi * t70;
+    const double t79 = t42 + t68 - t76;
+    const double t89 = cos_phi * speeds[1];
+    const double t90 = motion->constants[2] * t89;
+    const double t92 = t90 - (cos_phi * t33) - (t19 * speeds[1]);
+    const double t95 = sin_phi * motion->constants[5];
+    const double t96 = t29 * t45;
+    const double t99 = t22 + (motion->constants[0] * t95);
+    const double t103 = (sin_phi * (t35 - (motion->constants[1] * t72))) + (t95 * t96) + (t72 *
+        t99) - (t19 * t76);
+    const double t104 = t103 - (cos_phi * (t41 + (motion->constants[2] * t79) + (t49 * (t46 +
+        (motion->constants[0] * t79)))));
+    const double t105 = t104 - (t37 * t92);
+    const double t108 = motion->constants[6] + motion->constants[2];
+    const double t113 = t67 * ((motion->constants[5] * t96) + (t72 * t108) - (t60 * t105));
+    const double t115 = (t26 * t105) - (t60 * t113);
+    const double t117 = cos_phi * t45;
+    const double t121 = (sin_phi * t92) + (t95 * t117) + (t89 * t99);
+    const double t128 = t67 * ((t60 * t121) - (motion->constants[5] * t117) - (t89 * t108));
+    const double t132 = (motion->constants[1] * t29) - t31;
+    const double t135 = motion->constants[0] * t37;
+    const double t140 = (t95 * t135) + (t37 * t99) - (cos_phi * t132) - (t19 * t29);
+    const double t142 = motion->constants[5] * t135;
+    const double t147 = t67 * ((t60 * t140) - t142 - (t37 * t108));
+    const double t152 = t60 * t67 * t90;
+    const double t159 = t142 + (motion->constants[2] * t37);
+    const double t160 = t39 - t159;
+    const double t165 = t132 - (motion->constants[5] * (t3 + (motion->constants[0] * t29)));
+    const double t170 = 1.0 / motion->constants[7];
+    const double t171 = ((cos_phi * motion->constants[5] * motion->constants[4]) + (t29 * t165) -
+        (t37 * t160)) * t170;
+    const double t176 = t159 * t170;
+    const double t177 = -(motion->constants[0] * cos_psi);
+    const double t178 = -(t3 * cos_psi);
+    const double t179 = -(motion->constants[0] * sin_psi);
+    const double t180 = -((t26 * t121) + (t60 * t128));
+    const double t181 = -((t26 * t140) + (t60 * t147));
+    const double t182 = -((t26 * t90) + (t60 * t152));
+    const double t183 = -(t170 * ((sin_phi * t160) + (cos_phi * t165)));
+    linearization->a[0][0] = 0.0;
+    linearization->a[0][1] = 0.0;
+    linearization->a[0][2] = t6;
+    linearization->a[0][3] = 0.0;
+    linearization->a[0][4] = 0.0;
+    linearization->a[0][5] = 0.0;
+    linearization->a[0][6] = 0.0;
+    linearization->a[0][7] = t177;
+    linearization->a[1][0] = 0.0;
+    linearization->a[1][1] = 0.0;
+    linearization->a[1][2] = t178;
+    linearization->a[1][3] = 0.0;
+    linearization->a[1][4] = 0.0;
+    linearization->a[1][5] = 0.0;
+    linearization->a[1][6] = 0.0;
+    linearization->a[1][7] = t179;
+    linearization->a[2][0] = 0.0;
+    linearization->a[2][1] = 0.0;
+    linearization->a[2][2] = 0.0;
+    linearization->a[2][3] = 0.0;
+    linearization->a[2][4] = 0.0;
+    linearization->a[2][5] = 1.0;
+    linearization->a[2][6] = 0.0;
+    linearization->a[2][7] = 0.0;
+    linearization->a[3][0] = 0.0;
+    linearization->a[3][1] = 0.0;
+    linearization->a[3][2] = 0.0;
+    linearization->a[3][3] = 0.0;
+    linearization->a[3][4] = 0.0;
+    linearization->a[3][5] = 0.0;
+    linearization->a[3][6] = 1.0;
+    linearization->a[3][7] = 0.0;
+    linearization->a[4][0] = 0.0;
+    linearization->a[4][1] = 0.0;
+    linearization->a[4][2] = 0.0;
+    linearization->a[4][3] = 0.0;
+    linearization->a[4][4] = 0.0;
+    linearization->a[4][5] = 0.0;
+    linearization->a[4][6] = 0.0;
+    linearization->a[4][7] = 1.0;
+    linearization->a[5][0] = 0.0;
+    linearization->a[5][1] = 0.0;
+    linearization->a[5][2] = 0.0;
+    linearization->a[5][3] = t115;
+    linearization->a[5][4] = 0.0;
+    linearization->a[5][5] = t180;
+    linearization->a[5][6] = t181;
+    linearization->a[5][7] = t182;
+    linearization->a[6][0] = 0.0;
+    linearization->a[6][1] = 0.0;
+    linearization->a[6][2] = 0.0;
+    linearization->a[6][3] = t171;
+    linearization->a[6][4] = 0.0;
+    linearization->a[6][5] = t183;
+    linearization->a[6][6] = 0.0;
+    linearization->a[6][7] = t176;
+    linearization->a[7][0] = 0.0;
+    linearization->a[7][1] = 0.0;
+    linearization->a[7][2] = 0.0;
+    linearization->a[7][3] = t113;
+    linearization->a[7][4] = 0.0;
+    linearization->a[7][5] = t128;
+    linearization->a[7][6] = t147;
+    linearization->a[7][7] = t152;
+}
+
+carvallo_motion_error_t rolling_disc_f64_motion_linearize(const rolling_disc_f64_motion_t *motion,
+    const double positions[ROLLING_DISC_POSITIONS], const double speeds[ROLLING_DISC_SPEEDS],
+    rolling_disc_f64_linearization_t *linearization)
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f64(positions, ROLLING_DISC_POSITIONS) &&
+        carvallo_are_finite_f64(speeds, ROLLING_DISC_SPEEDS)) {
+        bool are_finite = true;
+        rolling_disc_f64_compute_linearization(motion, positions, speeds, linearization);
+        for (size_t row = 0U; row < ROLLING_DISC_STATES; row++) {
+            are_finite = are_finite && carvallo_are_finite_f64(linearization->a[row],
+                ROLLING_DISC_STATES);
+        }
+        error = are_finite ? CARVALLO_MOTION_OK : CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void rolling_disc_f64_compute_by_parameters(const rolling_disc_f64_motion_t *motion,
+    const double positions[ROLLING_DISC_POSITIONS], const double speeds[ROLLING_DISC_SPEEDS],
+    double by_parameters[ROLLING_DISC_STATES][ROLLING_DISC_PARAMETERS])
+{
+    double sin_psi = 0.0;
+    double cos_psi = 0.0;
+    carvallo_sin_cos_f64(positions[2], &sin_psi, &cos_psi);
+    double sin_phi = 0.0;
+    double cos_phi = 0.0;
+    carvallo_sin_cos_f64(positions[3], &sin_phi, &cos_phi);
+    const double t10 = sin_phi * motion->constants[6];
+    const double t17 = sin_phi * motion->constants[2];
+    const double t20 = (sin_phi * t10) + (motion->constants[1] * cos_phi * cos_phi) + (sin_phi *
+        t17);
+    const double t21 = 1.0 / t20;
+    const double t26 = cos_phi * speeds[0];
+    const double t27 = motion->constants[0] * t26;
+    const double t28 = speeds[1] * t27;
+    const double t29 = speeds[1] * t26;
+    const double t33 = motion->constants[3] * motion->constants[0];
+    const double t35 = (motion->constants[2] * t29) + ((t28 + (motion->constants[0] * t29)) * t33);
+    const double t36 = motion->constants[1] * speeds[1];
+    const double t38 = motion->constants[1] * t26;
+    const double t43 = sin_phi * speeds[0];
+    const double t44 = speeds[1] * t43;
+    const double t46 = speeds[2] + t43;
+    const double t47 = motion->constants[2] * t46;
+    const double t53 = (sin_phi * ((t26 * t36) + t35 - (speeds[1] * t38))) + (cos_phi *
+        ((speeds[1] * t47) - (motion->constants[1] * t44) - (t36 * t43)));
+    const double t55 = t21 * (t10 + t17);
+    const double t62 = 1.0 / (motion->constants[8] - (t20 * t55 * t55));
+    const double t63 = ((t53 * t55) - t35) * t62;
+    const double t66 = (t21 * t53) + (t55 * t63);
+    const double t69 = t29 + t63 - (sin_phi * t66);
+    const double t71 = t28 + (motion->constants[0] * t69);
+    const double t75 = (motion->constants[3] * t71) + (t33 * (t29 + t69));
+    const double t76 = sin_phi * t75;
+    const double t80 = t62 * ((t55 * t76) - t75);
+    const double t83 = motion->constants[0] * t71;
+    const double t84 = sin_phi * t83;
+    const double t88 = t62 * ((t55 * t84) - t83);
+    const double t94 = (cos_phi * speeds[1] * t46) + (sin_phi * t69);
+    const double t98 = t62 * ((t55 * t94) - t69);
+    const double t104 = cos_phi * (t44 + t44 + (cos_phi * t66));
+    const double t107 = t55 * t62 * t104;
+    const double t109 = (t21 * t104) + (t55 * t107);
+    const double t111 = 1.0 / motion->constants[7];
+    const double t115 = (t27 * t43) + (sin_phi * motion->constants[4]);
+    const double t116 = speeds[2] * t26;
+    const double t124 = t111 * ((t38 * t43) - (t26 * t47) - (t33 * ((motion->constants[0] * t116) +
+        t115)));
+    const double t125 = t116 + t124;
+    const double t127 = t115 + (motion->constants[0] * t125);
+    const double t129 = t26 * t43;
+    const double t133 = t111 * ((motion->constants[3] * t127) + (t33 * (t125 + t129)));
+    const double t135 = motion->constants[0] * t111 * t127;
+    const double t137 = t26 * t46 * t111;
+    const double t141 = sin_phi * t33 * t111;
+    const double t142 = -(speeds[2] * cos_psi);
+    const double t143 = -(speeds[2] * sin_psi);
+    const double t144 = -((t21 * t76) + (t55 * t80));
+    const double t145 = -((t21 * t84) + (t55 * t88));
+    const double t146 = -((t21 * t94) + (t55 * t98));
+    const double t147 = -(t111 * (t129 - t124));
+    const double t148 = -t107;
+    by_parameters[0][0] = t142;
+    by_parameters[0][1] = 0.0;
+    by_parameters[0][2] = 0.0;
+    by_parameters[0][3] = 0.0;
+    by_parameters[0][4] = 0.0;
+    by_parameters[1][0] = t143;
+    by_parameters[1][1] = 0.0;
+    by_parameters[1][2] = 0.0;
+    by_parameters[1][3] = 0.0;
+    by_parameters[1][4] = 0.0;
+    by_parameters[2][0] = 0.0;
+    by_parameters[2][1] = 0.0;
+    by_parameters[2][2] = 0.0;
+    by_parameters[2][3] = 0.0;
+    by_parameters[2][4] = 0.0;
+    by_parameters[3][0] = 0.0;
+    by_parameters[3][1] = 0.0;
+    by_parameters[3][2] = 0.0;
+    by_parameters[3][3] = 0.0;
+    by_parameters[3][4] = 0.0;
+    by_parameters[4][0] = 0.0;
+    by_parameters[4][1] = 0.0;
+    by_parameters[4][2] = 0.0;
+    by_parameters[4][3] = 0.0;
+    by_parameters[4][4] = 0.0;
+    by_parameters[5][0] = t144;
+    by_parameters[5][1] = t145;
+    by_parameters[5][2] = t146;
+    by_parameters[5][3] = t109;
+    by_parameters[5][4] = 0.0;
+    by_parameters[6][0] = t133;
+    by_parameters[6][1] = t135;
+    by_parameters[6][2] = t137;
+    by_parameters[6][3] = t147;
+    by_parameters[6][4] = t141;
+    by_parameters[7][0] = t80;
+    by_parameters[7][1] = t88;
+    by_parameters[7][2] = t98;
+    by_parameters[7][3] = t148;
+    by_parameters[7][4] = 0.0;
+}
+
+carvallo_motion_error_t rolling_disc_f64_motion_by_parameters(const rolling_disc_f64_motion_t *motion,
+    const double positions[ROLLING_DISC_POSITIONS], const double speeds[ROLLING_DISC_SPEEDS],
+    double by_parameters[ROLLING_DISC_STATES][ROLLING_DISC_PARAMETERS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f64(positions, ROLLING_DISC_POSITIONS) &&
+        carvallo_are_finite_f64(speeds, ROLLING_DISC_SPEEDS)) {
+        bool are_finite = true;
+        rolling_disc_f64_compute_by_parameters(motion, positions, speeds, by_parameters);
+        for (size_t row = 0U; row < ROLLING_DISC_STATES; row++) {
+            are_finite = are_finite && carvallo_are_finite_f64(by_parameters[row],
+                ROLLING_DISC_PARAMETERS);
+        }
+        error = are_finite ? CARVALLO_MOTION_OK : CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
 const rolling_disc_f32_t rolling_disc_f32_sets[ROLLING_DISC_SETS] = {
     { /* uniform */
         .r = 0.3F,
@@ -1096,6 +1380,290 @@ carvallo_motion_error_t rolling_disc_f32_motion_contact_forces(const rolling_dis
         rolling_disc_f32_compute_contact_forces(motion, positions, speeds, contact_forces);
         error = (carvallo_are_finite_f32(contact_forces, 3U * ROLLING_DISC_WHEELS)) ?
             CARVALLO_MOTION_OK : CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void rolling_disc_f32_compute_linearization(const rolling_disc_f32_motion_t *motion,
+    const float positions[ROLLING_DISC_POSITIONS], const float speeds[ROLLING_DISC_SPEEDS],
+    rolling_disc_f32_linearization_t *linearization)
+{
+    const float t3 = motion->constants[0] * speeds[2];
+    float sin_psi = 0.0F;
+    float cos_psi = 0.0F;
+    carvallo_sin_cos_f32(positions[2], &sin_psi, &cos_psi);
+    const float t6 = t3 * sin_psi;
+    float sin_phi = 0.0F;
+    float cos_phi = 0.0F;
+    carvallo_sin_cos_f32(positions[3], &sin_phi, &cos_phi);
+    const float t15 = sin_phi * motion->constants[6];
+    const float t19 = cos_phi * motion->constants[1];
+    const float t22 = sin_phi * motion->constants[2];
+    const float t25 = (sin_phi * t15) + (cos_phi * t19) + (sin_phi * t22);
+    const float t26 = 1.0F / t25;
+    const float t29 = sin_phi * speeds[0];
+    const float t31 = motion->constants[2] * (speeds[2] + t29);
+    const float t33 = motion->constants[1] * speeds[1];
+    const float t35 = (speeds[1] * t31) - (t29 * t33);
+    const float t36 = speeds[1] * t29;
+    const float t37 = cos_phi * speeds[0];
+    const float t39 = motion->constants[1] * t37;
+    const float t41 = (t33 * t37) - (speeds[1] * t39);
+    const float t42 = speeds[1] * t37;
+    const float t45 = motion->constants[0] * speeds[1];
+    const float t46 = t37 * t45;
+    const float t49 = motion->constants[0] * motion->constants[3];
+    const float t51 = (motion->constants[2] * t42) + (((motion->constants[0] * t42) + t46) * t49);
+    const float t57 = (sin_phi * (t41 + t51)) + (cos_phi * (t35 - (motion->constants[1] * t36)));
+    const float t60 = t26 * (t15 + t22);
+    const float t67 = 1.0F / (motion->constants[8] - (t25 * t60 * t60));
+    const float t68 = ((t57 * t60) - t51) * t67;
+    const float t70 = (t26 * t57) + (t60 * t68);
+    const float t72 = t36 + (cos_phi * t70);
+    const float t76 = sin_phi * t70;
+    const float t79 = t42 + t68 - t76;
+    const float t89 = cos_phi * speeds[1];
+    const float t90 = motion->constants[2] * t89;
+    const float t92 = t90 - (cos_phi * t33) - (t19 * speeds[1]);
+    const float t95 = sin_phi * motion->constants[5];
+    const float t96 = t29 * t45;
+    const float t99 = t22 + (motion->constants[0] * t95);
+    const float t103 = (sin_phi * (t35 - (motion->constants[1] * t72))) + (t95 * t96) + (t72 *
+        t99) - (t19 * t76);
+    const float t104 = t103 - (cos_phi * (t41 + (motion->constants[2] * t79) + (t49 * (t46 +
+        (motion->constants[0] * t79)))));
+    const float t105 = t104 - (t37 * t92);
+    const float t108 = motion->constants[6] + motion->constants[2];
+    const float t113 = t67 * ((motion->constants[5] * t96) + (t72 * t108) - (t60 * t105));
+    const float t115 = (t26 * t105) - (t60 * t113);
+    const float t117 = cos_phi * t45;
+    const float t121 = (sin_phi * t92) + (t95 * t117) + (t89 * t99);
+    const float t128 = t67 * ((t60 * t121) - (motion->constants[5] * t117) - (t89 * t108));
+    const float t132 = (motion->constants[1] * t29) - t31;
+    const float t135 = motion->constants[0] * t37;
+    const float t140 = (t95 * t135) + (t37 * t99) - (cos_phi * t132) - (t19 * t29);
+    const float t142 = motion->constants[5] * t135;
+    const float t147 = t67 * ((t60 * t140) - t142 - (t37 * t108));
+    const float t152 = t60 * t67 * t90;
+    const float t159 = t142 + (motion->constants[2] * t37);
+    const float t160 = t39 - t159;
+    const float t165 = t132 - (motion->constants[5] * (t3 + (motion->constants[0] * t29)));
+    const float t170 = 1.0F / motion->constants[7];
+    const float t171 = ((cos_phi * motion->constants[5] * motion->constants[4]) + (t29 * t165) -
+        (t37 * t160)) * t170;
+    const float t176 = t159 * t170;
+    const float t177 = -(motion->constants[0] * cos_psi);
+    const float t178 = -(t3 * cos_psi);
+    const float t179 = -(motion->constants[0] * sin_psi);
+    const float t180 = -((t26 * t121) + (t60 * t128));
+    const float t181 = -((t26 * t140) + (t60 * t147));
+    const float t182 = -((t26 * t90) + (t60 * t152));
+    const float t183 = -(t170 * ((sin_phi * t160) + (cos_phi * t165)));
+    linearization->a[0][0] = 0.0F;
+    linearization->a[0][1] = 0.0F;
+    linearization->a[0][2] = t6;
+    linearization->a[0][3] = 0.0F;
+    linearization->a[0][4] = 0.0F;
+    linearization->a[0][5] = 0.0F;
+    linearization->a[0][6] = 0.0F;
+    linearization->a[0][7] = t177;
+    linearization->a[1][0] = 0.0F;
+    linearization->a[1][1] = 0.0F;
+    linearization->a[1][2] = t178;
+    linearization->a[1][3] = 0.0F;
+    linearization->a[1][4] = 0.0F;
+    linearization->a[1][5] = 0.0F;
+    linearization->a[1][6] = 0.0F;
+    linearization->a[1][7] = t179;
+    linearization->a[2][0] = 0.0F;
+    linearization->a[2][1] = 0.0F;
+    linearization->a[2][2] = 0.0F;
+    linearization->a[2][3] = 0.0F;
+    linearization->a[2][4] = 0.0F;
+    linearization->a[2][5] = 1.0F;
+    linearization->a[2][6] = 0.0F;
+    linearization->a[2][7] = 0.0F;
+    linearization->a[3][0] = 0.0F;
+    linearization->a[3][1] = 0.0F;
+    linearization->a[3][2] = 0.0F;
+    linearization->a[3][3] = 0.0F;
+    linearization->a[3][4] = 0.0F;
+    linearization->a[3][5] = 0.0F;
+    linearization->a[3][6] = 1.0F;
+    linearization->a[3][7] = 0.0F;
+    linearization->a[4][0] = 0.0F;
+    linearization->a[4][1] = 0.0F;
+    linearization->a[4][2] = 0.0F;
+    linearization->a[4][3] = 0.0F;
+    linearization->a[4][4] = 0.0F;
+    linearization->a[4][5] = 0.0F;
+    linearization->a[4][6] = 0.0F;
+    linearization->a[4][7] = 1.0F;
+    linearization->a[5][0] = 0.0F;
+    linearization->a[5][1] = 0.0F;
+    linearization->a[5][2] = 0.0F;
+    linearization->a[5][3] = t115;
+    linearization->a[5][4] = 0.0F;
+    linearization->a[5][5] = t180;
+    linearization->a[5][6] = t181;
+    linearization->a[5][7] = t182;
+    linearization->a[6][0] = 0.0F;
+    linearization->a[6][1] = 0.0F;
+    linearization->a[6][2] = 0.0F;
+    linearization->a[6][3] = t171;
+    linearization->a[6][4] = 0.0F;
+    linearization->a[6][5] = t183;
+    linearization->a[6][6] = 0.0F;
+    linearization->a[6][7] = t176;
+    linearization->a[7][0] = 0.0F;
+    linearization->a[7][1] = 0.0F;
+    linearization->a[7][2] = 0.0F;
+    linearization->a[7][3] = t113;
+    linearization->a[7][4] = 0.0F;
+    linearization->a[7][5] = t128;
+    linearization->a[7][6] = t147;
+    linearization->a[7][7] = t152;
+}
+
+carvallo_motion_error_t rolling_disc_f32_motion_linearize(const rolling_disc_f32_motion_t *motion,
+    const float positions[ROLLING_DISC_POSITIONS], const float speeds[ROLLING_DISC_SPEEDS],
+    rolling_disc_f32_linearization_t *linearization)
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f32(positions, ROLLING_DISC_POSITIONS) &&
+        carvallo_are_finite_f32(speeds, ROLLING_DISC_SPEEDS)) {
+        bool are_finite = true;
+        rolling_disc_f32_compute_linearization(motion, positions, speeds, linearization);
+        for (size_t row = 0U; row < ROLLING_DISC_STATES; row++) {
+            are_finite = are_finite && carvallo_are_finite_f32(linearization->a[row],
+                ROLLING_DISC_STATES);
+        }
+        error = are_finite ? CARVALLO_MOTION_OK : CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void rolling_disc_f32_compute_by_parameters(const rolling_disc_f32_motion_t *motion,
+    const float positions[ROLLING_DISC_POSITIONS], const float speeds[ROLLING_DISC_SPEEDS],
+    float by_parameters[ROLLING_DISC_STATES][ROLLING_DISC_PARAMETERS])
+{
+    float sin_psi = 0.0F;
+    float cos_psi = 0.0F;
+    carvallo_sin_cos_f32(positions[2], &sin_psi, &cos_psi);
+    float sin_phi = 0.0F;
+    float cos_phi = 0.0F;
+    carvallo_sin_cos_f32(positions[3], &sin_phi, &cos_phi);
+    const float t10 = sin_phi * motion->constants[6];
+    const float t17 = sin_phi * motion->constants[2];
+    const float t20 = (sin_phi * t10) + (motion->constants[1] * cos_phi * cos_phi) + (sin_phi *
+        t17);
+    const float t21 = 1.0F / t20;
+    const float t26 = cos_phi * speeds[0];
+    const float t27 = motion->constants[0] * t26;
+    const float t28 = speeds[1] * t27;
+    const float t29 = speeds[1] * t26;
+    const float t33 = motion->constants[3] * motion->constants[0];
+    const float t35 = (motion->constants[2] * t29) + ((t28 + (motion->constants[0] * t29)) * t33);
+    const float t36 = motion->constants[1] * speeds[1];
+    const float t38 = motion->constants[1] * t26;
+    const float t43 = sin_phi * speeds[0];
+    const float t44 = speeds[1] * t43;
+    const float t46 = speeds[2] + t43;
+    const float t47 = motion->constants[2] * t46;
+    const float t53 = (sin_phi * ((t26 * t36) + t35 - (speeds[1] * t38))) + (cos_phi * ((speeds[1] *
+        t47) - (motion->constants[1] * t44) - (t36 * t43)));
+    const float t55 = t21 * (t10 + t17);
+    const float t62 = 1.0F / (motion->constants[8] - (t20 * t55 * t55));
+    const float t63 = ((t53 * t55) - t35) * t62;
+    const float t66 = (t21 * t53) + (t55 * t63);
+    const float t69 = t29 + t63 - (sin_phi * t66);
+    const float t71 = t28 + (motion->constants[0] * t69);
+    const float t75 = (motion->constants[3] * t71) + (t33 * (t29 + t69));
+    const float t76 = sin_phi * t75;
+    const float t80 = t62 * ((t55 * t76) - t75);
+    const float t83 = motion->constants[0] * t71;
+    const float t84 = sin_phi * t83;
+    const float t88 = t62 * ((t55 * t84) - t83);
+    const float t94 = (cos_phi * speeds[1] * t46) + (sin_phi * t69);
+    const float t98 = t62 * ((t55 * t94) - t69);
+    const float t104 = cos_phi * (t44 + t44 + (cos_phi * t66));
+    const float t107 = t55 * t62 * t104;
+    const float t109 = (t21 * t104) + (t55 * t107);
+    const float t111 = 1.0F / motion->constants[7];
+    const float t115 = (t27 * t43) + (sin_phi * motion->constants[4]);
+    const float t116 = speeds[2] * t26;
+    const float t124 = t111 * ((t38 * t43) - (t26 * t47) - (t33 * ((motion->constants[0] * t116) +
+        t115)));
+    const float t125 = t116 + t124;
+    const float t127 = t115 + (motion->constants[0] * t125);
+    const float t129 = t26 * t43;
+    const float t133 = t111 * ((motion->constants[3] * t127) + (t33 * (t125 + t129)));
+    const float t135 = motion->constants[0] * t111 * t127;
+    const float t137 = t26 * t46 * t111;
+    const float t141 = sin_phi * t33 * t111;
+    const float t142 = -(speeds[2] * cos_psi);
+    const float t143 = -(speeds[2] * sin_psi);
+    const float t144 = -((t21 * t76) + (t55 * t80));
+    const float t145 = -((t21 * t84) + (t55 * t88));
+    const float t146 = -((t21 * t94) + (t55 * t98));
+    const float t147 = -(t111 * (t129 - t124));
+    const float t148 = -t107;
+    by_parameters[0][0] = t142;
+    by_parameters[0][1] = 0.0F;
+    by_parameters[0][2] = 0.0F;
+    by_parameters[0][3] = 0.0F;
+    by_parameters[0][4] = 0.0F;
+    by_parameters[1][0] = t143;
+    by_parameters[1][1] = 0.0F;
+    by_parameters[1][2] = 0.0F;
+    by_parameters[1][3] = 0.0F;
+    by_parameters[1][4] = 0.0F;
+    by_parameters[2][0] = 0.0F;
+    by_parameters[2][1] = 0.0F;
+    by_parameters[2][2] = 0.0F;
+    by_parameters[2][3] = 0.0F;
+    by_parameters[2][4] = 0.0F;
+    by_parameters[3][0] = 0.0F;
+    by_parameters[3][1] = 0.0F;
+    by_parameters[3][2] = 0.0F;
+    by_parameters[3][3] = 0.0F;
+    by_parameters[3][4] = 0.0F;
+    by_parameters[4][0] = 0.0F;
+    by_parameters[4][1] = 0.0F;
+    by_parameters[4][2] = 0.0F;
+    by_parameters[4][3] = 0.0F;
+    by_parameters[4][4] = 0.0F;
+    by_parameters[5][0] = t144;
+    by_parameters[5][1] = t145;
+    by_parameters[5][2] = t146;
+    by_parameters[5][3] = t109;
+    by_parameters[5][4] = 0.0F;
+    by_parameters[6][0] = t133;
+    by_parameters[6][1] = t135;
+    by_parameters[6][2] = t137;
+    by_parameters[6][3] = t147;
+    by_parameters[6][4] = t141;
+    by_parameters[7][0] = t80;
+    by_parameters[7][1] = t88;
+    by_parameters[7][2] = t98;
+    by_parameters[7][3] = t148;
+    by_parameters[7][4] = 0.0F;
+}
+
+carvallo_motion_error_t rolling_disc_f32_motion_by_parameters(const rolling_disc_f32_motion_t *motion,
+    const float positions[ROLLING_DISC_POSITIONS], const float speeds[ROLLING_DISC_SPEEDS],
+    float by_parameters[ROLLING_DISC_STATES][ROLLING_DISC_PARAMETERS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f32(positions, ROLLING_DISC_POSITIONS) &&
+        carvallo_are_finite_f32(speeds, ROLLING_DISC_SPEEDS)) {
+        bool are_finite = true;
+        rolling_disc_f32_compute_by_parameters(motion, positions, speeds, by_parameters);
+        for (size_t row = 0U; row < ROLLING_DISC_STATES; row++) {
+            are_finite = are_finite && carvallo_are_finite_f32(by_parameters[row],
+                ROLLING_DISC_PARAMETERS);
+        }
+        error = are_finite ? CARVALLO_MOTION_OK : CARVALLO_MOTION_SINGULAR;
     }
     return error;
 }

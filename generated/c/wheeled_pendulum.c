@@ -1101,6 +1101,863 @@ carvallo_motion_error_t wheeled_pendulum_f64_motion_contact_forces(const wheeled
     return error;
 }
 
+static void wheeled_pendulum_f64_compute_linearization(const wheeled_pendulum_f64_motion_t *motion,
+    const double positions[WHEELED_PENDULUM_POSITIONS],
+    const double speeds[WHEELED_PENDULUM_SPEEDS], const double forces[WHEELED_PENDULUM_FORCES],
+    wheeled_pendulum_f64_linearization_t *linearization)
+{
+    const double t4 = speeds[1] + speeds[2];
+    const double t5 = motion->constants[1] * t4;
+    double sin_psi = 0.0;
+    double cos_psi = 0.0;
+    carvallo_sin_cos_f64(positions[2], &sin_psi, &cos_psi);
+    const double t8 = t5 * sin_psi;
+    double sin_phi = 0.0;
+    double cos_phi = 0.0;
+    carvallo_sin_cos_f64(positions[3], &sin_phi, &cos_phi);
+    const double t16 = motion->constants[1] * sin_phi;
+    const double t21 = t16 + (cos_phi * motion->constants[6]) - t16;
+    const double t22 = 1.0 / motion->constants[1];
+    const double t23 = t21 * t22;
+    const double t24 = sin_phi * t23;
+    double sin_theta = 0.0;
+    double cos_theta = 0.0;
+    carvallo_sin_cos_f64(positions[4], &sin_theta, &cos_theta);
+    const double t29 = cos_theta * motion->constants[7];
+    const double t30 = motion->constants[1] * t29;
+    const double t34 = motion->constants[8] + motion->constants[17] - t30 - t30;
+    const double t39 = motion->constants[18] - (cos_theta * motion->constants[9]);
+    const double t41 = (sin_phi * t34) + (cos_phi * t39);
+    const double t52 = cos_phi * ((sin_phi * t39) + (cos_phi * (motion->constants[13] - (sin_theta *
+        sin_theta * motion->constants[15]))));
+    const double t54 = sin_phi * motion->constants[4];
+    const double t56 = sin_phi + t23;
+    const double t57 = motion->constants[4] * t56;
+    const double t61 = (sin_phi * t41) + t52 + (sin_phi * t54) + (t56 * t57);
+    const double t62 = 1.0 / t61;
+    const double t64 = sin_phi * speeds[0];
+    const double t65 = motion->constants[1] * t64;
+    const double t66 = cos_phi * speeds[0];
+    const double t67 = t65 * t66;
+    const double t70 = t4 * t66;
+    const double t72 = cos_theta * t66;
+    const double t73 = motion->constants[6] * t72;
+    const double t75 = sin_theta * t66;
+    const double t76 = motion->constants[6] * t75;
+    const double t81 = speeds[2] + (t23 * speeds[0]) + (speeds[1] * t24);
+    const double t82 = speeds[1] + t81;
+    const double t88 = t67 + (motion->constants[1] * t66 * t82) - (motion->constants[1] * t70) -
+        t67 - (t72 * t73);
+    const double t91 = t4 + t64;
+    const double t92 = t91 * t65;
+    const double t93 = cos_theta * t92;
+    const double t94 = speeds[1] + t64;
+    const double t96 = speeds[1] * t72;
+    const double t99 = t93 + (t73 * t94) - (motion->constants[6] * t96);
+    const double t101 = sin_theta * t92;
+    const double t103 = speeds[1] * t75;
+    const double t106 = (motion->constants[6] * t103) - t101 - (t76 * t94);
+    const double t108 = (cos_theta * t99) - (sin_theta * t106);
+    const double t109 = t64 + t82;
+    const double t114 = 1.0 / t21;
+    const double t115 = ((sin_phi * (t88 - (t75 * t76))) + (cos_phi * (t108 - (t65 * t109)))) *
+        t114;
+    const double t121 = motion->constants[9] * t94;
+    const double t123 = (motion->constants[13] * t72) - t121;
+    const double t133 = (motion->constants[8] * t94) + (motion->constants[4] * (speeds[2] + t94)) +
+        (motion->constants[4] * (t81 + t94)) - (motion->constants[9] * t72);
+    const double t136 = (motion->constants[7] * (t67 + (sin_phi * motion->constants[14]) +
+        (motion->constants[1] * (t70 + t115)))) + (t94 * t123) - (t72 * t133);
+    const double t139 = t92 - (cos_phi * motion->constants[14]);
+    const double t140 = cos_theta * t139;
+    const double t145 = t96 + (cos_theta * t115);
+    const double t147 = motion->constants[7] * t75;
+    const double t149 = motion->constants[7] * t94;
+    const double t151 = t149 - (motion->constants[11] * t72);
+    const double t153 = (t75 * t147) + (t94 * t151);
+    const double t157 = sin_theta * t139;
+    const double t159 = sin_theta * t115;
+    const double t160 = t103 + t159;
+    const double t162 = motion->constants[11] * t75;
+    const double t165 = (t94 * t162) + (t72 * t147);
+    const double t170 = motion->constants[1] * ((sin_theta * ((t140 * motion->constants[10]) -
+        (motion->constants[11] * t145) - t153)) + (cos_theta * ((motion->constants[11] * t160) -
+        (motion->constants[10] * t157) - t165)));
+    const double t175 = t22 * motion->constants[4];
+    const double t176 = ((sin_theta * t99) + (cos_theta * t106)) * t175;
+    const double t177 = forces[1] + t176;
+    const double t181 = t75 * motion->constants[12];
+    const double t188 = (motion->constants[9] * t160) + (t75 * t123) - t170 - t176 -
+        (motion->constants[7] * t157) - (t72 * t181);
+    const double t194 = (t94 * t181) - (t75 * t133);
+    const double t204 = cos_phi * ((cos_theta * ((motion->constants[11] * t157) + t194 -
+        (motion->constants[13] * t160))) - (sin_theta * ((motion->constants[11] * t140) + t136 -
+        (t145 * motion->constants[12]))));
+    const double t207 = (t23 * t177) - (sin_phi * t188) - t204;
+    const double t210 = motion->constants[1] * (t29 - motion->constants[16]);
+    const double t216 = t62 * (t54 + t57 + (cos_phi * motion->constants[18]) - (sin_phi * t210));
+    const double t218 = 1.0 + t24;
+    const double t219 = motion->constants[4] * t218;
+    const double t223 = t62 * (t41 + t54 + (t57 * t218));
+    const double t224 = t61 * t223;
+    const double t233 = t34 + motion->constants[4] + (t218 * t219) - (t223 * t224);
+    const double t234 = 1.0 / t233;
+    const double t235 = (motion->constants[4] + t219 - t210 - (t216 * t224)) * t234;
+    const double t239 = (t24 * t177) - t188 - (t207 * t223);
+    const double t252 = 1.0 / (motion->constants[19] - (t61 * t216 * t216) - (t233 * t235 * t235));
+    const double t253 = (forces[0] + t170 + t177 - (t207 * t216) - (t235 * t239)) * t252;
+    const double t256 = (t234 * t239) - (t235 * t253);
+    const double t261 = (t62 * t207) - (t223 * t256) - (t216 * t253);
+    const double t263 = t256 + (sin_phi * t261);
+    const double t265 = motion->constants[1] * (t253 + t263);
+    const double t267 = t140 - (sin_theta * t265);
+    const double t269 = cos_phi * t261;
+    const double t271 = t145 + (sin_theta * t269);
+    const double t273 = sin_theta * motion->constants[11];
+    const double t280 = t157 + (cos_theta * t265);
+    const double t284 = (cos_theta * t269) - t159;
+    const double t285 = t284 - t103;
+    const double t292 = sin_theta * (t194 + (motion->constants[11] * t280) +
+        (motion->constants[13] * t285) - (motion->constants[9] * t263) - (t139 * t273));
+    const double t293 = cos_theta * motion->constants[11];
+    const double t295 = sin_theta * motion->constants[12];
+    const double t302 = (sin_theta * t72) - (cos_theta * t75);
+    const double t306 = (speeds[1] * t295) - (sin_theta * ((motion->constants[13] * t94) - t133)) -
+        (motion->constants[9] * t302);
+    const double t308 = (cos_theta * ((motion->constants[12] * t271) + (t265 * t273) - t136 -
+        (motion->constants[11] * t267))) + (t267 * t293);
+    const double t315 = cos_phi * cos_theta;
+    const double t316 = ((t94 * motion->constants[12]) - t133) * t315;
+    const double t318 = t23 * t175;
+    const double t322 = (motion->constants[6] * t94) - (speeds[1] * motion->constants[6]);
+    const double t324 = t101 + (t75 * t322);
+    const double t326 = cos_theta * t322;
+    const double t330 = t108 - (cos_theta * t93) - (sin_theta * t324) - (t72 * t326);
+    const double t334 = (motion->constants[13] * t75) - t181;
+    const double t337 = t123 - (t72 * motion->constants[12]);
+    const double t342 = sin_theta * motion->constants[10];
+    const double t356 = sin_theta * ((motion->constants[7] * t263) + (t139 * t342) - t165 -
+        (motion->constants[10] * t280) - (motion->constants[11] * t285));
+    const double t357 = cos_theta * motion->constants[10];
+    const double t361 = motion->constants[11] * t94;
+    const double t365 = (sin_theta * t361) - (cos_theta * t147) - (speeds[1] * t273);
+    const double t372 = (cos_theta * (t361 + (motion->constants[7] * t72))) + (sin_theta * (t147 +
+        t147));
+    const double t374 = (cos_theta * ((motion->constants[10] * t267) - t153 -
+        (motion->constants[11] * t271) - (t265 * t342))) - t356;
+    const double t379 = motion->constants[1] * (t374 - (t267 * t357) - (t273 * t284) - (t75 *
+        t365) - (t72 * t372));
+    const double t380 = (t175 * t330) + t379;
+    const double t383 = (t72 * t337) - (motion->constants[7] * t267) - (t75 * t334) - t380;
+    const double t386 = motion->constants[1] * t293;
+    const double t387 = t386 - motion->constants[9];
+    const double t389 = (motion->constants[13] * t315) + (sin_phi * t387);
+    const double t392 = cos_phi * sin_theta;
+    const double t395 = sin_phi * (t73 + t73);
+    const double t402 = (sin_phi * (t76 + t76)) - (t322 * t392);
+    const double t408 = (t75 * t395) + (t93 * t392) - (t106 * t315) - (t99 * t392) - (t315 * t324) -
+        (t72 * t402);
+    const double t409 = motion->constants[1] * motion->constants[7];
+    const double t410 = sin_theta * t114;
+    const double t412 = cos_theta * t114;
+    const double t417 = motion->constants[1] * t273 * t412;
+    const double t421 = (t389 * t410) - (cos_phi * ((t295 * t412) - (t409 * t410))) - (sin_phi *
+        t417);
+    const double t425 = (t318 * t330) + (t271 * t389) + (t408 * t421) - (cos_phi * (t308 + (t284 *
+        t295) - t292 - (t75 * t306)));
+    const double t427 = t425 - (t72 * t316) - (sin_phi * t383);
+    const double t429 = t24 * t175;
+    const double t433 = (t387 * t410) - t417;
+    const double t439 = (t330 * t429) + (t271 * t387) + (t408 * t433) - t383 - (t223 * t427);
+    const double t443 = (t386 * t410) - t417;
+    const double t451 = t252 * (t380 + (t271 * t386) + (t408 * t443) - (t216 * t427) - (t235 *
+        t439));
+    const double t453 = (t234 * t439) - (t235 * t451);
+    const double t457 = (t62 * t427) - (t223 * t453) - (t216 * t451);
+    const double t458 = t16 * t66;
+    const double t474 = (cos_theta * t181) + (t302 * (motion->constants[8] + motion->constants[4] +
+        motion->constants[4])) - (sin_theta * (t123 - t121));
+    const double t478 = sin_phi * (t65 + (motion->constants[1] * t91));
+    const double t481 = (sin_theta * t293) - (cos_theta * t273);
+    const double t485 = (t306 * t315) + (sin_phi * t474) + (t478 * t481) - (sin_theta *
+        ((motion->constants[7] * t458) + (cos_phi * ((t4 * t409) + (motion->constants[7] * t65)))));
+    const double t490 = (t315 * t322) + (sin_phi * t73);
+    const double t492 = sin_phi * t76;
+    const double t496 = (sin_theta * t490) - (cos_theta * t492) - (t326 * t392);
+    const double t499 = motion->constants[9] * t75;
+    const double t501 = motion->constants[7] * sin_theta;
+    const double t509 = (cos_theta * t162) + (sin_theta * (t149 + t151));
+    const double t513 = (cos_theta * t342) - (sin_theta * t357);
+    const double t520 = (t175 * t496) + (motion->constants[1] * ((t315 * t365) + (t478 * t513) -
+        (sin_phi * t509) - (t372 * t392)));
+    const double t524 = (t315 * t334) + (t337 * t392) - (sin_phi * t499) - (t478 * t501) - t520;
+    const double t526 = speeds[1] * t392;
+    const double t541 = (cos_theta * t315) + (sin_theta * t392);
+    const double t546 = (cos_phi * ((t16 * t82) - (t5 * sin_phi))) + (t315 * t490) + (t392 * t492) +
+        (t478 * t541);
+    const double t549 = t546 - (sin_phi * cos_phi * (t65 + (motion->constants[1] * t109))) - (t315 *
+        t395) - (t392 * t402);
+    const double t552 = cos_phi * motion->constants[4] * t302;
+    const double t554 = t458 - (cos_phi * t65);
+    const double t556 = (t421 * t554) - t552;
+    const double t562 = (t318 * t496) + (t389 * t526) + (t421 * t549) + (t23 * t556) - (cos_phi *
+        t485) - (t316 * t392);
+    const double t563 = t562 - (sin_phi * t524);
+    const double t568 = t433 * t554;
+    const double t575 = (t429 * t496) + (t387 * t526) + (t433 * t549) + (t23 * t568) - t524 -
+        (t223 * t563);
+    const double t579 = t443 * t554;
+    const double t587 = t520 + (t386 * t526) + (t443 * t549) + (t23 * t579) - (t216 * t563) -
+        (t235 * t575);
+    const double t588 = t252 * t587;
+    const double t590 = (t234 * t575) - (t235 * t588);
+    const double t594 = (t62 * t563) - (t223 * t590) - (t216 * t588);
+    const double t601 = cos_phi * ((t65 * t481) - (t75 * t409));
+    const double t602 = t65 * t501;
+    const double t604 = t65 * t513;
+    const double t607 = motion->constants[1] * (t604 - t509 - (t72 * t273));
+    const double t609 = t499 + t602 + t607;
+    const double t613 = (t65 * t541) - t458;
+    const double t614 = t554 + t613;
+    const double t621 = (sin_phi * t609) + (t75 * t389) + (t421 * t614) + (t24 * t556) - (cos_phi *
+        (t474 + (t72 * t295))) - t601;
+    const double t630 = t609 + (t75 * t387) + (t433 * t614) + (t24 * t568) - (t223 * t621);
+    const double t641 = t607 + (t75 * t386) + (t443 * t614) + (t24 * t579) - (t216 * t621) - (t235 *
+        t630);
+    const double t642 = t252 * t641;
+    const double t644 = (t234 * t630) - (t235 * t642);
+    const double t648 = (t62 * t621) - (t223 * t644) - (t216 * t642);
+    const double t649 = motion->constants[1] * t604;
+    const double t650 = t602 + t649;
+    const double t656 = t556 + (sin_phi * t650) + (t421 * t613) - t552 - t601;
+    const double t662 = t568 + t650 + (t433 * t613) - (t223 * t656);
+    const double t671 = t252 * (t579 + t649 + (t443 * t613) - (t216 * t656) - (t235 * t662));
+    const double t673 = (t234 * t662) - (t235 * t671);
+    const double t677 = (t62 * t656) - (t223 * t673) - (t216 * t671);
+    const double t678 = t235 * t252;
+    const double t681 = (t223 * t678) - (t216 * t252);
+    const double t684 = t24 - (t23 * t223);
+    const double t690 = t252 * (1.0 - (t23 * t216) - (t235 * t684));
+    const double t692 = (t234 * t684) - (t235 * t690);
+    const double t696 = (t23 * t62) - (t223 * t692) - (t216 * t690);
+    const double t697 = -(motion->constants[1] * cos_psi);
+    const double t698 = -(t5 * cos_psi);
+    const double t699 = -(motion->constants[1] * sin_psi);
+    const double t700 = -t678;
+    linearization->a[0][0] = 0.0;
+    linearization->a[0][1] = 0.0;
+    linearization->a[0][2] = t8;
+    linearization->a[0][3] = 0.0;
+    linearization->a[0][4] = 0.0;
+    linearization->a[0][5] = 0.0;
+    linearization->a[0][6] = 0.0;
+    linearization->a[0][7] = 0.0;
+    linearization->a[0][8] = t697;
+    linearization->a[0][9] = t697;
+    linearization->b[0][0] = 0.0;
+    linearization->b[0][1] = 0.0;
+    linearization->a[1][0] = 0.0;
+    linearization->a[1][1] = 0.0;
+    linearization->a[1][2] = t698;
+    linearization->a[1][3] = 0.0;
+    linearization->a[1][4] = 0.0;
+    linearization->a[1][5] = 0.0;
+    linearization->a[1][6] = 0.0;
+    linearization->a[1][7] = 0.0;
+    linearization->a[1][8] = t699;
+    linearization->a[1][9] = t699;
+    linearization->b[1][0] = 0.0;
+    linearization->b[1][1] = 0.0;
+    linearization->a[2][0] = 0.0;
+    linearization->a[2][1] = 0.0;
+    linearization->a[2][2] = 0.0;
+    linearization->a[2][3] = 0.0;
+    linearization->a[2][4] = 0.0;
+    linearization->a[2][5] = 0.0;
+    linearization->a[2][6] = 0.0;
+    linearization->a[2][7] = 1.0;
+    linearization->a[2][8] = 0.0;
+    linearization->a[2][9] = 0.0;
+    linearization->b[2][0] = 0.0;
+    linearization->b[2][1] = 0.0;
+    linearization->a[3][0] = 0.0;
+    linearization->a[3][1] = 0.0;
+    linearization->a[3][2] = 0.0;
+    linearization->a[3][3] = 0.0;
+    linearization->a[3][4] = 0.0;
+    linearization->a[3][5] = 0.0;
+    linearization->a[3][6] = 0.0;
+    linearization->a[3][7] = 0.0;
+    linearization->a[3][8] = 0.0;
+    linearization->a[3][9] = 0.0;
+    linearization->b[3][0] = 0.0;
+    linearization->b[3][1] = 0.0;
+    linearization->a[4][0] = 0.0;
+    linearization->a[4][1] = 0.0;
+    linearization->a[4][2] = 0.0;
+    linearization->a[4][3] = 0.0;
+    linearization->a[4][4] = 0.0;
+    linearization->a[4][5] = 0.0;
+    linearization->a[4][6] = 0.0;
+    linearization->a[4][7] = 0.0;
+    linearization->a[4][8] = 1.0;
+    linearization->a[4][9] = 0.0;
+    linearization->b[4][0] = 0.0;
+    linearization->b[4][1] = 0.0;
+    linearization->a[5][0] = 0.0;
+    linearization->a[5][1] = 0.0;
+    linearization->a[5][2] = 0.0;
+    linearization->a[5][3] = 0.0;
+    linearization->a[5][4] = 0.0;
+    linearization->a[5][5] = 0.0;
+    linearization->a[5][6] = 0.0;
+    linearization->a[5][7] = 0.0;
+    linearization->a[5][8] = 0.0;
+    linearization->a[5][9] = 1.0;
+    linearization->b[5][0] = 0.0;
+    linearization->b[5][1] = 0.0;
+    linearization->a[6][0] = 0.0;
+    linearization->a[6][1] = 0.0;
+    linearization->a[6][2] = 0.0;
+    linearization->a[6][3] = 0.0;
+    linearization->a[6][4] = 0.0;
+    linearization->a[6][5] = 0.0;
+    linearization->a[6][6] = 0.0;
+    linearization->a[6][7] = t23;
+    linearization->a[6][8] = t24;
+    linearization->a[6][9] = 1.0;
+    linearization->b[6][0] = 0.0;
+    linearization->b[6][1] = 0.0;
+    linearization->a[7][0] = 0.0;
+    linearization->a[7][1] = 0.0;
+    linearization->a[7][2] = 0.0;
+    linearization->a[7][3] = 0.0;
+    linearization->a[7][4] = t457;
+    linearization->a[7][5] = 0.0;
+    linearization->a[7][6] = 0.0;
+    linearization->a[7][7] = t594;
+    linearization->a[7][8] = t648;
+    linearization->a[7][9] = t677;
+    linearization->b[7][0] = t681;
+    linearization->b[7][1] = t696;
+    linearization->a[8][0] = 0.0;
+    linearization->a[8][1] = 0.0;
+    linearization->a[8][2] = 0.0;
+    linearization->a[8][3] = 0.0;
+    linearization->a[8][4] = t453;
+    linearization->a[8][5] = 0.0;
+    linearization->a[8][6] = 0.0;
+    linearization->a[8][7] = t590;
+    linearization->a[8][8] = t644;
+    linearization->a[8][9] = t673;
+    linearization->b[8][0] = t700;
+    linearization->b[8][1] = t692;
+    linearization->a[9][0] = 0.0;
+    linearization->a[9][1] = 0.0;
+    linearization->a[9][2] = 0.0;
+    linearization->a[9][3] = 0.0;
+    linearization->a[9][4] = t451;
+    linearization->a[9][5] = 0.0;
+    linearization->a[9][6] = 0.0;
+    linearization->a[9][7] = t588;
+    linearization->a[9][8] = t642;
+    linearization->a[9][9] = t671;
+    linearization->b[9][0] = t252;
+    linearization->b[9][1] = t690;
+}
+
+carvallo_motion_error_t wheeled_pendulum_f64_motion_linearize(const wheeled_pendulum_f64_motion_t *motion,
+    const double positions[WHEELED_PENDULUM_POSITIONS],
+    const double speeds[WHEELED_PENDULUM_SPEEDS], const double forces[WHEELED_PENDULUM_FORCES],
+    wheeled_pendulum_f64_linearization_t *linearization)
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f64(positions, WHEELED_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f64(speeds, WHEELED_PENDULUM_SPEEDS) && carvallo_are_finite_f64(forces,
+        WHEELED_PENDULUM_FORCES)) {
+        bool are_finite = true;
+        wheeled_pendulum_f64_compute_linearization(motion, positions, speeds, forces,
+            linearization);
+        for (size_t row = 0U; row < WHEELED_PENDULUM_STATES; row++) {
+            are_finite = are_finite && carvallo_are_finite_f64(linearization->a[row],
+                WHEELED_PENDULUM_STATES) && carvallo_are_finite_f64(linearization->b[row],
+                WHEELED_PENDULUM_FORCES);
+        }
+        error = are_finite ? CARVALLO_MOTION_OK : CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void wheeled_pendulum_f64_compute_by_parameters(const wheeled_pendulum_f64_motion_t *motion,
+    const double positions[WHEELED_PENDULUM_POSITIONS],
+    const double speeds[WHEELED_PENDULUM_SPEEDS], const double forces[WHEELED_PENDULUM_FORCES],
+    double by_parameters[WHEELED_PENDULUM_STATES][WHEELED_PENDULUM_PARAMETERS])
+{
+    const double t3 = speeds[1] + speeds[2];
+    double sin_psi = 0.0;
+    double cos_psi = 0.0;
+    carvallo_sin_cos_f64(positions[2], &sin_psi, &cos_psi);
+    const double t11 = 1.0 / motion->constants[1];
+    double sin_phi = 0.0;
+    double cos_phi = 0.0;
+    carvallo_sin_cos_f64(positions[3], &sin_phi, &cos_phi);
+    const double t14 = motion->constants[1] * sin_phi;
+    const double t19 = t14 + (cos_phi * motion->constants[6]) - t14;
+    const double t20 = t11 * t19;
+    const double t21 = t11 * t20;
+    const double t23 = sin_phi * t20;
+    const double t24 = t11 * t23;
+    const double t27 = cos_phi + cos_phi;
+    const double t29 = 1.0 / t19;
+    const double t31 = t29 * (sin_phi + sin_phi);
+    const double t32 = sin_phi * t31;
+    const double t33 = motion->constants[6] * t32;
+    const double t35 = (t11 * t27) + (t11 * t33);
+    const double t37 = t11 * sin_phi;
+    const double t40 = cos_phi * t31;
+    const double t43 = (t27 * t37) + (t33 * t37) - (t20 * t40);
+    const double t45 = (speeds[0] * t35) + (speeds[1] * t43);
+    double sin_theta = 0.0;
+    double cos_theta = 0.0;
+    carvallo_sin_cos_f64(positions[4], &sin_theta, &cos_theta);
+    const double t50 = cos_theta * motion->constants[7];
+    const double t51 = motion->constants[1] * t50;
+    const double t55 = motion->constants[8] + motion->constants[17] - t51 - t51;
+    const double t58 = cos_theta * motion->constants[9];
+    const double t60 = motion->constants[18] - t58;
+    const double t62 = (sin_phi * t55) + (cos_phi * t60);
+    const double t73 = cos_phi * ((sin_phi * t60) + (cos_phi * (motion->constants[13] - (sin_theta *
+        sin_theta * motion->constants[15]))));
+    const double t75 = sin_phi * motion->constants[4];
+    const double t77 = sin_phi + t20;
+    const double t78 = motion->constants[4] * t77;
+    const double t82 = (sin_phi * t62) + t73 + (sin_phi * t75) + (t77 * t78);
+    const double t83 = 1.0 / t82;
+    const double t86 = motion->constants[1] - motion->constants[1] - motion->constants[3];
+    const double t87 = speeds[0] * cos_phi;
+    const double t88 = speeds[0] * sin_phi;
+    const double t89 = motion->constants[1] * t88;
+    const double t90 = t87 * t89;
+    const double t93 = t3 * t87;
+    const double t95 = cos_theta * t87;
+    const double t96 = motion->constants[6] * t95;
+    const double t98 = sin_theta * t87;
+    const double t99 = motion->constants[6] * t98;
+    const double t104 = speeds[2] + (speeds[0] * t20) + (speeds[1] * t23);
+    const double t105 = speeds[1] + t104;
+    const double t106 = t87 * t105;
+    const double t112 = t90 + (motion->constants[1] * t106) - t90 - (motion->constants[1] * t93) -
+        (t95 * t96) - (t98 * t99);
+    const double t114 = t3 + t88;
+    const double t115 = t89 * t114;
+    const double t117 = speeds[1] + t88;
+    const double t119 = speeds[1] * t95;
+    const double t122 = (cos_theta * t115) + (t96 * t117) - (motion->constants[6] * t119);
+    const double t126 = speeds[1] * t98;
+    const double t129 = (motion->constants[6] * t126) - (sin_theta * t115) - (t99 * t117);
+    const double t131 = t88 + t105;
+    const double t134 = (cos_theta * t122) - (sin_theta * t129) - (t89 * t131);
+    const double t137 = t29 * ((sin_phi * t112) + (cos_phi * t134));
+    const double t138 = t93 + t137;
+    const double t141 = t90 + (sin_phi * motion->constants[14]) + (motion->constants[1] * t138);
+    const double t145 = (sin_theta * t95) - (cos_theta * t98);
+    const double t148 = (t86 * t117 * t145) - (sin_theta * t141);
+    const double t151 = t119 + (cos_theta * t137);
+    const double t153 = t115 - (cos_phi * motion->constants[14]);
+    const double t154 = sin_theta * t153;
+    const double t157 = t126 + (sin_theta * t137);
+    const double t162 = t11 * ((sin_theta * t122) + (cos_theta * t129));
+    const double t163 = motion->constants[4] * t162;
+    const double t165 = t98 * motion->constants[12];
+    const double t169 = (motion->constants[13] * t95) - (motion->constants[9] * t117);
+    const double t171 = (t98 * t169) - (t95 * t165);
+    const double t173 = cos_theta * t153;
+    const double t177 = motion->constants[7] * t98;
+    const double t179 = motion->constants[7] * t117;
+    const double t181 = t179 - (t95 * motion->constants[11]);
+    const double t183 = (t98 * t177) + (t117 * t181);
+    const double t189 = t98 * motion->constants[11];
+    const double t192 = (t117 * t189) + (t95 * t177);
+    const double t197 = motion->constants[1] * ((sin_theta * ((motion->constants[10] * t173) -
+        (motion->constants[11] * t151) - t183)) + (cos_theta * ((t157 * motion->constants[11]) -
+        (t154 * motion->constants[10]) - t192)));
+    const double t201 = (motion->constants[9] * t157) + t171 - (motion->constants[7] * t154) -
+        t163 - t197;
+    const double t207 = speeds[2] + t117;
+    const double t209 = t104 + t117;
+    const double t213 = (motion->constants[8] * t117) + (motion->constants[4] * t207) +
+        (motion->constants[4] * t209) - (motion->constants[9] * t95);
+    const double t216 = (t117 * t165) - (t98 * t213);
+    const double t226 = (motion->constants[7] * t141) + (t117 * t169) - (t95 * t213);
+    const double t231 = cos_phi * ((cos_theta * ((t154 * motion->constants[11]) + t216 -
+        (motion->constants[13] * t157))) - (sin_theta * ((t173 * motion->constants[11]) + t226 -
+        (motion->constants[12] * t151))));
+    const double t233 = t163 + forces[1];
+    const double t236 = (t20 * t233) - (sin_phi * t201) - t231;
+    const double t239 = t23 + 1.0;
+    const double t243 = t83 * (t62 + t75 + (t78 * t239));
+    const double t244 = motion->constants[4] * t239;
+    const double t246 = t82 * t243;
+    const double t250 = t55 + motion->constants[4] + (t239 * t244) - (t243 * t246);
+    const double t251 = 1.0 / t250;
+    const double t255 = (t23 * t233) - t201 - (t236 * t243);
+    const double t259 = motion->constants[1] * (t50 - motion->constants[16]);
+    const double t265 = t83 * (t75 + t78 + (cos_phi * motion->constants[18]) - (sin_phi * t259));
+    const double t270 = t251 * (motion->constants[4] + t244 - t259 - (t246 * t265));
+    const double t285 = 1.0 / (motion->constants[19] - (t82 * t265 * t265) - (t250 * t270 * t270));
+    const double t286 = (t197 + t233 + forces[0] - (t236 * t265) - (t255 * t270)) * t285;
+    const double t288 = (t251 * t255) - (t270 * t286);
+    const double t292 = (t83 * t236) - (t243 * t288) - (t265 * t286);
+    const double t293 = cos_phi * t292;
+    const double t295 = t151 + (sin_theta * t293);
+    const double t297 = t98 * t117;
+    const double t299 = (sin_theta * t295) + (cos_theta * t297);
+    const double t301 = motion->constants[0] * motion->constants[0];
+    const double t303 = t301 + (t86 * t86);
+    const double t306 = (cos_theta * t293) - t157;
+    const double t308 = sin_theta * t117;
+    const double t310 = (cos_theta * t306) - (t95 * t308);
+    const double t312 = t86 * motion->constants[0];
+    const double t314 = t288 + (sin_phi * t292);
+    const double t319 = (t117 * t308) - (cos_theta * t314) - (t95 * t145);
+    const double t325 = t286 + t314;
+    const double t326 = motion->constants[1] * t325;
+    const double t328 = t154 + (cos_theta * t326);
+    const double t330 = (t86 * t314) - t328;
+    const double t332 = t95 * t98;
+    const double t335 = t297 + t306;
+    const double t337 = motion->constants[1] * cos_theta;
+    const double t338 = t314 - t332;
+    const double t342 = motion->constants[1] * sin_theta;
+    const double t344 = t173 - (sin_theta * t326);
+    const double t345 = t98 * t98;
+    const double t347 = t345 + (t117 * t117);
+    const double t351 = (t337 * ((t86 * t338) - t328)) + (t342 * (t344 - (t86 * t347)));
+    const double t355 = (t86 * t330) + (t301 * t332) - (t303 * t332) - (t312 * t335) - t351;
+    const double t362 = t95 * t117;
+    const double t365 = (t335 * t337) - (t342 * (t362 - t295));
+    const double t367 = (cos_phi * ((cos_theta * t328) - (sin_theta * t344))) + (sin_phi * t365);
+    const double t369 = (cos_phi * ((t86 * t148) + (t299 * t303) + (t301 * t310) + (t312 * t319))) +
+        (sin_phi * t355);
+    const double t370 = t369 + (motion->constants[0] * t367);
+    const double t372 = motion->constants[0] * t365;
+    const double t375 = (t243 * t370) - t355 - t372;
+    const double t382 = t285 * (t351 + (t265 * t370) - t372 - (t270 * t375));
+    const double t384 = (t251 * t375) - (t270 * t382);
+    const double t392 = motion->constants[7] + motion->constants[7];
+    const double t394 = motion->constants[0] * motion->constants[2];
+    const double t400 = motion->constants[7] * t314;
+    const double t408 = (t337 * t338 * motion->constants[2]) - (t342 * t347 * motion->constants[2]);
+    const double t412 = (t332 * t392) + (t335 * t394) + t408 - t400 - (t330 * motion->constants[2]);
+    const double t414 = (cos_phi * ((t145 * t179) + (t148 * motion->constants[2]) + (t299 * t392) +
+        (t319 * t394))) - (sin_phi * t412);
+    const double t417 = t412 + (t243 * t414);
+    const double t423 = t285 * ((t270 * t417) - t408 - (t265 * t414));
+    const double t425 = (t251 * t417) + (t270 * t423);
+    const double t429 = (t83 * t414) + (t243 * t425) - (t265 * t423);
+    const double t430 = cos_phi * t145;
+    const double t433 = (t117 * t430) + (sin_phi * t314);
+    const double t436 = (t243 * t433) - t314;
+    const double t441 = t285 * ((t265 * t433) - (t270 * t436));
+    const double t443 = (t251 * t436) - (t270 * t441);
+    const double t450 = (cos_phi * t310) + (sin_phi * t332);
+    const double t453 = (t243 * t450) - t332;
+    const double t458 = t285 * ((t265 * t450) - (t270 * t453));
+    const double t460 = (t251 * t453) - (t270 * t458);
+    const double t465 = motion->constants[6] * motion->constants[6];
+    const double t474 = (t337 * (t328 + t328)) - (t342 * (t344 + t344));
+    const double t478 = (cos_phi * ((t299 * t465) + (t310 * t465))) + (sin_phi * t474) +
+        (motion->constants[6] * t367);
+    const double t481 = t474 + (motion->constants[6] * t365);
+    const double t483 = (t243 * t478) - t481;
+    const double t489 = t285 * ((t265 * t478) - t481 - (t270 * t483));
+    const double t491 = (t251 * t483) - (t270 * t489);
+    const double t503 = t325 + (t20 * t292) + (t23 * t288) - t162;
+    const double t506 = (t430 * (t207 + t209)) + (sin_phi * t325) + (t77 * t503);
+    const double t511 = (t243 * t506) - t325 - (t239 * t503);
+    const double t518 = t285 * ((t265 * t506) - t325 - t503 - (t270 * t511));
+    const double t520 = (t251 * t511) - (t270 * t518);
+    const double t525 = t299 + t310;
+    const double t527 = cos_phi * (t525 + t525);
+    const double t529 = t243 * t527;
+    const double t534 = t285 * ((t265 * t527) - (t270 * t529));
+    const double t536 = (t251 * t529) - (t270 * t534);
+    const double t541 = motion->constants[4] * t503;
+    const double t542 = forces[1] - t541;
+    const double t544 = motion->constants[7] * sin_theta;
+    const double t548 = sin_theta * motion->constants[11];
+    const double t549 = sin_theta * t325;
+    const double t551 = motion->constants[4] * t145;
+    const double t552 = speeds[0] * t551;
+    const double t554 = speeds[1] * t551;
+    const double t557 = sin_theta * motion->constants[12];
+    const double t559 = cos_theta * motion->constants[13];
+    const double t562 = (cos_theta * t557) - (motion->constants[1] * t544) - (sin_theta * t559);
+    const double t563 = cos_phi * t29;
+    const double t564 = t131 * t563;
+    const double t567 = sin_phi * t29;
+    const double t569 = sin_theta * t563;
+    const double t570 = t88 * t114;
+    const double t571 = sin_theta * t570;
+    const double t573 = cos_theta * t563;
+    const double t574 = cos_theta * t570;
+    const double t579 = (motion->constants[1] * t87 * t567) - (t89 * t563);
+    const double t580 = speeds[0] * t579;
+    const double t582 = speeds[1] * t579;
+    const double t587 = ((t106 - t93) * t567) + (t569 * t571) + (t573 * t574) - (t88 * t564) -
+        (t21 * t580);
+    const double t588 = t587 - (t24 * t582);
+    const double t593 = (t548 * t549) + (t562 * t588) - (t544 * (t138 + (t87 * t88))) - (t21 *
+        t552) - (t24 * t554);
+    const double t595 = motion->constants[9] * sin_theta;
+    const double t598 = cos_theta * motion->constants[11];
+    const double t613 = (sin_theta * ((motion->constants[10] * t344) - t183 -
+        (motion->constants[11] * t295))) + (cos_theta * (t400 - t192 - (motion->constants[10] *
+        t328) - (motion->constants[11] * t306)));
+    const double t617 = (t342 * ((motion->constants[10] * t549) + (t588 * t598))) - t613 - (t337 *
+        t548 * t588);
+    const double t618 = (t588 * t595) + t617;
+    const double t620 = t11 * motion->constants[4];
+    const double t622 = cos_theta * t620;
+    const double t624 = sin_theta * t620;
+    const double t626 = motion->constants[4] * t292;
+    const double t628 = motion->constants[4] * t288;
+    const double t633 = (t162 * t620) + (t571 * t622) - (t574 * t624) - (t21 * t626) - (t24 * t628);
+    const double t635 = cos_theta * t325;
+    const double t637 = motion->constants[10] * t337;
+    const double t638 = t637 - motion->constants[7];
+    const double t640 = (cos_phi * t598) + (sin_phi * t638);
+    const double t645 = cos_theta * motion->constants[10] * t342;
+    const double t649 = (cos_phi * cos_theta * t548) + (sin_phi * t645) - (sin_theta * t640);
+    const double t655 = (t570 * t649) - (t21 * t542) - (cos_phi * t593) - (sin_phi * t618) - (t77 *
+        t633) - (t635 * t640);
+    const double t661 = t645 - (sin_theta * t638);
+    const double t668 = (t570 * t661) - t618 - (t24 * t542) - (t239 * t633) - (t635 * t638) -
+        (t243 * t655);
+    const double t672 = t645 - (sin_theta * t637);
+    const double t680 = (t570 * t672) - t617 - t633 - (t635 * t637) - (t265 * t655) - (t270 * t668);
+    const double t681 = t285 * t680;
+    const double t683 = (t251 * t668) - (t270 * t681);
+    const double t687 = (t83 * t655) - (t243 * t683) - (t265 * t681);
+    const double t700 = (cos_theta * (t216 + (motion->constants[11] * t328) +
+        (motion->constants[13] * t306) - (motion->constants[9] * t314))) - (sin_theta * (t226 +
+        (motion->constants[11] * t344) - (motion->constants[12] * t295)));
+    const double t713 = t171 + t541 + (motion->constants[8] * t314) + (motion->constants[4] *
+        t325) - (motion->constants[7] * t328) - (motion->constants[9] * t306) -
+        (motion->constants[1] * t613);
+    const double t716 = motion->constants[6] * motion->constants[5];
+    const double t718 = t394 + t716 + t716;
+    const double t719 = t718 + t718;
+    const double t723 = t3 * motion->constants[1];
+    const double t727 = sin_theta * t292;
+    const double t731 = speeds[0] * sin_theta;
+    const double t736 = (cos_theta * t292) - (speeds[1] * t731);
+    const double t738 = speeds[0] * cos_theta;
+    const double t743 = motion->constants[13] * t738;
+    const double t748 = (t557 * t727) + (cos_theta * ((t117 * motion->constants[12]) - t213) *
+        t731) + (t559 * t736);
+    const double t751 = t748 + (t738 * ((speeds[1] * t557) + (sin_theta * t213))) - (speeds[0] *
+        t544 * (t89 + t723)) - (t308 * t743);
+    const double t756 = speeds[0] * motion->constants[1];
+    const double t760 = motion->constants[1] * t292;
+    const double t761 = sin_theta * t760;
+    const double t767 = speeds[0] * motion->constants[9];
+    const double t769 = motion->constants[8] + motion->constants[4];
+    const double t775 = (t548 * t761) + (speeds[0] * ((cos_theta * t165) - (sin_theta * t169))) +
+        (t308 * t767) + (speeds[0] * t145 * (motion->constants[4] + t769));
+    const double t780 = t29 * t137;
+    const double t783 = t345 + (t95 * t95);
+    const double t786 = t126 - t297;
+    const double t787 = t786 + t786;
+    const double t789 = t362 - t119;
+    const double t790 = t789 + t789;
+    const double t806 = (motion->constants[6] * t117) - (speeds[1] * motion->constants[6]);
+    const double t807 = t731 * t806;
+    const double t809 = t738 * t806;
+    const double t813 = (t29 * t134) + (speeds[0] * t567 * ((motion->constants[1] * t105) - t723)) +
+        (t569 * t807) + (t573 * t809);
+    const double t820 = speeds[0] * t89;
+    const double t824 = t820 + (t114 * t756);
+    const double t827 = (sin_theta * t824) + (speeds[0] * t99);
+    const double t831 = (cos_theta * t824) + (speeds[0] * t96);
+    const double t837 = t40 * ((t29 * t112) + (t569 * t827) + (t573 * t831) - (t563 * t820) -
+        (t564 * t756));
+    const double t839 = (t573 * t790) + (t32 * (t813 - (motion->constants[6] * t780) - (t567 *
+        t731 * (t99 + t99)) - (t567 * t738 * (t96 + t96))));
+    const double t844 = t839 + (t35 * t580) + (t43 * t582) - (t27 * t780) - (t567 * (t783 + t783)) -
+        (t569 * t787);
+    const double t845 = t844 - t837;
+    const double t850 = (t299 * t719) + (t310 * t719) + (motion->constants[7] * t319) + (t32 *
+        (t751 - (motion->constants[9] * t145 * t738))) + (t35 * t552);
+    const double t853 = t850 + (t43 * t554) + (t562 * t845) - (t40 * (t775 - (t58 * t292) - (t544 *
+        (motion->constants[14] + (t87 * t756)))));
+    const double t864 = (t731 * (t169 - (t95 * motion->constants[12]))) + (t98 * t743) -
+        (motion->constants[9] * t736) - (t165 * t738);
+    const double t871 = t117 * motion->constants[11];
+    const double t879 = t32 * ((t731 * (t871 + (motion->constants[7] * t95))) +
+        (motion->constants[11] * t736) + (t177 * t738));
+    const double t896 = t32 * ((t738 * (t871 - (speeds[1] * motion->constants[11]))) -
+        (motion->constants[11] * t727) - (t731 * (t177 + t177)));
+    const double t904 = t896 + (t40 * ((motion->constants[10] * t761) + (speeds[0] * (t179 +
+        t181)))) - (t598 * t845);
+    const double t906 = (t337 * ((t548 * t845) - t879 - (t40 * ((motion->constants[7] * t292) -
+        (speeds[0] * t189))))) + (t342 * t904);
+    const double t910 = (t32 * t864) + (t595 * t845) - (motion->constants[7] * t335) - (t40 *
+        ((t292 * t769) - (t98 * t767))) - t906;
+    const double t929 = (t35 * t626) + (t43 * t628) - (t622 * t787) - (t624 * t790) - (t32 *
+        ((t624 * t809) - (t622 * t807))) - (t40 * (t626 + (t622 * t827) - (t624 * t831)));
+    const double t932 = t40 * cos_theta * t760;
+    const double t936 = (t32 * motion->constants[14]) + (t40 * t824);
+    const double t939 = motion->constants[2] + motion->constants[5] + motion->constants[5];
+    const double t945 = (t35 * t542) + (t40 * t713) + (t640 * t932) - (t32 * t700) - (cos_phi *
+        t853) - (sin_phi * t910);
+    const double t948 = t945 - (t77 * t929) - (t649 * t936) - (t367 * t939);
+    const double t954 = t365 * t939;
+    const double t960 = (t43 * t542) + (t638 * t932) - t910 - (t239 * t929) - (t661 * t936) - t954;
+    const double t961 = t960 - (t243 * t948);
+    const double t972 = t906 + (t40 * t626) + (t637 * t932) - t929 - t954 - (t672 * t936);
+    const double t975 = t285 * (t972 - (t265 * t948) - (t270 * t961));
+    const double t977 = (t251 * t961) - (t270 * t975);
+    const double t981 = (t83 * t948) - (t243 * t977) - (t265 * t975);
+    const double t985 = (sin_phi * cos_phi * t544) - (cos_phi * t649);
+    const double t989 = (cos_phi * t661) + (t243 * t985);
+    const double t996 = t285 * ((t270 * t989) - (cos_phi * t672) - (t265 * t985));
+    const double t998 = (t251 * t989) + (t270 * t996);
+    const double t1002 = (t83 * t985) + (t243 * t998) - (t265 * t996);
+    const double t1003 = -(t3 * cos_psi);
+    const double t1004 = -(t3 * sin_psi);
+    const double t1005 = -((speeds[0] * t21) + (speeds[1] * t24));
+    const double t1006 = -((t83 * t370) + (t243 * t384) + (t265 * t382));
+    const double t1007 = -((t83 * t433) + (t243 * t443) + (t265 * t441));
+    const double t1008 = -((t83 * t450) + (t243 * t460) + (t265 * t458));
+    const double t1009 = -((t83 * t478) + (t243 * t491) + (t265 * t489));
+    const double t1010 = -((t83 * t506) + (t243 * t520) + (t265 * t518));
+    const double t1011 = -((t83 * t527) + (t243 * t536) + (t265 * t534));
+    const double t1012 = -t425;
+    const double t1013 = -t998;
+    by_parameters[0][0] = 0.0;
+    by_parameters[0][1] = 0.0;
+    by_parameters[0][2] = 0.0;
+    by_parameters[0][3] = 0.0;
+    by_parameters[0][4] = 0.0;
+    by_parameters[0][5] = 0.0;
+    by_parameters[0][6] = 0.0;
+    by_parameters[0][7] = t1003;
+    by_parameters[0][8] = 0.0;
+    by_parameters[0][9] = 0.0;
+    by_parameters[1][0] = 0.0;
+    by_parameters[1][1] = 0.0;
+    by_parameters[1][2] = 0.0;
+    by_parameters[1][3] = 0.0;
+    by_parameters[1][4] = 0.0;
+    by_parameters[1][5] = 0.0;
+    by_parameters[1][6] = 0.0;
+    by_parameters[1][7] = t1004;
+    by_parameters[1][8] = 0.0;
+    by_parameters[1][9] = 0.0;
+    by_parameters[2][0] = 0.0;
+    by_parameters[2][1] = 0.0;
+    by_parameters[2][2] = 0.0;
+    by_parameters[2][3] = 0.0;
+    by_parameters[2][4] = 0.0;
+    by_parameters[2][5] = 0.0;
+    by_parameters[2][6] = 0.0;
+    by_parameters[2][7] = 0.0;
+    by_parameters[2][8] = 0.0;
+    by_parameters[2][9] = 0.0;
+    by_parameters[3][0] = 0.0;
+    by_parameters[3][1] = 0.0;
+    by_parameters[3][2] = 0.0;
+    by_parameters[3][3] = 0.0;
+    by_parameters[3][4] = 0.0;
+    by_parameters[3][5] = 0.0;
+    by_parameters[3][6] = 0.0;
+    by_parameters[3][7] = 0.0;
+    by_parameters[3][8] = 0.0;
+    by_parameters[3][9] = 0.0;
+    by_parameters[4][0] = 0.0;
+    by_parameters[4][1] = 0.0;
+    by_parameters[4][2] = 0.0;
+    by_parameters[4][3] = 0.0;
+    by_parameters[4][4] = 0.0;
+    by_parameters[4][5] = 0.0;
+    by_parameters[4][6] = 0.0;
+    by_parameters[4][7] = 0.0;
+    by_parameters[4][8] = 0.0;
+    by_parameters[4][9] = 0.0;
+    by_parameters[5][0] = 0.0;
+    by_parameters[5][1] = 0.0;
+    by_parameters[5][2] = 0.0;
+    by_parameters[5][3] = 0.0;
+    by_parameters[5][4] = 0.0;
+    by_parameters[5][5] = 0.0;
+    by_parameters[5][6] = 0.0;
+    by_parameters[5][7] = 0.0;
+    by_parameters[5][8] = 0.0;
+    by_parameters[5][9] = 0.0;
+    by_parameters[6][0] = 0.0;
+    by_parameters[6][1] = 0.0;
+    by_parameters[6][2] = 0.0;
+    by_parameters[6][3] = 0.0;
+    by_parameters[6][4] = 0.0;
+    by_parameters[6][5] = 0.0;
+    by_parameters[6][6] = 0.0;
+    by_parameters[6][7] = t1005;
+    by_parameters[6][8] = t45;
+    by_parameters[6][9] = 0.0;
+    by_parameters[7][0] = t1006;
+    by_parameters[7][1] = t429;
+    by_parameters[7][2] = t1007;
+    by_parameters[7][3] = t1008;
+    by_parameters[7][4] = t1009;
+    by_parameters[7][5] = t1010;
+    by_parameters[7][6] = t1011;
+    by_parameters[7][7] = t687;
+    by_parameters[7][8] = t981;
+    by_parameters[7][9] = t1002;
+    by_parameters[8][0] = t384;
+    by_parameters[8][1] = t1012;
+    by_parameters[8][2] = t443;
+    by_parameters[8][3] = t460;
+    by_parameters[8][4] = t491;
+    by_parameters[8][5] = t520;
+    by_parameters[8][6] = t536;
+    by_parameters[8][7] = t683;
+    by_parameters[8][8] = t977;
+    by_parameters[8][9] = t1013;
+    by_parameters[9][0] = t382;
+    by_parameters[9][1] = t423;
+    by_parameters[9][2] = t441;
+    by_parameters[9][3] = t458;
+    by_parameters[9][4] = t489;
+    by_parameters[9][5] = t518;
+    by_parameters[9][6] = t534;
+    by_parameters[9][7] = t681;
+    by_parameters[9][8] = t975;
+    by_parameters[9][9] = t996;
+}
+
+carvallo_motion_error_t wheeled_pendulum_f64_motion_by_parameters(const wheeled_pendulum_f64_motion_t *motion,
+    const double positions[WHEELED_PENDULUM_POSITIONS],
+    const double speeds[WHEELED_PENDULUM_SPEEDS], const double forces[WHEELED_PENDULUM_FORCES],
+    double by_parameters[WHEELED_PENDULUM_STATES][WHEELED_PENDULUM_PARAMETERS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f64(positions, WHEELED_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f64(speeds, WHEELED_PENDULUM_SPEEDS) && carvallo_are_finite_f64(forces,
+        WHEELED_PENDULUM_FORCES)) {
+        bool are_finite = true;
+        wheeled_pendulum_f64_compute_by_parameters(motion, positions, speeds, forces,
+            by_parameters);
+        for (size_t row = 0U; row < WHEELED_PENDULUM_STATES; row++) {
+            are_finite = are_finite && carvallo_are_finite_f64(by_parameters[row],
+                WHEELED_PENDULUM_PARAMETERS);
+        }
+        error = are_finite ? CARVALLO_MOTION_OK : CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
 const wheeled_pendulum_f32_t wheeled_pendulum_f32_sets[WHEELED_PENDULUM_SETS] = {
     { /* robot */
         .m = 0.6F,
@@ -2055,6 +2912,862 @@ carvallo_motion_error_t wheeled_pendulum_f32_motion_contact_forces(const wheeled
             contact_forces);
         error = (carvallo_are_finite_f32(contact_forces, 3U * WHEELED_PENDULUM_WHEELS)) ?
             CARVALLO_MOTION_OK : CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void wheeled_pendulum_f32_compute_linearization(const wheeled_pendulum_f32_motion_t *motion,
+    const float positions[WHEELED_PENDULUM_POSITIONS], const float speeds[WHEELED_PENDULUM_SPEEDS],
+    const float forces[WHEELED_PENDULUM_FORCES],
+    wheeled_pendulum_f32_linearization_t *linearization)
+{
+    const float t4 = speeds[1] + speeds[2];
+    const float t5 = motion->constants[1] * t4;
+    float sin_psi = 0.0F;
+    float cos_psi = 0.0F;
+    carvallo_sin_cos_f32(positions[2], &sin_psi, &cos_psi);
+    const float t8 = t5 * sin_psi;
+    float sin_phi = 0.0F;
+    float cos_phi = 0.0F;
+    carvallo_sin_cos_f32(positions[3], &sin_phi, &cos_phi);
+    const float t16 = motion->constants[1] * sin_phi;
+    const float t21 = t16 + (cos_phi * motion->constants[6]) - t16;
+    const float t22 = 1.0F / motion->constants[1];
+    const float t23 = t21 * t22;
+    const float t24 = sin_phi * t23;
+    float sin_theta = 0.0F;
+    float cos_theta = 0.0F;
+    carvallo_sin_cos_f32(positions[4], &sin_theta, &cos_theta);
+    const float t29 = cos_theta * motion->constants[7];
+    const float t30 = motion->constants[1] * t29;
+    const float t34 = motion->constants[8] + motion->constants[17] - t30 - t30;
+    const float t39 = motion->constants[18] - (cos_theta * motion->constants[9]);
+    const float t41 = (sin_phi * t34) + (cos_phi * t39);
+    const float t52 = cos_phi * ((sin_phi * t39) + (cos_phi * (motion->constants[13] - (sin_theta *
+        sin_theta * motion->constants[15]))));
+    const float t54 = sin_phi * motion->constants[4];
+    const float t56 = sin_phi + t23;
+    const float t57 = motion->constants[4] * t56;
+    const float t61 = (sin_phi * t41) + t52 + (sin_phi * t54) + (t56 * t57);
+    const float t62 = 1.0F / t61;
+    const float t64 = sin_phi * speeds[0];
+    const float t65 = motion->constants[1] * t64;
+    const float t66 = cos_phi * speeds[0];
+    const float t67 = t65 * t66;
+    const float t70 = t4 * t66;
+    const float t72 = cos_theta * t66;
+    const float t73 = motion->constants[6] * t72;
+    const float t75 = sin_theta * t66;
+    const float t76 = motion->constants[6] * t75;
+    const float t81 = speeds[2] + (t23 * speeds[0]) + (speeds[1] * t24);
+    const float t82 = speeds[1] + t81;
+    const float t88 = t67 + (motion->constants[1] * t66 * t82) - (motion->constants[1] * t70) -
+        t67 - (t72 * t73);
+    const float t91 = t4 + t64;
+    const float t92 = t91 * t65;
+    const float t93 = cos_theta * t92;
+    const float t94 = speeds[1] + t64;
+    const float t96 = speeds[1] * t72;
+    const float t99 = t93 + (t73 * t94) - (motion->constants[6] * t96);
+    const float t101 = sin_theta * t92;
+    const float t103 = speeds[1] * t75;
+    const float t106 = (motion->constants[6] * t103) - t101 - (t76 * t94);
+    const float t108 = (cos_theta * t99) - (sin_theta * t106);
+    const float t109 = t64 + t82;
+    const float t114 = 1.0F / t21;
+    const float t115 = ((sin_phi * (t88 - (t75 * t76))) + (cos_phi * (t108 - (t65 * t109)))) * t114;
+    const float t121 = motion->constants[9] * t94;
+    const float t123 = (motion->constants[13] * t72) - t121;
+    const float t133 = (motion->constants[8] * t94) + (motion->constants[4] * (speeds[2] + t94)) +
+        (motion->constants[4] * (t81 + t94)) - (motion->constants[9] * t72);
+    const float t136 = (motion->constants[7] * (t67 + (sin_phi * motion->constants[14]) +
+        (motion->constants[1] * (t70 + t115)))) + (t94 * t123) - (t72 * t133);
+    const float t139 = t92 - (cos_phi * motion->constants[14]);
+    const float t140 = cos_theta * t139;
+    const float t145 = t96 + (cos_theta * t115);
+    const float t147 = motion->constants[7] * t75;
+    const float t149 = motion->constants[7] * t94;
+    const float t151 = t149 - (motion->constants[11] * t72);
+    const float t153 = (t75 * t147) + (t94 * t151);
+    const float t157 = sin_theta * t139;
+    const float t159 = sin_theta * t115;
+    const float t160 = t103 + t159;
+    const float t162 = motion->constants[11] * t75;
+    const float t165 = (t94 * t162) + (t72 * t147);
+    const float t170 = motion->constants[1] * ((sin_theta * ((t140 * motion->constants[10]) -
+        (motion->constants[11] * t145) - t153)) + (cos_theta * ((motion->constants[11] * t160) -
+        (motion->constants[10] * t157) - t165)));
+    const float t175 = t22 * motion->constants[4];
+    const float t176 = ((sin_theta * t99) + (cos_theta * t106)) * t175;
+    const float t177 = forces[1] + t176;
+    const float t181 = t75 * motion->constants[12];
+    const float t188 = (motion->constants[9] * t160) + (t75 * t123) - t170 - t176 -
+        (motion->constants[7] * t157) - (t72 * t181);
+    const float t194 = (t94 * t181) - (t75 * t133);
+    const float t204 = cos_phi * ((cos_theta * ((motion->constants[11] * t157) + t194 -
+        (motion->constants[13] * t160))) - (sin_theta * ((motion->constants[11] * t140) + t136 -
+        (t145 * motion->constants[12]))));
+    const float t207 = (t23 * t177) - (sin_phi * t188) - t204;
+    const float t210 = motion->constants[1] * (t29 - motion->constants[16]);
+    const float t216 = t62 * (t54 + t57 + (cos_phi * motion->constants[18]) - (sin_phi * t210));
+    const float t218 = 1.0F + t24;
+    const float t219 = motion->constants[4] * t218;
+    const float t223 = t62 * (t41 + t54 + (t57 * t218));
+    const float t224 = t61 * t223;
+    const float t233 = t34 + motion->constants[4] + (t218 * t219) - (t223 * t224);
+    const float t234 = 1.0F / t233;
+    const float t235 = (motion->constants[4] + t219 - t210 - (t216 * t224)) * t234;
+    const float t239 = (t24 * t177) - t188 - (t207 * t223);
+    const float t252 = 1.0F / (motion->constants[19] - (t61 * t216 * t216) - (t233 * t235 * t235));
+    const float t253 = (forces[0] + t170 + t177 - (t207 * t216) - (t235 * t239)) * t252;
+    const float t256 = (t234 * t239) - (t235 * t253);
+    const float t261 = (t62 * t207) - (t223 * t256) - (t216 * t253);
+    const float t263 = t256 + (sin_phi * t261);
+    const float t265 = motion->constants[1] * (t253 + t263);
+    const float t267 = t140 - (sin_theta * t265);
+    const float t269 = cos_phi * t261;
+    const float t271 = t145 + (sin_theta * t269);
+    const float t273 = sin_theta * motion->constants[11];
+    const float t280 = t157 + (cos_theta * t265);
+    const float t284 = (cos_theta * t269) - t159;
+    const float t285 = t284 - t103;
+    const float t292 = sin_theta * (t194 + (motion->constants[11] * t280) + (motion->constants[13] *
+        t285) - (motion->constants[9] * t263) - (t139 * t273));
+    const float t293 = cos_theta * motion->constants[11];
+    const float t295 = sin_theta * motion->constants[12];
+    const float t302 = (sin_theta * t72) - (cos_theta * t75);
+    const float t306 = (speeds[1] * t295) - (sin_theta * ((motion->constants[13] * t94) - t133)) -
+        (motion->constants[9] * t302);
+    const float t308 = (cos_theta * ((motion->constants[12] * t271) + (t265 * t273) - t136 -
+        (motion->constants[11] * t267))) + (t267 * t293);
+    const float t315 = cos_phi * cos_theta;
+    const float t316 = ((t94 * motion->constants[12]) - t133) * t315;
+    const float t318 = t23 * t175;
+    const float t322 = (motion->constants[6] * t94) - (speeds[1] * motion->constants[6]);
+    const float t324 = t101 + (t75 * t322);
+    const float t326 = cos_theta * t322;
+    const float t330 = t108 - (cos_theta * t93) - (sin_theta * t324) - (t72 * t326);
+    const float t334 = (motion->constants[13] * t75) - t181;
+    const float t337 = t123 - (t72 * motion->constants[12]);
+    const float t342 = sin_theta * motion->constants[10];
+    const float t356 = sin_theta * ((motion->constants[7] * t263) + (t139 * t342) - t165 -
+        (motion->constants[10] * t280) - (motion->constants[11] * t285));
+    const float t357 = cos_theta * motion->constants[10];
+    const float t361 = motion->constants[11] * t94;
+    const float t365 = (sin_theta * t361) - (cos_theta * t147) - (speeds[1] * t273);
+    const float t372 = (cos_theta * (t361 + (motion->constants[7] * t72))) + (sin_theta * (t147 +
+        t147));
+    const float t374 = (cos_theta * ((motion->constants[10] * t267) - t153 -
+        (motion->constants[11] * t271) - (t265 * t342))) - t356;
+    const float t379 = motion->constants[1] * (t374 - (t267 * t357) - (t273 * t284) - (t75 * t365) -
+        (t72 * t372));
+    const float t380 = (t175 * t330) + t379;
+    const float t383 = (t72 * t337) - (motion->constants[7] * t267) - (t75 * t334) - t380;
+    const float t386 = motion->constants[1] * t293;
+    const float t387 = t386 - motion->constants[9];
+    const float t389 = (motion->constants[13] * t315) + (sin_phi * t387);
+    const float t392 = cos_phi * sin_theta;
+    const float t395 = sin_phi * (t73 + t73);
+    const float t402 = (sin_phi * (t76 + t76)) - (t322 * t392);
+    const float t408 = (t75 * t395) + (t93 * t392) - (t106 * t315) - (t99 * t392) - (t315 * t324) -
+        (t72 * t402);
+    const float t409 = motion->constants[1] * motion->constants[7];
+    const float t410 = sin_theta * t114;
+    const float t412 = cos_theta * t114;
+    const float t417 = motion->constants[1] * t273 * t412;
+    const float t421 = (t389 * t410) - (cos_phi * ((t295 * t412) - (t409 * t410))) - (sin_phi *
+        t417);
+    const float t425 = (t318 * t330) + (t271 * t389) + (t408 * t421) - (cos_phi * (t308 + (t284 *
+        t295) - t292 - (t75 * t306)));
+    const float t427 = t425 - (t72 * t316) - (sin_phi * t383);
+    const float t429 = t24 * t175;
+    const float t433 = (t387 * t410) - t417;
+    const float t439 = (t330 * t429) + (t271 * t387) + (t408 * t433) - t383 - (t223 * t427);
+    const float t443 = (t386 * t410) - t417;
+    const float t451 = t252 * (t380 + (t271 * t386) + (t408 * t443) - (t216 * t427) - (t235 *
+        t439));
+    const float t453 = (t234 * t439) - (t235 * t451);
+    const float t457 = (t62 * t427) - (t223 * t453) - (t216 * t451);
+    const float t458 = t16 * t66;
+    const float t474 = (cos_theta * t181) + (t302 * (motion->constants[8] + motion->constants[4] +
+        motion->constants[4])) - (sin_theta * (t123 - t121));
+    const float t478 = sin_phi * (t65 + (motion->constants[1] * t91));
+    const float t481 = (sin_theta * t293) - (cos_theta * t273);
+    const float t485 = (t306 * t315) + (sin_phi * t474) + (t478 * t481) - (sin_theta *
+        ((motion->constants[7] * t458) + (cos_phi * ((t4 * t409) + (motion->constants[7] * t65)))));
+    const float t490 = (t315 * t322) + (sin_phi * t73);
+    const float t492 = sin_phi * t76;
+    const float t496 = (sin_theta * t490) - (cos_theta * t492) - (t326 * t392);
+    const float t499 = motion->constants[9] * t75;
+    const float t501 = motion->constants[7] * sin_theta;
+    const float t509 = (cos_theta * t162) + (sin_theta * (t149 + t151));
+    const float t513 = (cos_theta * t342) - (sin_theta * t357);
+    const float t520 = (t175 * t496) + (motion->constants[1] * ((t315 * t365) + (t478 * t513) -
+        (sin_phi * t509) - (t372 * t392)));
+    const float t524 = (t315 * t334) + (t337 * t392) - (sin_phi * t499) - (t478 * t501) - t520;
+    const float t526 = speeds[1] * t392;
+    const float t541 = (cos_theta * t315) + (sin_theta * t392);
+    const float t546 = (cos_phi * ((t16 * t82) - (t5 * sin_phi))) + (t315 * t490) + (t392 * t492) +
+        (t478 * t541);
+    const float t549 = t546 - (sin_phi * cos_phi * (t65 + (motion->constants[1] * t109))) - (t315 *
+        t395) - (t392 * t402);
+    const float t552 = cos_phi * motion->constants[4] * t302;
+    const float t554 = t458 - (cos_phi * t65);
+    const float t556 = (t421 * t554) - t552;
+    const float t562 = (t318 * t496) + (t389 * t526) + (t421 * t549) + (t23 * t556) - (cos_phi *
+        t485) - (t316 * t392);
+    const float t563 = t562 - (sin_phi * t524);
+    const float t568 = t433 * t554;
+    const float t575 = (t429 * t496) + (t387 * t526) + (t433 * t549) + (t23 * t568) - t524 - (t223 *
+        t563);
+    const float t579 = t443 * t554;
+    const float t587 = t520 + (t386 * t526) + (t443 * t549) + (t23 * t579) - (t216 * t563) - (t235 *
+        t575);
+    const float t588 = t252 * t587;
+    const float t590 = (t234 * t575) - (t235 * t588);
+    const float t594 = (t62 * t563) - (t223 * t590) - (t216 * t588);
+    const float t601 = cos_phi * ((t65 * t481) - (t75 * t409));
+    const float t602 = t65 * t501;
+    const float t604 = t65 * t513;
+    const float t607 = motion->constants[1] * (t604 - t509 - (t72 * t273));
+    const float t609 = t499 + t602 + t607;
+    const float t613 = (t65 * t541) - t458;
+    const float t614 = t554 + t613;
+    const float t621 = (sin_phi * t609) + (t75 * t389) + (t421 * t614) + (t24 * t556) - (cos_phi *
+        (t474 + (t72 * t295))) - t601;
+    const float t630 = t609 + (t75 * t387) + (t433 * t614) + (t24 * t568) - (t223 * t621);
+    const float t641 = t607 + (t75 * t386) + (t443 * t614) + (t24 * t579) - (t216 * t621) - (t235 *
+        t630);
+    const float t642 = t252 * t641;
+    const float t644 = (t234 * t630) - (t235 * t642);
+    const float t648 = (t62 * t621) - (t223 * t644) - (t216 * t642);
+    const float t649 = motion->constants[1] * t604;
+    const float t650 = t602 + t649;
+    const float t656 = t556 + (sin_phi * t650) + (t421 * t613) - t552 - t601;
+    const float t662 = t568 + t650 + (t433 * t613) - (t223 * t656);
+    const float t671 = t252 * (t579 + t649 + (t443 * t613) - (t216 * t656) - (t235 * t662));
+    const float t673 = (t234 * t662) - (t235 * t671);
+    const float t677 = (t62 * t656) - (t223 * t673) - (t216 * t671);
+    const float t678 = t235 * t252;
+    const float t681 = (t223 * t678) - (t216 * t252);
+    const float t684 = t24 - (t23 * t223);
+    const float t690 = t252 * (1.0F - (t23 * t216) - (t235 * t684));
+    const float t692 = (t234 * t684) - (t235 * t690);
+    const float t696 = (t23 * t62) - (t223 * t692) - (t216 * t690);
+    const float t697 = -(motion->constants[1] * cos_psi);
+    const float t698 = -(t5 * cos_psi);
+    const float t699 = -(motion->constants[1] * sin_psi);
+    const float t700 = -t678;
+    linearization->a[0][0] = 0.0F;
+    linearization->a[0][1] = 0.0F;
+    linearization->a[0][2] = t8;
+    linearization->a[0][3] = 0.0F;
+    linearization->a[0][4] = 0.0F;
+    linearization->a[0][5] = 0.0F;
+    linearization->a[0][6] = 0.0F;
+    linearization->a[0][7] = 0.0F;
+    linearization->a[0][8] = t697;
+    linearization->a[0][9] = t697;
+    linearization->b[0][0] = 0.0F;
+    linearization->b[0][1] = 0.0F;
+    linearization->a[1][0] = 0.0F;
+    linearization->a[1][1] = 0.0F;
+    linearization->a[1][2] = t698;
+    linearization->a[1][3] = 0.0F;
+    linearization->a[1][4] = 0.0F;
+    linearization->a[1][5] = 0.0F;
+    linearization->a[1][6] = 0.0F;
+    linearization->a[1][7] = 0.0F;
+    linearization->a[1][8] = t699;
+    linearization->a[1][9] = t699;
+    linearization->b[1][0] = 0.0F;
+    linearization->b[1][1] = 0.0F;
+    linearization->a[2][0] = 0.0F;
+    linearization->a[2][1] = 0.0F;
+    linearization->a[2][2] = 0.0F;
+    linearization->a[2][3] = 0.0F;
+    linearization->a[2][4] = 0.0F;
+    linearization->a[2][5] = 0.0F;
+    linearization->a[2][6] = 0.0F;
+    linearization->a[2][7] = 1.0F;
+    linearization->a[2][8] = 0.0F;
+    linearization->a[2][9] = 0.0F;
+    linearization->b[2][0] = 0.0F;
+    linearization->b[2][1] = 0.0F;
+    linearization->a[3][0] = 0.0F;
+    linearization->a[3][1] = 0.0F;
+    linearization->a[3][2] = 0.0F;
+    linearization->a[3][3] = 0.0F;
+    linearization->a[3][4] = 0.0F;
+    linearization->a[3][5] = 0.0F;
+    linearization->a[3][6] = 0.0F;
+    linearization->a[3][7] = 0.0F;
+    linearization->a[3][8] = 0.0F;
+    linearization->a[3][9] = 0.0F;
+    linearization->b[3][0] = 0.0F;
+    linearization->b[3][1] = 0.0F;
+    linearization->a[4][0] = 0.0F;
+    linearization->a[4][1] = 0.0F;
+    linearization->a[4][2] = 0.0F;
+    linearization->a[4][3] = 0.0F;
+    linearization->a[4][4] = 0.0F;
+    linearization->a[4][5] = 0.0F;
+    linearization->a[4][6] = 0.0F;
+    linearization->a[4][7] = 0.0F;
+    linearization->a[4][8] = 1.0F;
+    linearization->a[4][9] = 0.0F;
+    linearization->b[4][0] = 0.0F;
+    linearization->b[4][1] = 0.0F;
+    linearization->a[5][0] = 0.0F;
+    linearization->a[5][1] = 0.0F;
+    linearization->a[5][2] = 0.0F;
+    linearization->a[5][3] = 0.0F;
+    linearization->a[5][4] = 0.0F;
+    linearization->a[5][5] = 0.0F;
+    linearization->a[5][6] = 0.0F;
+    linearization->a[5][7] = 0.0F;
+    linearization->a[5][8] = 0.0F;
+    linearization->a[5][9] = 1.0F;
+    linearization->b[5][0] = 0.0F;
+    linearization->b[5][1] = 0.0F;
+    linearization->a[6][0] = 0.0F;
+    linearization->a[6][1] = 0.0F;
+    linearization->a[6][2] = 0.0F;
+    linearization->a[6][3] = 0.0F;
+    linearization->a[6][4] = 0.0F;
+    linearization->a[6][5] = 0.0F;
+    linearization->a[6][6] = 0.0F;
+    linearization->a[6][7] = t23;
+    linearization->a[6][8] = t24;
+    linearization->a[6][9] = 1.0F;
+    linearization->b[6][0] = 0.0F;
+    linearization->b[6][1] = 0.0F;
+    linearization->a[7][0] = 0.0F;
+    linearization->a[7][1] = 0.0F;
+    linearization->a[7][2] = 0.0F;
+    linearization->a[7][3] = 0.0F;
+    linearization->a[7][4] = t457;
+    linearization->a[7][5] = 0.0F;
+    linearization->a[7][6] = 0.0F;
+    linearization->a[7][7] = t594;
+    linearization->a[7][8] = t648;
+    linearization->a[7][9] = t677;
+    linearization->b[7][0] = t681;
+    linearization->b[7][1] = t696;
+    linearization->a[8][0] = 0.0F;
+    linearization->a[8][1] = 0.0F;
+    linearization->a[8][2] = 0.0F;
+    linearization->a[8][3] = 0.0F;
+    linearization->a[8][4] = t453;
+    linearization->a[8][5] = 0.0F;
+    linearization->a[8][6] = 0.0F;
+    linearization->a[8][7] = t590;
+    linearization->a[8][8] = t644;
+    linearization->a[8][9] = t673;
+    linearization->b[8][0] = t700;
+    linearization->b[8][1] = t692;
+    linearization->a[9][0] = 0.0F;
+    linearization->a[9][1] = 0.0F;
+    linearization->a[9][2] = 0.0F;
+    linearization->a[9][3] = 0.0F;
+    linearization->a[9][4] = t451;
+    linearization->a[9][5] = 0.0F;
+    linearization->a[9][6] = 0.0F;
+    linearization->a[9][7] = t588;
+    linearization->a[9][8] = t642;
+    linearization->a[9][9] = t671;
+    linearization->b[9][0] = t252;
+    linearization->b[9][1] = t690;
+}
+
+carvallo_motion_error_t wheeled_pendulum_f32_motion_linearize(const wheeled_pendulum_f32_motion_t *motion,
+    const float positions[WHEELED_PENDULUM_POSITIONS], const float speeds[WHEELED_PENDULUM_SPEEDS],
+    const float forces[WHEELED_PENDULUM_FORCES],
+    wheeled_pendulum_f32_linearization_t *linearization)
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f32(positions, WHEELED_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f32(speeds, WHEELED_PENDULUM_SPEEDS) && carvallo_are_finite_f32(forces,
+        WHEELED_PENDULUM_FORCES)) {
+        bool are_finite = true;
+        wheeled_pendulum_f32_compute_linearization(motion, positions, speeds, forces,
+            linearization);
+        for (size_t row = 0U; row < WHEELED_PENDULUM_STATES; row++) {
+            are_finite = are_finite && carvallo_are_finite_f32(linearization->a[row],
+                WHEELED_PENDULUM_STATES) && carvallo_are_finite_f32(linearization->b[row],
+                WHEELED_PENDULUM_FORCES);
+        }
+        error = are_finite ? CARVALLO_MOTION_OK : CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void wheeled_pendulum_f32_compute_by_parameters(const wheeled_pendulum_f32_motion_t *motion,
+    const float positions[WHEELED_PENDULUM_POSITIONS], const float speeds[WHEELED_PENDULUM_SPEEDS],
+    const float forces[WHEELED_PENDULUM_FORCES],
+    float by_parameters[WHEELED_PENDULUM_STATES][WHEELED_PENDULUM_PARAMETERS])
+{
+    const float t3 = speeds[1] + speeds[2];
+    float sin_psi = 0.0F;
+    float cos_psi = 0.0F;
+    carvallo_sin_cos_f32(positions[2], &sin_psi, &cos_psi);
+    const float t11 = 1.0F / motion->constants[1];
+    float sin_phi = 0.0F;
+    float cos_phi = 0.0F;
+    carvallo_sin_cos_f32(positions[3], &sin_phi, &cos_phi);
+    const float t14 = motion->constants[1] * sin_phi;
+    const float t19 = t14 + (cos_phi * motion->constants[6]) - t14;
+    const float t20 = t11 * t19;
+    const float t21 = t11 * t20;
+    const float t23 = sin_phi * t20;
+    const float t24 = t11 * t23;
+    const float t27 = cos_phi + cos_phi;
+    const float t29 = 1.0F / t19;
+    const float t31 = t29 * (sin_phi + sin_phi);
+    const float t32 = sin_phi * t31;
+    const float t33 = motion->constants[6] * t32;
+    const float t35 = (t11 * t27) + (t11 * t33);
+    const float t37 = t11 * sin_phi;
+    const float t40 = cos_phi * t31;
+    const float t43 = (t27 * t37) + (t33 * t37) - (t20 * t40);
+    const float t45 = (speeds[0] * t35) + (speeds[1] * t43);
+    float sin_theta = 0.0F;
+    float cos_theta = 0.0F;
+    carvallo_sin_cos_f32(positions[4], &sin_theta, &cos_theta);
+    const float t50 = cos_theta * motion->constants[7];
+    const float t51 = motion->constants[1] * t50;
+    const float t55 = motion->constants[8] + motion->constants[17] - t51 - t51;
+    const float t58 = cos_theta * motion->constants[9];
+    const float t60 = motion->constants[18] - t58;
+    const float t62 = (sin_phi * t55) + (cos_phi * t60);
+    const float t73 = cos_phi * ((sin_phi * t60) + (cos_phi * (motion->constants[13] - (sin_theta *
+        sin_theta * motion->constants[15]))));
+    const float t75 = sin_phi * motion->constants[4];
+    const float t77 = sin_phi + t20;
+    const float t78 = motion->constants[4] * t77;
+    const float t82 = (sin_phi * t62) + t73 + (sin_phi * t75) + (t77 * t78);
+    const float t83 = 1.0F / t82;
+    const float t86 = motion->constants[1] - motion->constants[1] - motion->constants[3];
+    const float t87 = speeds[0] * cos_phi;
+    const float t88 = speeds[0] * sin_phi;
+    const float t89 = motion->constants[1] * t88;
+    const float t90 = t87 * t89;
+    const float t93 = t3 * t87;
+    const float t95 = cos_theta * t87;
+    const float t96 = motion->constants[6] * t95;
+    const float t98 = sin_theta * t87;
+    const float t99 = motion->constants[6] * t98;
+    const float t104 = speeds[2] + (speeds[0] * t20) + (speeds[1] * t23);
+    const float t105 = speeds[1] + t104;
+    const float t106 = t87 * t105;
+    const float t112 = t90 + (motion->constants[1] * t106) - t90 - (motion->constants[1] * t93) -
+        (t95 * t96) - (t98 * t99);
+    const float t114 = t3 + t88;
+    const float t115 = t89 * t114;
+    const float t117 = speeds[1] + t88;
+    const float t119 = speeds[1] * t95;
+    const float t122 = (cos_theta * t115) + (t96 * t117) - (motion->constants[6] * t119);
+    const float t126 = speeds[1] * t98;
+    const float t129 = (motion->constants[6] * t126) - (sin_theta * t115) - (t99 * t117);
+    const float t131 = t88 + t105;
+    const float t134 = (cos_theta * t122) - (sin_theta * t129) - (t89 * t131);
+    const float t137 = t29 * ((sin_phi * t112) + (cos_phi * t134));
+    const float t138 = t93 + t137;
+    const float t141 = t90 + (sin_phi * motion->constants[14]) + (motion->constants[1] * t138);
+    const float t145 = (sin_theta * t95) - (cos_theta * t98);
+    const float t148 = (t86 * t117 * t145) - (sin_theta * t141);
+    const float t151 = t119 + (cos_theta * t137);
+    const float t153 = t115 - (cos_phi * motion->constants[14]);
+    const float t154 = sin_theta * t153;
+    const float t157 = t126 + (sin_theta * t137);
+    const float t162 = t11 * ((sin_theta * t122) + (cos_theta * t129));
+    const float t163 = motion->constants[4] * t162;
+    const float t165 = t98 * motion->constants[12];
+    const float t169 = (motion->constants[13] * t95) - (motion->constants[9] * t117);
+    const float t171 = (t98 * t169) - (t95 * t165);
+    const float t173 = cos_theta * t153;
+    const float t177 = motion->constants[7] * t98;
+    const float t179 = motion->constants[7] * t117;
+    const float t181 = t179 - (t95 * motion->constants[11]);
+    const float t183 = (t98 * t177) + (t117 * t181);
+    const float t189 = t98 * motion->constants[11];
+    const float t192 = (t117 * t189) + (t95 * t177);
+    const float t197 = motion->constants[1] * ((sin_theta * ((motion->constants[10] * t173) -
+        (motion->constants[11] * t151) - t183)) + (cos_theta * ((t157 * motion->constants[11]) -
+        (t154 * motion->constants[10]) - t192)));
+    const float t201 = (motion->constants[9] * t157) + t171 - (motion->constants[7] * t154) - t163 -
+        t197;
+    const float t207 = speeds[2] + t117;
+    const float t209 = t104 + t117;
+    const float t213 = (motion->constants[8] * t117) + (motion->constants[4] * t207) +
+        (motion->constants[4] * t209) - (motion->constants[9] * t95);
+    const float t216 = (t117 * t165) - (t98 * t213);
+    const float t226 = (motion->constants[7] * t141) + (t117 * t169) - (t95 * t213);
+    const float t231 = cos_phi * ((cos_theta * ((t154 * motion->constants[11]) + t216 -
+        (motion->constants[13] * t157))) - (sin_theta * ((t173 * motion->constants[11]) + t226 -
+        (motion->constants[12] * t151))));
+    const float t233 = t163 + forces[1];
+    const float t236 = (t20 * t233) - (sin_phi * t201) - t231;
+    const float t239 = t23 + 1.0F;
+    const float t243 = t83 * (t62 + t75 + (t78 * t239));
+    const float t244 = motion->constants[4] * t239;
+    const float t246 = t82 * t243;
+    const float t250 = t55 + motion->constants[4] + (t239 * t244) - (t243 * t246);
+    const float t251 = 1.0F / t250;
+    const float t255 = (t23 * t233) - t201 - (t236 * t243);
+    const float t259 = motion->constants[1] * (t50 - motion->constants[16]);
+    const float t265 = t83 * (t75 + t78 + (cos_phi * motion->constants[18]) - (sin_phi * t259));
+    const float t270 = t251 * (motion->constants[4] + t244 - t259 - (t246 * t265));
+    const float t285 = 1.0F / (motion->constants[19] - (t82 * t265 * t265) - (t250 * t270 * t270));
+    const float t286 = (t197 + t233 + forces[0] - (t236 * t265) - (t255 * t270)) * t285;
+    const float t288 = (t251 * t255) - (t270 * t286);
+    const float t292 = (t83 * t236) - (t243 * t288) - (t265 * t286);
+    const float t293 = cos_phi * t292;
+    const float t295 = t151 + (sin_theta * t293);
+    const float t297 = t98 * t117;
+    const float t299 = (sin_theta * t295) + (cos_theta * t297);
+    const float t301 = motion->constants[0] * motion->constants[0];
+    const float t303 = t301 + (t86 * t86);
+    const float t306 = (cos_theta * t293) - t157;
+    const float t308 = sin_theta * t117;
+    const float t310 = (cos_theta * t306) - (t95 * t308);
+    const float t312 = t86 * motion->constants[0];
+    const float t314 = t288 + (sin_phi * t292);
+    const float t319 = (t117 * t308) - (cos_theta * t314) - (t95 * t145);
+    const float t325 = t286 + t314;
+    const float t326 = motion->constants[1] * t325;
+    const float t328 = t154 + (cos_theta * t326);
+    const float t330 = (t86 * t314) - t328;
+    const float t332 = t95 * t98;
+    const float t335 = t297 + t306;
+    const float t337 = motion->constants[1] * cos_theta;
+    const float t338 = t314 - t332;
+    const float t342 = motion->constants[1] * sin_theta;
+    const float t344 = t173 - (sin_theta * t326);
+    const float t345 = t98 * t98;
+    const float t347 = t345 + (t117 * t117);
+    const float t351 = (t337 * ((t86 * t338) - t328)) + (t342 * (t344 - (t86 * t347)));
+    const float t355 = (t86 * t330) + (t301 * t332) - (t303 * t332) - (t312 * t335) - t351;
+    const float t362 = t95 * t117;
+    const float t365 = (t335 * t337) - (t342 * (t362 - t295));
+    const float t367 = (cos_phi * ((cos_theta * t328) - (sin_theta * t344))) + (sin_phi * t365);
+    const float t369 = (cos_phi * ((t86 * t148) + (t299 * t303) + (t301 * t310) + (t312 * t319))) +
+        (sin_phi * t355);
+    const float t370 = t369 + (motion->constants[0] * t367);
+    const float t372 = motion->constants[0] * t365;
+    const float t375 = (t243 * t370) - t355 - t372;
+    const float t382 = t285 * (t351 + (t265 * t370) - t372 - (t270 * t375));
+    const float t384 = (t251 * t375) - (t270 * t382);
+    const float t392 = motion->constants[7] + motion->constants[7];
+    const float t394 = motion->constants[0] * motion->constants[2];
+    const float t400 = motion->constants[7] * t314;
+    const float t408 = (t337 * t338 * motion->constants[2]) - (t342 * t347 * motion->constants[2]);
+    const float t412 = (t332 * t392) + (t335 * t394) + t408 - t400 - (t330 * motion->constants[2]);
+    const float t414 = (cos_phi * ((t145 * t179) + (t148 * motion->constants[2]) + (t299 * t392) +
+        (t319 * t394))) - (sin_phi * t412);
+    const float t417 = t412 + (t243 * t414);
+    const float t423 = t285 * ((t270 * t417) - t408 - (t265 * t414));
+    const float t425 = (t251 * t417) + (t270 * t423);
+    const float t429 = (t83 * t414) + (t243 * t425) - (t265 * t423);
+    const float t430 = cos_phi * t145;
+    const float t433 = (t117 * t430) + (sin_phi * t314);
+    const float t436 = (t243 * t433) - t314;
+    const float t441 = t285 * ((t265 * t433) - (t270 * t436));
+    const float t443 = (t251 * t436) - (t270 * t441);
+    const float t450 = (cos_phi * t310) + (sin_phi * t332);
+    const float t453 = (t243 * t450) - t332;
+    const float t458 = t285 * ((t265 * t450) - (t270 * t453));
+    const float t460 = (t251 * t453) - (t270 * t458);
+    const float t465 = motion->constants[6] * motion->constants[6];
+    const float t474 = (t337 * (t328 + t328)) - (t342 * (t344 + t344));
+    const float t478 = (cos_phi * ((t299 * t465) + (t310 * t465))) + (sin_phi * t474) +
+        (motion->constants[6] * t367);
+    const float t481 = t474 + (motion->constants[6] * t365);
+    const float t483 = (t243 * t478) - t481;
+    const float t489 = t285 * ((t265 * t478) - t481 - (t270 * t483));
+    const float t491 = (t251 * t483) - (t270 * t489);
+    const float t503 = t325 + (t20 * t292) + (t23 * t288) - t162;
+    const float t506 = (t430 * (t207 + t209)) + (sin_phi * t325) + (t77 * t503);
+    const float t511 = (t243 * t506) - t325 - (t239 * t503);
+    const float t518 = t285 * ((t265 * t506) - t325 - t503 - (t270 * t511));
+    const float t520 = (t251 * t511) - (t270 * t518);
+    const float t525 = t299 + t310;
+    const float t527 = cos_phi * (t525 + t525);
+    const float t529 = t243 * t527;
+    const float t534 = t285 * ((t265 * t527) - (t270 * t529));
+    const float t536 = (t251 * t529) - (t270 * t534);
+    const float t541 = motion->constants[4] * t503;
+    const float t542 = forces[1] - t541;
+    const float t544 = motion->constants[7] * sin_theta;
+    const float t548 = sin_theta * motion->constants[11];
+    const float t549 = sin_theta * t325;
+    const float t551 = motion->constants[4] * t145;
+    const float t552 = speeds[0] * t551;
+    const float t554 = speeds[1] * t551;
+    const float t557 = sin_theta * motion->constants[12];
+    const float t559 = cos_theta * motion->constants[13];
+    const float t562 = (cos_theta * t557) - (motion->constants[1] * t544) - (sin_theta * t559);
+    const float t563 = cos_phi * t29;
+    const float t564 = t131 * t563;
+    const float t567 = sin_phi * t29;
+    const float t569 = sin_theta * t563;
+    const float t570 = t88 * t114;
+    const float t571 = sin_theta * t570;
+    const float t573 = cos_theta * t563;
+    const float t574 = cos_theta * t570;
+    const float t579 = (motion->constants[1] * t87 * t567) - (t89 * t563);
+    const float t580 = speeds[0] * t579;
+    const float t582 = speeds[1] * t579;
+    const float t587 = ((t106 - t93) * t567) + (t569 * t571) + (t573 * t574) - (t88 * t564) - (t21 *
+        t580);
+    const float t588 = t587 - (t24 * t582);
+    const float t593 = (t548 * t549) + (t562 * t588) - (t544 * (t138 + (t87 * t88))) - (t21 *
+        t552) - (t24 * t554);
+    const float t595 = motion->constants[9] * sin_theta;
+    const float t598 = cos_theta * motion->constants[11];
+    const float t613 = (sin_theta * ((motion->constants[10] * t344) - t183 -
+        (motion->constants[11] * t295))) + (cos_theta * (t400 - t192 - (motion->constants[10] *
+        t328) - (motion->constants[11] * t306)));
+    const float t617 = (t342 * ((motion->constants[10] * t549) + (t588 * t598))) - t613 - (t337 *
+        t548 * t588);
+    const float t618 = (t588 * t595) + t617;
+    const float t620 = t11 * motion->constants[4];
+    const float t622 = cos_theta * t620;
+    const float t624 = sin_theta * t620;
+    const float t626 = motion->constants[4] * t292;
+    const float t628 = motion->constants[4] * t288;
+    const float t633 = (t162 * t620) + (t571 * t622) - (t574 * t624) - (t21 * t626) - (t24 * t628);
+    const float t635 = cos_theta * t325;
+    const float t637 = motion->constants[10] * t337;
+    const float t638 = t637 - motion->constants[7];
+    const float t640 = (cos_phi * t598) + (sin_phi * t638);
+    const float t645 = cos_theta * motion->constants[10] * t342;
+    const float t649 = (cos_phi * cos_theta * t548) + (sin_phi * t645) - (sin_theta * t640);
+    const float t655 = (t570 * t649) - (t21 * t542) - (cos_phi * t593) - (sin_phi * t618) - (t77 *
+        t633) - (t635 * t640);
+    const float t661 = t645 - (sin_theta * t638);
+    const float t668 = (t570 * t661) - t618 - (t24 * t542) - (t239 * t633) - (t635 * t638) - (t243 *
+        t655);
+    const float t672 = t645 - (sin_theta * t637);
+    const float t680 = (t570 * t672) - t617 - t633 - (t635 * t637) - (t265 * t655) - (t270 * t668);
+    const float t681 = t285 * t680;
+    const float t683 = (t251 * t668) - (t270 * t681);
+    const float t687 = (t83 * t655) - (t243 * t683) - (t265 * t681);
+    const float t700 = (cos_theta * (t216 + (motion->constants[11] * t328) +
+        (motion->constants[13] * t306) - (motion->constants[9] * t314))) - (sin_theta * (t226 +
+        (motion->constants[11] * t344) - (motion->constants[12] * t295)));
+    const float t713 = t171 + t541 + (motion->constants[8] * t314) + (motion->constants[4] * t325) -
+        (motion->constants[7] * t328) - (motion->constants[9] * t306) - (motion->constants[1] *
+        t613);
+    const float t716 = motion->constants[6] * motion->constants[5];
+    const float t718 = t394 + t716 + t716;
+    const float t719 = t718 + t718;
+    const float t723 = t3 * motion->constants[1];
+    const float t727 = sin_theta * t292;
+    const float t731 = speeds[0] * sin_theta;
+    const float t736 = (cos_theta * t292) - (speeds[1] * t731);
+    const float t738 = speeds[0] * cos_theta;
+    const float t743 = motion->constants[13] * t738;
+    const float t748 = (t557 * t727) + (cos_theta * ((t117 * motion->constants[12]) - t213) *
+        t731) + (t559 * t736);
+    const float t751 = t748 + (t738 * ((speeds[1] * t557) + (sin_theta * t213))) - (speeds[0] *
+        t544 * (t89 + t723)) - (t308 * t743);
+    const float t756 = speeds[0] * motion->constants[1];
+    const float t760 = motion->constants[1] * t292;
+    const float t761 = sin_theta * t760;
+    const float t767 = speeds[0] * motion->constants[9];
+    const float t769 = motion->constants[8] + motion->constants[4];
+    const float t775 = (t548 * t761) + (speeds[0] * ((cos_theta * t165) - (sin_theta * t169))) +
+        (t308 * t767) + (speeds[0] * t145 * (motion->constants[4] + t769));
+    const float t780 = t29 * t137;
+    const float t783 = t345 + (t95 * t95);
+    const float t786 = t126 - t297;
+    const float t787 = t786 + t786;
+    const float t789 = t362 - t119;
+    const float t790 = t789 + t789;
+    const float t806 = (motion->constants[6] * t117) - (speeds[1] * motion->constants[6]);
+    const float t807 = t731 * t806;
+    const float t809 = t738 * t806;
+    const float t813 = (t29 * t134) + (speeds[0] * t567 * ((motion->constants[1] * t105) - t723)) +
+        (t569 * t807) + (t573 * t809);
+    const float t820 = speeds[0] * t89;
+    const float t824 = t820 + (t114 * t756);
+    const float t827 = (sin_theta * t824) + (speeds[0] * t99);
+    const float t831 = (cos_theta * t824) + (speeds[0] * t96);
+    const float t837 = t40 * ((t29 * t112) + (t569 * t827) + (t573 * t831) - (t563 * t820) - (t564 *
+        t756));
+    const float t839 = (t573 * t790) + (t32 * (t813 - (motion->constants[6] * t780) - (t567 * t731 *
+        (t99 + t99)) - (t567 * t738 * (t96 + t96))));
+    const float t844 = t839 + (t35 * t580) + (t43 * t582) - (t27 * t780) - (t567 * (t783 + t783)) -
+        (t569 * t787);
+    const float t845 = t844 - t837;
+    const float t850 = (t299 * t719) + (t310 * t719) + (motion->constants[7] * t319) + (t32 *
+        (t751 - (motion->constants[9] * t145 * t738))) + (t35 * t552);
+    const float t853 = t850 + (t43 * t554) + (t562 * t845) - (t40 * (t775 - (t58 * t292) - (t544 *
+        (motion->constants[14] + (t87 * t756)))));
+    const float t864 = (t731 * (t169 - (t95 * motion->constants[12]))) + (t98 * t743) -
+        (motion->constants[9] * t736) - (t165 * t738);
+    const float t871 = t117 * motion->constants[11];
+    const float t879 = t32 * ((t731 * (t871 + (motion->constants[7] * t95))) +
+        (motion->constants[11] * t736) + (t177 * t738));
+    const float t896 = t32 * ((t738 * (t871 - (speeds[1] * motion->constants[11]))) -
+        (motion->constants[11] * t727) - (t731 * (t177 + t177)));
+    const float t904 = t896 + (t40 * ((motion->constants[10] * t761) + (speeds[0] * (t179 +
+        t181)))) - (t598 * t845);
+    const float t906 = (t337 * ((t548 * t845) - t879 - (t40 * ((motion->constants[7] * t292) -
+        (speeds[0] * t189))))) + (t342 * t904);
+    const float t910 = (t32 * t864) + (t595 * t845) - (motion->constants[7] * t335) - (t40 *
+        ((t292 * t769) - (t98 * t767))) - t906;
+    const float t929 = (t35 * t626) + (t43 * t628) - (t622 * t787) - (t624 * t790) - (t32 * ((t624 *
+        t809) - (t622 * t807))) - (t40 * (t626 + (t622 * t827) - (t624 * t831)));
+    const float t932 = t40 * cos_theta * t760;
+    const float t936 = (t32 * motion->constants[14]) + (t40 * t824);
+    const float t939 = motion->constants[2] + motion->constants[5] + motion->constants[5];
+    const float t945 = (t35 * t542) + (t40 * t713) + (t640 * t932) - (t32 * t700) - (cos_phi *
+        t853) - (sin_phi * t910);
+    const float t948 = t945 - (t77 * t929) - (t649 * t936) - (t367 * t939);
+    const float t954 = t365 * t939;
+    const float t960 = (t43 * t542) + (t638 * t932) - t910 - (t239 * t929) - (t661 * t936) - t954;
+    const float t961 = t960 - (t243 * t948);
+    const float t972 = t906 + (t40 * t626) + (t637 * t932) - t929 - t954 - (t672 * t936);
+    const float t975 = t285 * (t972 - (t265 * t948) - (t270 * t961));
+    const float t977 = (t251 * t961) - (t270 * t975);
+    const float t981 = (t83 * t948) - (t243 * t977) - (t265 * t975);
+    const float t985 = (sin_phi * cos_phi * t544) - (cos_phi * t649);
+    const float t989 = (cos_phi * t661) + (t243 * t985);
+    const float t996 = t285 * ((t270 * t989) - (cos_phi * t672) - (t265 * t985));
+    const float t998 = (t251 * t989) + (t270 * t996);
+    const float t1002 = (t83 * t985) + (t243 * t998) - (t265 * t996);
+    const float t1003 = -(t3 * cos_psi);
+    const float t1004 = -(t3 * sin_psi);
+    const float t1005 = -((speeds[0] * t21) + (speeds[1] * t24));
+    const float t1006 = -((t83 * t370) + (t243 * t384) + (t265 * t382));
+    const float t1007 = -((t83 * t433) + (t243 * t443) + (t265 * t441));
+    const float t1008 = -((t83 * t450) + (t243 * t460) + (t265 * t458));
+    const float t1009 = -((t83 * t478) + (t243 * t491) + (t265 * t489));
+    const float t1010 = -((t83 * t506) + (t243 * t520) + (t265 * t518));
+    const float t1011 = -((t83 * t527) + (t243 * t536) + (t265 * t534));
+    const float t1012 = -t425;
+    const float t1013 = -t998;
+    by_parameters[0][0] = 0.0F;
+    by_parameters[0][1] = 0.0F;
+    by_parameters[0][2] = 0.0F;
+    by_parameters[0][3] = 0.0F;
+    by_parameters[0][4] = 0.0F;
+    by_parameters[0][5] = 0.0F;
+    by_parameters[0][6] = 0.0F;
+    by_parameters[0][7] = t1003;
+    by_parameters[0][8] = 0.0F;
+    by_parameters[0][9] = 0.0F;
+    by_parameters[1][0] = 0.0F;
+    by_parameters[1][1] = 0.0F;
+    by_parameters[1][2] = 0.0F;
+    by_parameters[1][3] = 0.0F;
+    by_parameters[1][4] = 0.0F;
+    by_parameters[1][5] = 0.0F;
+    by_parameters[1][6] = 0.0F;
+    by_parameters[1][7] = t1004;
+    by_parameters[1][8] = 0.0F;
+    by_parameters[1][9] = 0.0F;
+    by_parameters[2][0] = 0.0F;
+    by_parameters[2][1] = 0.0F;
+    by_parameters[2][2] = 0.0F;
+    by_parameters[2][3] = 0.0F;
+    by_parameters[2][4] = 0.0F;
+    by_parameters[2][5] = 0.0F;
+    by_parameters[2][6] = 0.0F;
+    by_parameters[2][7] = 0.0F;
+    by_parameters[2][8] = 0.0F;
+    by_parameters[2][9] = 0.0F;
+    by_parameters[3][0] = 0.0F;
+    by_parameters[3][1] = 0.0F;
+    by_parameters[3][2] = 0.0F;
+    by_parameters[3][3] = 0.0F;
+    by_parameters[3][4] = 0.0F;
+    by_parameters[3][5] = 0.0F;
+    by_parameters[3][6] = 0.0F;
+    by_parameters[3][7] = 0.0F;
+    by_parameters[3][8] = 0.0F;
+    by_parameters[3][9] = 0.0F;
+    by_parameters[4][0] = 0.0F;
+    by_parameters[4][1] = 0.0F;
+    by_parameters[4][2] = 0.0F;
+    by_parameters[4][3] = 0.0F;
+    by_parameters[4][4] = 0.0F;
+    by_parameters[4][5] = 0.0F;
+    by_parameters[4][6] = 0.0F;
+    by_parameters[4][7] = 0.0F;
+    by_parameters[4][8] = 0.0F;
+    by_parameters[4][9] = 0.0F;
+    by_parameters[5][0] = 0.0F;
+    by_parameters[5][1] = 0.0F;
+    by_parameters[5][2] = 0.0F;
+    by_parameters[5][3] = 0.0F;
+    by_parameters[5][4] = 0.0F;
+    by_parameters[5][5] = 0.0F;
+    by_parameters[5][6] = 0.0F;
+    by_parameters[5][7] = 0.0F;
+    by_parameters[5][8] = 0.0F;
+    by_parameters[5][9] = 0.0F;
+    by_parameters[6][0] = 0.0F;
+    by_parameters[6][1] = 0.0F;
+    by_parameters[6][2] = 0.0F;
+    by_parameters[6][3] = 0.0F;
+    by_parameters[6][4] = 0.0F;
+    by_parameters[6][5] = 0.0F;
+    by_parameters[6][6] = 0.0F;
+    by_parameters[6][7] = t1005;
+    by_parameters[6][8] = t45;
+    by_parameters[6][9] = 0.0F;
+    by_parameters[7][0] = t1006;
+    by_parameters[7][1] = t429;
+    by_parameters[7][2] = t1007;
+    by_parameters[7][3] = t1008;
+    by_parameters[7][4] = t1009;
+    by_parameters[7][5] = t1010;
+    by_parameters[7][6] = t1011;
+    by_parameters[7][7] = t687;
+    by_parameters[7][8] = t981;
+    by_parameters[7][9] = t1002;
+    by_parameters[8][0] = t384;
+    by_parameters[8][1] = t1012;
+    by_parameters[8][2] = t443;
+    by_parameters[8][3] = t460;
+    by_parameters[8][4] = t491;
+    by_parameters[8][5] = t520;
+    by_parameters[8][6] = t536;
+    by_parameters[8][7] = t683;
+    by_parameters[8][8] = t977;
+    by_parameters[8][9] = t1013;
+    by_parameters[9][0] = t382;
+    by_parameters[9][1] = t423;
+    by_parameters[9][2] = t441;
+    by_parameters[9][3] = t458;
+    by_parameters[9][4] = t489;
+    by_parameters[9][5] = t518;
+    by_parameters[9][6] = t534;
+    by_parameters[9][7] = t681;
+    by_parameters[9][8] = t975;
+    by_parameters[9][9] = t996;
+}
+
+carvallo_motion_error_t wheeled_pendulum_f32_motion_by_parameters(const wheeled_pendulum_f32_motion_t *motion,
+    const float positions[WHEELED_PENDULUM_POSITIONS], const float speeds[WHEELED_PENDULUM_SPEEDS],
+    const float forces[WHEELED_PENDULUM_FORCES],
+    float by_parameters[WHEELED_PENDULUM_STATES][WHEELED_PENDULUM_PARAMETERS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f32(positions, WHEELED_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f32(speeds, WHEELED_PENDULUM_SPEEDS) && carvallo_are_finite_f32(forces,
+        WHEELED_PENDULUM_FORCES)) {
+        bool are_finite = true;
+        wheeled_pendulum_f32_compute_by_parameters(motion, positions, speeds, forces,
+            by_parameters);
+        for (size_t row = 0U; row < WHEELED_PENDULUM_STATES; row++) {
+            are_finite = are_finite && carvallo_are_finite_f32(by_parameters[row],
+                WHEELED_PENDULUM_PARAMETERS);
+        }
+        error = are_finite ? CARVALLO_MOTION_OK : CARVALLO_MOTION_SINGULAR;
     }
     return error;
 }

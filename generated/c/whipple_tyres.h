@@ -213,6 +213,12 @@ typedef enum {
 /** The name of a wheel; a text of its own for what is none. */
 const char *whipple_tyres_wheel_name(whipple_tyres_wheel_t which);
 
+/** How many states there are: all positions, and behind them the speeds. */
+#define WHIPPLE_TYRES_STATES (WHIPPLE_TYRES_POSITIONS + WHIPPLE_TYRES_SPEEDS)
+
+/** How many parameters there are. */
+#define WHIPPLE_TYRES_PARAMETERS 28U
+
 /* ------------------------------------------------------------ double */
 
 /** The parameters of `WhippleTyres`. */
@@ -559,6 +565,52 @@ carvallo_motion_error_t whipple_tyres_f64_motion_contact_forces(const whipple_ty
     const double positions[WHIPPLE_TYRES_POSITIONS], const double speeds[WHIPPLE_TYRES_SPEEDS],
     const double forces[WHIPPLE_TYRES_FORCES], double contact_forces[3U * WHIPPLE_TYRES_WHEELS]);
 
+/**
+ * The nonlinear equations of motion to first order about a state, x' = x0' + A (x - x0) + B (f - f0), where x are all
+ * positions and then all speeds.
+ *
+ * Derivatives are exact, and those along motions that the conditions leave: positions that the heights of the wheels determine
+ * follow the others, so a column for such a position is zero.
+ */
+typedef struct {
+    /** The derivatives of the rates of positions and speeds, a row for each, with respect to these, a column for each. */
+    double a[WHIPPLE_TYRES_STATES][WHIPPLE_TYRES_STATES];
+    /** The derivatives with respect to the forces, a column for each. */
+    double b[WHIPPLE_TYRES_STATES][WHIPPLE_TYRES_FORCES];
+} whipple_tyres_f64_linearization_t;
+
+/**
+ * A and B about a state, which need not be one of equilibrium:
+ * 1769 additions, 2341 multiplications, 7 divisions, 15 negations, 1 square root and 8 trigonometric functions: 4141 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] linearization The derivatives.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_tyres_f64_motion_linearize(const whipple_tyres_f64_motion_t *motion,
+    const double positions[WHIPPLE_TYRES_POSITIONS], const double speeds[WHIPPLE_TYRES_SPEEDS],
+    const double forces[WHIPPLE_TYRES_FORCES], whipple_tyres_f64_linearization_t *linearization);
+
+/**
+ * The derivatives of the rates of all positions and then of the speeds, a row for each, with respect to the parameters in
+ * declared order, a column for each. Free positions, speeds and forces stay what they are, and dependent positions follow:
+ * 2747 additions, 3528 multiplications, 7 divisions, 1 square root and 8 trigonometric functions: 6291 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] by_parameters The derivatives.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_tyres_f64_motion_by_parameters(const whipple_tyres_f64_motion_t *motion,
+    const double positions[WHIPPLE_TYRES_POSITIONS], const double speeds[WHIPPLE_TYRES_SPEEDS],
+    const double forces[WHIPPLE_TYRES_FORCES],
+    double by_parameters[WHIPPLE_TYRES_STATES][WHIPPLE_TYRES_PARAMETERS]);
+
 /* ------------------------------------------------------------ float */
 
 /** The parameters of `WhippleTyres`. */
@@ -904,6 +956,52 @@ carvallo_motion_error_t whipple_tyres_f32_motion_close(const whipple_tyres_f32_m
 carvallo_motion_error_t whipple_tyres_f32_motion_contact_forces(const whipple_tyres_f32_motion_t *motion,
     const float positions[WHIPPLE_TYRES_POSITIONS], const float speeds[WHIPPLE_TYRES_SPEEDS],
     const float forces[WHIPPLE_TYRES_FORCES], float contact_forces[3U * WHIPPLE_TYRES_WHEELS]);
+
+/**
+ * The nonlinear equations of motion to first order about a state, x' = x0' + A (x - x0) + B (f - f0), where x are all
+ * positions and then all speeds.
+ *
+ * Derivatives are exact, and those along motions that the conditions leave: positions that the heights of the wheels determine
+ * follow the others, so a column for such a position is zero.
+ */
+typedef struct {
+    /** The derivatives of the rates of positions and speeds, a row for each, with respect to these, a column for each. */
+    float a[WHIPPLE_TYRES_STATES][WHIPPLE_TYRES_STATES];
+    /** The derivatives with respect to the forces, a column for each. */
+    float b[WHIPPLE_TYRES_STATES][WHIPPLE_TYRES_FORCES];
+} whipple_tyres_f32_linearization_t;
+
+/**
+ * A and B about a state, which need not be one of equilibrium:
+ * 1769 additions, 2341 multiplications, 7 divisions, 15 negations, 1 square root and 8 trigonometric functions: 4141 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] linearization The derivatives.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_tyres_f32_motion_linearize(const whipple_tyres_f32_motion_t *motion,
+    const float positions[WHIPPLE_TYRES_POSITIONS], const float speeds[WHIPPLE_TYRES_SPEEDS],
+    const float forces[WHIPPLE_TYRES_FORCES], whipple_tyres_f32_linearization_t *linearization);
+
+/**
+ * The derivatives of the rates of all positions and then of the speeds, a row for each, with respect to the parameters in
+ * declared order, a column for each. Free positions, speeds and forces stay what they are, and dependent positions follow:
+ * 2747 additions, 3528 multiplications, 7 divisions, 1 square root and 8 trigonometric functions: 6291 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] by_parameters The derivatives.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_tyres_f32_motion_by_parameters(const whipple_tyres_f32_motion_t *motion,
+    const float positions[WHIPPLE_TYRES_POSITIONS], const float speeds[WHIPPLE_TYRES_SPEEDS],
+    const float forces[WHIPPLE_TYRES_FORCES],
+    float by_parameters[WHIPPLE_TYRES_STATES][WHIPPLE_TYRES_PARAMETERS]);
 
 #ifdef __cplusplus
 }

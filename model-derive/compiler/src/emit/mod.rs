@@ -11,6 +11,7 @@ mod documentation;
 mod evaluator;
 mod fields;
 mod info;
+mod inputs;
 mod kinematics;
 mod lanes;
 mod linearization;

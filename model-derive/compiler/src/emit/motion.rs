@@ -1,9 +1,10 @@
 //! The struct of the nonlinear equations of motion, and what implements the runtime's traits.
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
 use super::body::{Body, Inputs};
+use super::inputs::names_of_inputs;
 use super::names::GeneratedNames;
 use super::{derive, docs, linearization};
 use crate::model::Model;
@@ -213,37 +214,14 @@ pub fn emit_values(
 
 impl Inputs {
     /// Constants, and a state with forces.
-    fn of_motion(
-        model: &Model,
-        motion: &MotionModel,
-        constants: usize,
-        [positions, speeds, forces]: [&Ident; 3],
-    ) -> Self {
+    fn of_motion(model: &Model, motion: &MotionModel, constants: usize, arguments: [&Ident; 3]) -> Self {
+        let [positions, speeds, forces] = arguments.map(|argument| quote!(#argument));
+        let arrays = [quote!(self.constants), positions, speeds, forces];
         let mut inputs = Self { values: Vec::new(), names: Vec::new(), like: 0 };
-        let mut add = |value: TokenStream, name: String| {
-            inputs.values.push(value);
-            inputs.names.push(name);
-        };
-        let place = Literal::usize_unsuffixed;
-        let constant = format_ident!("constants");
-        for index in 0..constants {
-            let index = place(index);
-            add(quote!(self.#constant[#index]), format!("constant_{index}"));
-        }
-        let names: Vec<&String> = motion.positions.iter().map(|position| &position.name).collect();
-        for (index, name) in names.iter().enumerate() {
-            let index = place(index);
-            add(quote!(#positions[#index]), (*name).clone());
-        }
-        for (index, joint) in motion.layout.conditions.independent.iter().enumerate() {
-            let position = motion.layout.positions.iter().position(|position| position == joint);
-            let name = position.map_or("", |position| names[position]);
-            let index = place(index);
-            add(quote!(#speeds[#index]), format!("{name}_rate"));
-        }
-        for (index, [name, ..]) in model.kinematics.iter().flat_map(|kinematics| &kinematics.applied).enumerate() {
-            let index = place(index);
-            add(quote!(#forces[#index]), name.clone());
+        for (array, names) in arrays.iter().zip(names_of_inputs(model, motion, constants)) {
+            let places = (0..names.len()).map(Literal::usize_unsuffixed);
+            inputs.values.extend(places.map(|place| quote!(#array[#place])));
+            inputs.names.extend(names);
         }
         inputs
     }

@@ -74,10 +74,11 @@ pub struct MotionPrograms {
 }
 
 impl MotionPrograms {
-    /// All of them but those of derivatives.
-    pub fn all(&self) -> [&Program; 7] {
-        let Self { constants, closure, rates, derivatives, accelerations, energy, contact_forces, .. } = self;
-        [constants, closure, rates, derivatives, accelerations, energy, contact_forces]
+    /// All of them.
+    pub fn all(&self) -> impl Iterator<Item = &Program> {
+        let Self { constants, closure, rates, derivatives, accelerations, energy, contact_forces, partials } = self;
+        let partials = partials.iter().flat_map(|partials| [&partials.by_state, &partials.by_parameters]);
+        [constants, closure, rates, derivatives, accelerations, energy, contact_forces].into_iter().chain(partials)
     }
 }
 

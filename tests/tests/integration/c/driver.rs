@@ -118,6 +118,8 @@ const MOTIONS: &str = r#"
     for (size_t state = 0; state < STATES; state++) {
         NUMBER given[POSITIONS + SPEEDS + FORCES];
         NUMBER result[64];
+        PREFIX_KIND_linearization_t linearization;
+        NUMBER by_parameters[POSITIONS + SPEEDS][PARAMETERS];
         for (size_t i = 0; i < POSITIONS + SPEEDS + FORCES; i++) {
             given[i] = read_KIND();
         }
@@ -128,7 +130,7 @@ CALLS
     }
 "#;
 
-fn motions(Motions { info }: Motions) -> String {
+fn motions(Motions { info, parameters }: Motions) -> String {
     let (positions, speeds) = (info.positions.len(), info.speeds.len());
     let forces = if info.forces.is_empty() { String::new() } else { format!(", &given[{}]", positions + speeds) };
     let call = |function: &str, arguments: &str, array: &str, count: usize| {
@@ -150,12 +152,19 @@ fn motions(Motions { info }: Motions) -> String {
     if !info.wheels.is_empty() {
         calls.push_str(&call("contact_forces", &of_forces, "result", 3 * info.wheels.len()));
     }
+    let states = positions + speeds;
+    let entries = states * (states + info.forces.len());
+    let linearization = "(const NUMBER *)&linearization";
+    calls.push_str(&call("linearize", &format!(", speeds{forces}, &linearization"), linearization, entries));
+    let (by_parameters, entries) = ("(const NUMBER *)by_parameters", states * parameters);
+    calls.push_str(&call("by_parameters", &format!(", speeds{forces}, by_parameters"), by_parameters, entries));
     MOTIONS
         .replace("CALLS\n", &calls)
         .replace("STATES", &STATES.to_string())
         .replace("POSITIONS", &positions.to_string())
         .replace("SPEEDS", &speeds.to_string())
         .replace("FORCES", &info.forces.len().to_string())
+        .replace("PARAMETERS", &parameters.to_string())
 }
 
 /// A program for all models, each with what its files are called and the text of its header.

@@ -56,24 +56,28 @@ fn headers() -> BTreeMap<String, (String, String)> {
     headers
 }
 
-fn has_compiler() -> bool {
-    let found = Command::new("cc").arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
-    let found = found.is_ok_and(|status| status.success());
-    if !found {
-        eprintln!("SKIPPED: the generated C is not compiled, since there is no cc");
-    }
-    found
+/// The compilers of C that are there.
+fn compilers() -> Vec<&'static str> {
+    let is_there = |compiler: &&str| {
+        let found = Command::new(compiler).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
+        let found = found.is_ok_and(|status| status.success());
+        if !found {
+            eprintln!("SKIPPED: the generated C is not compiled by {compiler}, since that is not installed");
+        }
+        found
+    };
+    ["cc", "clang"].into_iter().filter(is_there).collect()
 }
 
 /// Compiles a program with all models, and gives it what it reads.
-fn run(name: &str, program: &str, input: &str) -> String {
-    let folder = Folder(std::env::temp_dir().join(format!("carvallo-c-{name}-{}", std::process::id())));
+fn run(compiler: &str, program: &str, input: &str) -> String {
+    let folder = Folder(std::env::temp_dir().join(format!("carvallo-c-{compiler}-{}", std::process::id())));
     fs::create_dir_all(&folder.0).expect("a folder for the test");
     fs::write(folder.0.join("main.c"), program).expect("a file can be written");
     let mut sources: Vec<PathBuf> =
         fs::read_dir(generated()).expect("the generated files").map(|entry| entry.expect("an entry").path()).collect();
     sources.retain(|path| path.extension().is_some_and(|extension| extension == "c"));
-    let compiled = Command::new("cc")
+    let compiled = Command::new(compiler)
         .args(FLAGS)
         .arg("-I")
         .arg(generated())
@@ -96,7 +100,8 @@ fn run(name: &str, program: &str, input: &str) -> String {
 /// for the sign of zeros, codes by what they say.
 #[test]
 fn c_computes_what_rust_computes() {
-    if !has_compiler() {
+    let compilers = compilers();
+    if compilers.is_empty() {
         return;
     }
     fn expect<const N: usize, M: Model<N, Scalar = f64>>() -> Expected {
@@ -110,15 +115,17 @@ fn c_computes_what_rust_computes() {
         (expected, &**file, &**header)
     }));
     let input: String = all.iter().map(|expected| expected.input.as_str()).collect();
-    let output = run("all", &program, &input);
-    let mut found = output.lines();
-    for expected in &all {
-        for (what, word) in &expected.words {
-            let line = found.next().unwrap_or_default();
-            assert_eq!(line, word, "{}: {what}", expected.model);
+    for compiler in compilers {
+        let output = run(compiler, &program, &input);
+        let mut found = output.lines();
+        for expected in &all {
+            for (what, word) in &expected.words {
+                let line = found.next().unwrap_or_default();
+                assert_eq!(line, word, "{}: {what}, compiled by {compiler}", expected.model);
+            }
         }
+        assert_eq!(found.next(), None);
     }
-    assert_eq!(found.next(), None);
     for expected in &all {
         let moves = headers[expected.model].1.contains("_f64_motion_rates(");
         assert_eq!(moves, expected.motions.is_some(), "{}", expected.model);
@@ -145,7 +152,7 @@ const AWKWARD: &str = "carvallo::model! {
 #[cfg(feature = "compiler")]
 #[test]
 fn names_and_texts_are_what_c_can_have() {
-    if !has_compiler() {
+    if compilers().is_empty() {
         return;
     }
     let folder = Folder(std::env::temp_dir().join(format!("carvallo-c-names-{}", std::process::id())));
@@ -157,11 +164,14 @@ fn names_and_texts_are_what_c_can_have() {
     let header = fs::read_to_string(written.join("awkward.h")).expect("it was written");
     assert!(header.contains("double int_;") && header.contains("float u03bb;"), "{header}");
     for flags in [FLAGS, &["-x", "c++", "-std=c++20", "-Wall", "-Wextra", "-Werror"]] {
-        let compiled = Command::new("cc").args(flags).arg("-fsyntax-only").arg(written.join("awkward.c")).output();
-        let compiled = compiled.expect("the compiler runs");
-        let message = String::from_utf8_lossy(&compiled.stderr);
-        // Not every compiler of C has one of C++ beside it.
-        let has_none = message.contains("cc1plus") || message.contains("not recognized");
-        assert!(compiled.status.success() || has_none, "{message}");
+        for compiler in compilers() {
+            let compiled =
+                Command::new(compiler).args(flags).arg("-fsyntax-only").arg(written.join("awkward.c")).output();
+            let compiled = compiled.expect("the compiler runs");
+            let message = String::from_utf8_lossy(&compiled.stderr);
+            // Not every compiler of C has one of C++ beside it.
+            let has_none = message.contains("cc1plus") || message.contains("not recognized");
+            assert!(compiled.status.success() || has_none, "{compiler}: {message}");
+        }
     }
 }

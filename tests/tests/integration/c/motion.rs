@@ -1,13 +1,15 @@
 //! What the generated Rust computes of motions.
 
 use carvallo::Scalar;
-use carvallo::motion::{Motion, MotionError, MotionInfo};
+use carvallo::motion::{Linearizable, MotionError, MotionInfo};
 use carvallo_models::{DoublePendulum, RollingDisc, WheeledPendulum, WhippleLeaning, WhippleMechanism, WhippleTyres};
 
 /// What there is to ask of a model.
 #[derive(Clone, Copy)]
 pub struct Motions {
     pub info: &'static MotionInfo,
+    /// How many parameters the equations are differentiated by.
+    pub parameters: usize,
 }
 
 /// Some states and what comes of them: for each function what it is, the code of its error, and its numbers if there is none.
@@ -24,7 +26,7 @@ pub const STATES: usize = 4;
 pub fn motions<T: Scalar>(model: &str, values: &[T]) -> Option<Computed<T>> {
     macro_rules! of {
         ($model:ident) => {
-            Some(compute(&$model::from_array(values.try_into().expect("as many values")).motion()))
+            Some(compute(&$model::from_array(values.try_into().expect("as many values")).motion(), values.len()))
         };
     }
     match model {
@@ -38,8 +40,9 @@ pub fn motions<T: Scalar>(model: &str, values: &[T]) -> Option<Computed<T>> {
     }
 }
 
-fn compute<M: Motion>(motion: &M) -> Computed<M::Scalar> {
-    let mut computed = Computed { what: Motions { info: M::INFO }, states: Vec::new(), results: Vec::new() };
+fn compute<M: Linearizable>(motion: &M, parameters: usize) -> Computed<M::Scalar> {
+    let mut computed =
+        Computed { what: Motions { info: M::INFO, parameters }, states: Vec::new(), results: Vec::new() };
     for state in 0..STATES {
         add(motion, state, &mut computed);
     }
@@ -47,7 +50,7 @@ fn compute<M: Motion>(motion: &M) -> Computed<M::Scalar> {
 }
 
 /// Upright, leaning and steered, lying flat, and one that cannot be.
-fn add<M: Motion>(motion: &M, state: usize, computed: &mut Computed<M::Scalar>) {
+fn add<M: Linearizable>(motion: &M, state: usize, computed: &mut Computed<M::Scalar>) {
     let scalar = <M::Scalar as Scalar>::from_f64;
     let size = [0.0, 0.3, 0.0, 0.2][state];
     let mut place = 0;
@@ -87,6 +90,22 @@ fn add<M: Motion>(motion: &M, state: usize, computed: &mut Computed<M::Scalar>) 
         let contact_forces = motion.contact_forces(&positions, &speeds, &forces);
         add("contact forces", contact_forces.map(|contact_forces| contact_forces.as_ref().concat()));
     }
+    let linearization = motion.linearize(&positions, &speeds, &forces);
+    let [a, b] = [M::INFO.positions.len() + M::INFO.speeds.len(), M::INFO.forces.len()];
+    add(
+        "A and B",
+        linearization.map(|found| {
+            let mut entries = vec![scalar(0.0); (a + b) * a];
+            let (of_a, of_b) = entries.split_at_mut(a * a);
+            found.copy_into(of_a, of_b);
+            entries
+        }),
+    );
+    let by_parameters = motion.by_parameters(&positions, &speeds, &forces);
+    add(
+        "derivatives by parameters",
+        by_parameters.map(|rows| rows.as_ref().iter().flat_map(|row| row.as_ref().iter().copied()).collect()),
+    );
 }
 
 /// The codes of `carvallo_motion.h`.

@@ -4,6 +4,7 @@ mod body;
 mod comment;
 mod derivatives;
 mod kinematics;
+mod linearization;
 mod matrices;
 mod motion;
 mod names;
@@ -118,6 +119,7 @@ fn emit_header(context: &Context, file: &str) -> String {
     text.push_str(&validity::declare(context));
     text.push_str(&derivatives::declare_table(context));
     text.push_str(&motion::declare_places(context));
+    text.push_str(&linearization::declare_sizes(context));
     for precision in Precision::ALL {
         let rule = "-".repeat(60);
         text.push_str(&format!("/* {rule} {} */\n\n", precision.number()));
@@ -129,6 +131,7 @@ fn emit_header(context: &Context, file: &str) -> String {
             kinematics::declare,
             derivatives::declare,
             motion::declare,
+            linearization::declare,
         ] {
             text.push_str(&declare(context, precision));
         }
@@ -167,6 +170,7 @@ fn emit_source(context: &Context, file: &str) -> String {
             kinematics::define,
             derivatives::define,
             motion::define,
+            linearization::define,
         ] {
             let part = define(context, precision);
             if !part.is_empty() {

@@ -1,6 +1,7 @@
 //! The nonlinear equations of motion: what positions, speeds, forces and wheels are called, and the functions that compute
 //! what the programs of the model do.
 
+use super::super::inputs::names_of_inputs;
 use super::body::Body;
 use super::comment::{block, quoted};
 use super::names::identifier;
@@ -9,6 +10,10 @@ use super::{Context, Precision, counts};
 use crate::motion::{MotionModel, PositionKind};
 use crate::nonlinear::MotionPrograms;
 use crate::program::{Instruction, Program};
+
+/// What functions of a state take.
+const OF_STATE: &[&str] = &["motion", "positions", "speeds"];
+pub const WITH_FORCES: &[&str] = &["motion", "positions", "speeds", "forces"];
 
 /// Positions, speeds, forces or wheels: what has a place in an array.
 struct Places {
@@ -110,10 +115,8 @@ pub fn define(context: &Context, precision: Precision) -> String {
     let Some((motion, programs)) = find(context) else { return String::new() };
     let values = values(context, precision, motion, programs);
     let body = |program: &Program, arguments: &[&str], outputs: &[(&str, usize)]| {
-        compute(context, precision, motion, programs, program, arguments, outputs)
+        compute(context, precision, program, arguments, outputs)
     };
-    const OF_STATE: &[&str] = &["motion", "positions", "speeds"];
-    const WITH_FORCES: &[&str] = &["motion", "positions", "speeds", "forces"];
     let sizes = [motion.positions.len(), motion.speeds().len()];
     let of_constants = {
         let body = context.body(&programs.constants, precision, &[], &["motion"]);
@@ -147,16 +150,16 @@ pub fn define(context: &Context, precision: Precision) -> String {
     text
 }
 
-fn find<'a>(context: &'a Context) -> Option<(&'a MotionModel, &'a MotionPrograms)> {
+pub fn find<'a>(context: &'a Context) -> Option<(&'a MotionModel, &'a MotionPrograms)> {
     context.model.motion.as_ref().zip(context.programs.motion.as_ref())
 }
 
-fn applied<'a>(context: &'a Context) -> impl Iterator<Item = &'a [String; 3]> {
+pub fn applied<'a>(context: &'a Context) -> impl Iterator<Item = &'a [String; 3]> {
     context.model.kinematics.iter().flat_map(|kinematics| &kinematics.applied)
 }
 
 /// What all templates have places for.
-fn values(
+pub fn values(
     context: &Context,
     precision: Precision,
     motion: &MotionModel,
@@ -177,6 +180,8 @@ fn values(
         ("parameters", context.parameters(precision)),
         ("P", format!("{upper}_POSITIONS")),
         ("S", format!("{upper}_SPEEDS")),
+        ("STATES", format!("{upper}_STATES")),
+        ("PARAMETERS", format!("{upper}_PARAMETERS")),
         ("W", format!("{upper}_WHEELS")),
         ("D", format!("{}U", dependent.len())),
         ("dependent", dependent.join(", ")),
@@ -209,31 +214,24 @@ fn values(
     ]
 }
 
-fn borrowed<'a>(values: &'a [(&'static str, String)]) -> Vec<(&'a str, &'a str)> {
+pub fn borrowed<'a>(values: &'a [(&'static str, String)]) -> Vec<(&'a str, &'a str)> {
     values.iter().map(|(name, value)| (*name, value.as_str())).collect()
 }
 
 /// The statements of a program of a state, with its results in arrays of these lengths; what it does not read is said.
-fn compute(
+pub fn compute(
     context: &Context,
     precision: Precision,
-    motion: &MotionModel,
-    programs: &MotionPrograms,
     program: &Program,
     arguments: &[&str],
     outputs: &[(&str, usize)],
 ) -> String {
-    let constants = programs.constants.outputs.len();
-    let names = motion.positions.iter().map(|position| position.name.clone());
-    let rates = motion.speeds().into_iter().map(|place| format!("{}_rate", motion.positions[place].name));
-    let groups: [(&str, &str, Vec<String>); 4] = [
-        ("motion", "motion->constants", (0..constants).map(|index| format!("constant_{index}")).collect()),
-        ("positions", "positions", names.collect()),
-        ("speeds", "speeds", rates.collect()),
-        ("forces", "forces", applied(context).map(|[name, ..]| name.clone()).collect()),
-    ];
+    let Some((motion, programs)) = find(context) else { return String::new() };
+    let names = names_of_inputs(context.model, motion, programs.constants.outputs.len());
+    let arrays =
+        [("motion", "motion->constants"), ("positions", "positions"), ("speeds", "speeds"), ("forces", "forces")];
     let (mut reads, mut inputs, mut unused) = (Vec::new(), Vec::new(), String::new());
-    for (argument, array, names) in groups {
+    for ((argument, array), names) in arrays.into_iter().zip(names) {
         let range = reads.len()..reads.len() + names.len();
         let is_read =
             |instruction: &Instruction| matches!(instruction, Instruction::Parameter(at) if range.contains(at));
@@ -245,8 +243,9 @@ fn compute(
         inputs.extend(names);
     }
     let variable = context.names.values(program, context.model, &inputs, &[]);
-    let arrays = outputs.iter().map(|(array, _)| *array);
-    let taken: Vec<&str> = arguments.iter().copied().chain(arrays).collect();
+    // Of what stands in a struct the name of the struct.
+    let results = outputs.iter().filter_map(|(array, _)| array.split(['-', '[']).next());
+    let taken: Vec<&str> = arguments.iter().copied().chain(results).collect();
     let body = Body::new(program, precision, &taken, |index| reads[index].clone(), |value| variable(value).to_string());
     format!("{unused}{}{}", body.statements(4), assign(&body, program, outputs))
 }
