@@ -2,9 +2,9 @@
 
 use carvallo::nalgebra::DMatrix;
 use carvallo::{Complex, SystemError, Verdict};
-use carvallo_control::{FrequencyResponse, Margins, Ports, Signal, StateSpace, TransferFunction};
+use carvallo_control::{FrequencyResponse, Margins, Output, Ports, Signal, StateSpace, TransferFunction};
 use carvallo_design::number::shortest;
-use carvallo_design::{Design, Failure};
+use carvallo_design::{Design, Failure, Place, Problem};
 use numpy::{PyArray1, PyArray3, PyArrayMethods as _};
 use pyo3::prelude::*;
 
@@ -21,22 +21,57 @@ type Roots<'py> = (Bound<'py, PyArray1<Complex<f64>>>, Bound<'py, PyArray1<Compl
 /// Frequencies with factors of gain or angles of phase.
 type Crossings = Vec<(f64, f64)>;
 
-/// One design at a speed, with inputs and outputs by their names; without names all of them.
-fn space(
+/// The inputs by their names, or all of them, and the outputs, or those that are usual.
+///
+/// # Errors
+/// All names that there are none of, or that stand twice.
+pub fn ports(
+    design: &Design,
+    inputs: Option<&[String]>,
+    outputs: Option<&[String]>,
+    usual: fn(&Ports) -> Vec<Output>,
+) -> Result<(Vec<usize>, Vec<Output>), Failure> {
+    let ports = Ports::of(design);
+    let mut problems = Vec::new();
+    let inputs = inputs.map(|names| named(names, |name| ports.input(name), &mut problems));
+    let outputs = outputs.map(|names| named(names, |name| ports.output(name), &mut problems));
+    if !problems.is_empty() {
+        return Err(Failure::Input(problems));
+    }
+    Ok((inputs.unwrap_or_else(|| ports.all_inputs()), outputs.unwrap_or_else(|| usual(&ports))))
+}
+
+/// What names stand for, each once.
+fn named<T: PartialEq>(
+    names: &[String],
+    find: impl Fn(&str) -> Result<T, String>,
+    problems: &mut Vec<Problem>,
+) -> Vec<T> {
+    let mut found = Vec::new();
+    for name in names {
+        match find(name) {
+            Ok(port) if found.contains(&port) => {
+                problems.push(Problem { place: Place::Nowhere, message: format!("`{}` is named twice", name.trim()) });
+            }
+            Ok(port) => found.push(port),
+            Err(message) => problems.push(Problem { place: Place::Nowhere, message }),
+        }
+    }
+    found
+}
+
+/// One design at a speed, with inputs and outputs by their names.
+///
+/// # Errors
+/// All names that there are none of; or that there are no equations of motion.
+pub fn space(
     design: &Design,
     speed: f64,
     inputs: Option<&[String]>,
     outputs: Option<&[String]>,
+    usual: fn(&Ports) -> Vec<Output>,
 ) -> Result<StateSpace, Failure> {
-    let ports = Ports::of(design);
-    let inputs = match inputs {
-        Some(names) => names.iter().map(|name| ports.input(name)).collect::<Result<_, _>>().map_err(Failure::usage)?,
-        None => ports.all_inputs(),
-    };
-    let outputs = match outputs {
-        Some(names) => names.iter().map(|name| ports.output(name)).collect::<Result<_, _>>().map_err(Failure::usage)?,
-        None => ports.states(),
-    };
+    let (inputs, outputs) = ports(design, inputs, outputs, usual)?;
     StateSpace::new(design, speed, &inputs, &outputs)
 }
 
@@ -62,7 +97,7 @@ impl Designs {
         let design = self.described(py, about)?;
         let found = py.detach(|| {
             let design = design.build()?;
-            let at = |speed: &f64| space(&design, *speed, inputs.as_deref(), outputs.as_deref());
+            let at = |speed: &f64| space(&design, *speed, inputs.as_deref(), outputs.as_deref(), Ports::states);
             // What there is is the same at every speed.
             let any = at(speeds.first().unwrap_or(&1.0))?;
             let each = speeds.iter().map(at).collect::<Result<Vec<_>, _>>()?;
@@ -95,7 +130,7 @@ impl Designs {
         let design = self.described(py, about)?;
         let found = py.detach(|| {
             let design = design.build()?;
-            let space = space(&design, speed, Some(&[input]), Some(&[output]))?;
+            let space = space(&design, speed, Some(&[input]), Some(&[output]), Ports::states)?;
             TransferFunction::new(&space, 0, 0).map_err(|error| fail(&design, speed, error))
         });
         let TransferFunction { zeros, poles, gain, .. } = found.map_err(raise)?;
@@ -114,7 +149,7 @@ impl Designs {
         let design = self.described(py, about)?;
         let found = py.detach(|| {
             let design = design.build()?;
-            let space = space(&design, speed, Some(&[input]), Some(&[output]))?;
+            let space = space(&design, speed, Some(&[input]), Some(&[output]), Ports::states)?;
             Margins::new(&space, 0, 0).map_err(|error| fail(&design, speed, error))
         });
         let Margins { gain, phase, closed_loop } = found.map_err(raise)?;

@@ -2,12 +2,14 @@
 //!
 //! Here are numbers and columns; what users see is in `python/carvallo/`, which is documented there.
 
+mod along;
 mod at_speeds;
 mod changes;
 mod checking;
 mod columns;
 mod comparing;
 mod control;
+mod controllability;
 mod critical;
 mod designs;
 mod kernel;
@@ -20,9 +22,11 @@ mod parameterizations;
 mod parts;
 mod pictures;
 mod regulators;
+mod responses;
 mod sheet;
 mod signals;
 mod speeds;
+mod transfers;
 mod turning;
 mod words;
 

@@ -1,14 +1,37 @@
 //! Linear quadratic regulators of one design.
 
 use carvallo::Complex;
-use carvallo_control::{Ports, Schedule, Weights};
-use carvallo_design::Failure;
+use carvallo_control::{Code, Ports, Schedule, Signal, Weights};
+use carvallo_design::{Design, Failure};
 use numpy::{PyArray1, PyArrayMethods as _};
 use pyo3::prelude::*;
 
+use crate::control::ports;
 use crate::designs::{Array, Designs};
 use crate::loaded::raise;
 use crate::one::About;
+
+/// What regulators are asked for.
+#[derive(FromPyObject)]
+pub struct Asked {
+    /// In m/s.
+    #[pyo3(item)]
+    speeds: Vec<f64>,
+    /// By their names; without names all of them.
+    #[pyo3(item)]
+    inputs: Option<Vec<String>>,
+    /// `NAME=VALUE`.
+    #[pyo3(item)]
+    weights: Vec<String>,
+}
+
+impl Asked {
+    fn schedule(&self, design: &Design) -> Result<(Schedule, Weights), Failure> {
+        let (inputs, _) = ports(design, self.inputs.as_deref(), None, Ports::states)?;
+        let weights = Weights::read(&self.weights, &Ports::of(design), &inputs)?;
+        Ok((Schedule::new(design, &self.speeds, &weights)?, weights))
+    }
+}
 
 /// Regulators along speeds: gains and eigenvalues are arrays that run over the speeds first.
 #[derive(IntoPyObject)]
@@ -24,36 +47,17 @@ pub struct Told<'py> {
 
 #[pymethods]
 impl Designs {
-    /// Regulators at speeds in m/s, by the names of inputs, or all of them, and weights as `NAME=VALUE`.
-    fn lqr<'py>(
-        &self,
-        py: Python<'py>,
-        about: About,
-        speeds: Vec<f64>,
-        inputs: Option<Vec<String>>,
-        weights: Vec<String>,
-    ) -> PyResult<Told<'py>> {
+    /// Regulators at speeds.
+    fn lqr<'py>(&self, py: Python<'py>, about: About, asked: Asked) -> PyResult<Told<'py>> {
         let described = self.described(py, about)?;
-        let find = || {
-            let design = described.build()?;
-            let ports = Ports::of(&design);
-            let inputs = match inputs {
-                None => ports.all_inputs(),
-                Some(names) => {
-                    let found = names.iter().map(|name| ports.input(name)).collect::<Result<_, _>>();
-                    found.map_err(Failure::usage)?
-                }
-            };
-            Schedule::new(&design, &speeds, &Weights::read(&weights, &ports, &inputs)?)
-        };
-        let schedule = py.detach(find).map_err(raise)?;
+        let schedule = py.detach(|| Ok(asked.schedule(&described.build()?)?.0)).map_err(raise)?;
         let all = &schedule.regulators;
         let space = &all[0].space;
         let [count, inputs, states] = [all.len(), space.inputs.len(), space.states.len()];
         let gains =
             all.iter().flat_map(|own| own.gains.row_iter().flat_map(|row| row.iter().copied().collect::<Vec<_>>()));
         let values = all.iter().flat_map(|own| own.eigenvalues.iter().copied());
-        let names = |signals: &[carvallo_control::Signal]| signals.iter().map(|signal| signal.name.clone()).collect();
+        let names = |signals: &[Signal]| signals.iter().map(|signal| signal.name.clone()).collect();
         Ok(Told {
             speeds: all.iter().map(|own| own.space.speed).collect(),
             inputs: names(&space.inputs),
@@ -62,5 +66,17 @@ impl Designs {
             eigenvalues: PyArray1::from_iter(py, values).reshape([count, states])?.to_dyn().clone(),
             unstable: schedule.unstable,
         })
+    }
+
+    /// The same as a module of `rust`, or else of C99.
+    fn lqr_code(&self, py: Python<'_>, about: About, asked: Asked, language: &str) -> PyResult<String> {
+        let described = self.described(py, about)?;
+        let code = if language == "rust" { Code::Rust } else { Code::C };
+        let write = || {
+            let design = described.build()?;
+            let (schedule, weights) = asked.schedule(&design)?;
+            Ok(schedule.code(code, &design, &weights))
+        };
+        py.detach(write).map_err(raise)
     }
 }

@@ -3,8 +3,9 @@
 use carvallo_design::in_words;
 
 /// What the command line calls things, and Python.
-const WORDS: [(&str, &str); 16] = [
+const WORDS: [(&str, &str); 23] = [
     ("the speeds come from --speeds", "speeds are arguments of methods"),
+    ("`v` is the speed: without --along everything is along it", "`v` is the speed: everything else is along it"),
     ("--speeds", "`v`"),
     ("--speed", "`v`"),
     ("--eigenvalues takes", "`eigenvalues` takes"),
@@ -16,6 +17,12 @@ const WORDS: [(&str, &str); 16] = [
     ("--set ", "`replace`, "),
     ("--vary ", "`vary`, "),
     ("--keep ", "`keep`, "),
+    ("--along ", "`along`, "),
+    ("--weight ", "`weights`, "),
+    ("--inputs ", "`inputs`, "),
+    ("--outputs ", "`outputs`, "),
+    ("--step=", "`size`, "),
+    ("--impulse=", "`size`, "),
     ("--units ", "the units "),
     ("(--linear)", "(`linear=True`)"),
     ("`carvallo bicycles` lists the bicycles", "`carvallo.Whipple.sets` has the bicycles"),

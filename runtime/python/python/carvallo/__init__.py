@@ -16,14 +16,17 @@ with a unit, as ``"18 deg"``. What is wrong is a ValueError that says so in the 
 from typing import TYPE_CHECKING
 
 from ._carvallo import __version__
+from .along import Along, CriticalValue
 from .checking import Comparison, Explanation, Report, check
 from .comparing import Differences, Optimum, SpeedChange, compare, optimize
 from .control import InputOutput, Margins, Response, TransferFunction
+from .controllability import Controllability, LostMode
 from .design import Design, Eigenvectors, Modes, StateSpace, System, measure, read, rider
 from .model import Coordinate, Model, Parameter, models
 from .motion import Motion
 from .pictures import Picture
 from .regulators import Regulators
+from .responses import TimeResponse
 from .sensitivity import CriticalDerivatives, Sensitivity
 from .stability import CriticalSpeed, Range, Stability
 from .tables import stability
@@ -37,15 +40,19 @@ if TYPE_CHECKING:
 
 
 __all__ = [
+    "Along",
     "Comparison",
+    "Controllability",
     "Coordinate",
     "CriticalDerivatives",
     "CriticalSpeed",
+    "CriticalValue",
     "Design",
     "Differences",
     "Eigenvectors",
     "Explanation",
     "InputOutput",
+    "LostMode",
     "Margins",
     "Model",
     "Modes",
@@ -63,6 +70,7 @@ __all__ = [
     "StateSpace",
     "SteadyTurns",
     "System",
+    "TimeResponse",
     "TransferFunction",
     "Turns",
     "__version__",

@@ -37,6 +37,88 @@ class About(TypedDict):
     feedback: list[str]
 
 
+class AskedTransfers(TypedDict):
+    """Between what, at which speed, and over which frequencies in rad/s."""
+
+    speed: float
+    inputs: list[str] | None
+    outputs: list[str] | None
+    omega: tuple[float, float] | None
+
+
+class AskedResponse(TypedDict):
+    """To what, and at which times; ``kind`` is ``step``, ``impulse`` or ``initial``."""
+
+    speed: float
+    inputs: list[str] | None
+    outputs: list[str] | None
+    kind: str
+    given: list[str]
+    times: list[float]
+
+
+class Responded(TypedDict):
+    """A response as an array, by time and output; outputs have names and units."""
+
+    outputs: list[tuple[str, str]]
+    t: NDArray[np.float64]
+    values: NDArray[np.float64]
+    end: str | None
+    title: str
+
+
+class AskedMeasures(TypedDict):
+    """At which speeds in m/s, between what."""
+
+    speeds: list[float] | None
+    inputs: list[str] | None
+    outputs: list[str] | None
+
+
+class Measured(TypedDict):
+    """Modal measures: arrays run over the speeds, the modes, and the inputs or outputs."""
+
+    speeds: list[float] | None
+    inputs: list[str]
+    outputs: list[str]
+    modes: list[str]
+    eigenvalues: NDArray[np.complex128]
+    controllability: NDArray[np.float64]
+    observability: NDArray[np.float64]
+    excitation: NDArray[np.complex128]
+    share: NDArray[np.complex128]
+    lost: list[tuple[str, bool, float, complex]]
+
+
+class AskedAlong(TypedDict):
+    """``NAME=LOW:HIGH`` and a speed in m/s."""
+
+    range: str
+    speed: float | None
+
+
+class ToldAlong(TypedDict):
+    """A design along a parameter; critical values are fields of :class:`CriticalValue`."""
+
+    parameter: str
+    unit: str
+    speed: float | None
+    critical_values: list[tuple[str, float, float, complex, str, str, str]]
+    stable: list[tuple[float, float]]
+    undecided: list[tuple[float, float]]
+    values: NDArray[np.float64]
+    verdicts: list[str]
+    eigenvalues: NDArray[np.complex128]
+
+
+class AskedRegulators(TypedDict):
+    """At which speeds in m/s, by which inputs, and weights as ``NAME=VALUE``."""
+
+    speeds: list[float]
+    inputs: list[str] | None
+    weights: list[str]
+
+
 class Regulated(TypedDict):
     """Regulators along speeds: arrays run over the speeds first."""
 

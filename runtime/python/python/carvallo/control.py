@@ -8,10 +8,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _carvallo
+from ._dicts import AskedTransfers
+from .pictures import Picture
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from ._described import Described
     from .design import Design
 
 
@@ -76,26 +79,37 @@ def state_space_of(design: Design, v: ArrayLike, inputs: Sequence[str] | str | N
                    outputs: Sequence[str] | str | None) -> InputOutput:
     """What :meth:`Design.state_space` does with inputs or outputs."""
     speeds = np.asarray(v, dtype=np.float64)
-    asked = (speeds.ravel().tolist(), _names(inputs), _names(outputs))
+    asked = (speeds.ravel().tolist(), names_of(inputs), names_of(outputs))
     arrays, _ = design._one().state_spaces(design._about, *asked)
     return InputOutput(*(array.reshape(speeds.shape + array.shape[1:]) for array in arrays))
 
 
-def transfer_function_of(design: Design, v: float, input: str, output: str) -> TransferFunction:
+def transfer_function_of(design: Described, v: float, input: str, output: str) -> TransferFunction:
     """What :meth:`Design.transfer_function` does."""
     return TransferFunction(*design._one().transfer_function(design._about, float(v), input, output))
 
 
-def margins_of(design: Design, v: float, input: str, output: str) -> Margins:
+def margins_of(design: Described, v: float, input: str, output: str) -> Margins:
     """What :meth:`Design.margins` does."""
     gain, phase, stable = design._one().margins(design._about, float(v), input, output)
     return Margins(tuple(gain), tuple(phase), stable)
 
 
-def _names(names: Sequence[str] | str | None) -> list[str] | None:
+def transfer_picture(design: Described, of: str, v: float, inputs: list[str] | None, outputs: list[str] | None,
+                     omega: tuple[float, float] | None) -> Picture:
+    """What :meth:`Design.bode` and :meth:`Design.nyquist` do."""
+    asked: AskedTransfers = {"speed": float(v), "inputs": inputs, "outputs": outputs, "omega": omega}
+    return Picture(design._one().transfer_svg(design._about, asked, of))
+
+
+def names_of(names: Sequence[str] | str | None) -> list[str] | None:
+    """Names, of which several may stand in one text."""
     if names is None:
         return None
-    return [name.strip() for name in names.split(",")] if isinstance(names, str) else list(names)
+    found = [name.strip() for name in names.split(",")] if isinstance(names, str) else list(names)
+    if not found:
+        raise ValueError("there are no names of inputs or outputs; expected at least one name, or None for all that are usual")
+    return found
 
 
 __all__ = ["InputOutput", "Margins", "Response", "TransferFunction"]

@@ -13,10 +13,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _carvallo
 from ._dicts import About, Loaded
-from .control import InputOutput, Margins, TransferFunction, margins_of, state_space_of, transfer_function_of
+from .along import Along, along_of
+from .control import InputOutput, state_space_of
+from .controlled import Controlled
 from .motion import Force, Motion, simulate
 from .pictures import Picture
-from .regulators import Regulators, lqr_of
 from .sensitivity import Sensitivity
 from .stability import CriticalSpeed, Range, Stability, stability_of
 from .turns import SteadyTurns, turns_of
@@ -68,7 +69,7 @@ class Modes(NamedTuple):
     and ``flutter``, and ``real`` or ``oscillatory`` where there is no name."""
 
 
-class Design(Mapping[str, Union[float, NDArray[np.float64]]]):
+class Design(Controlled, Mapping[str, Union[float, NDArray[np.float64]]]):
     """A model with its parameters: one design, or an array of them.
 
     Calling a :class:`~carvallo.Model` makes one. It maps the names of the parameters to their values in SI units, and has them
@@ -203,26 +204,6 @@ class Design(Mapping[str, Union[float, NDArray[np.float64]]]):
         about: About = {**self._about, "feedback": list(laws)}
         return self._of(self.model, list(self._values), about, self.notes)
 
-    def lqr(self, v: ArrayLike = 0.0, *, inputs: str | Sequence[str] | None = None,
-            weights: Mapping[str, float] | None = None) -> Regulators:
-        """Linear quadratic regulators at forward speeds in m/s: the gains K of ``u = -K x`` that keep the integral of the weighted
-        squares of outputs and inputs as small as it can be.
-
-        Parameters
-        ----------
-        inputs
-            The names of forces, such as ``"Tdelta"``; all of them unless given.
-        weights
-            By the names of positions, rates and inputs, ``{"phi": 10, "Tdelta": 0.5}``. Without one for an output every state has
-            the weight 1, with one the others have none; inputs without one have 1.
-
-        Raises
-        ------
-        ValueError
-            If there are no such gains, as where no input reaches a mode that grows; or for an array of designs.
-        """
-        return lqr_of(self, v, inputs, weights)
-
     def _replaced(self, parameters: Mapping[str, Value]) -> Design:
         if not parameters:
             return self
@@ -346,22 +327,6 @@ class Design(Mapping[str, Union[float, NDArray[np.float64]]]):
             return StateSpace(*self._designs.state_space(v, paired, threads))
         return state_space_of(self, v, inputs, outputs)
 
-    def transfer_function(self, v: float, input: str, output: str) -> TransferFunction:
-        """The transfer function of one design at a forward speed in m/s, from an input to an output, named as in
-        :meth:`state_space`: zeros, poles and gain.
-
-        Raises
-        ------
-        ValueError
-            If there are no equations of motion at the speed, or no input or output of the name.
-        """
-        return transfer_function_of(self, v, input, output)
-
-    def margins(self, v: float, input: str, output: str) -> Margins:
-        """The gain and phase margins of the loop ``u = -y`` of one design at a forward speed in m/s, wherever its gain is one or
-        its phase half a turn; none is scanned for."""
-        return margins_of(self, v, input, output)
-
     def eigenvalues(self, v: ArrayLike = 0.0, *, paired: bool = False, threads: int | None = None) -> NDArray[np.complex128]:
         """The eigenvalues in 1/s at forward speeds in m/s.
 
@@ -437,6 +402,30 @@ class Design(Mapping[str, Union[float, NDArray[np.float64]]]):
         """The eigenvalues of one design against the forward speed: between two speeds in m/s, or as far as there is something to
         see; and between two values in 1/s."""
         return Picture(self._one().eigenvalues_svg(self._about, v, values))
+
+    def locus(self, v: tuple[float, float] | None = None) -> Picture:
+        """The root locus of one design: its eigenvalues in the complex plane while the forward speed grows from one to another in
+        m/s, or as far as there is something to see. With :meth:`with_feedback` it is that of the closed loop."""
+        return Picture(self._one().locus_svg(self._about, v))
+
+    def phasors(self, v: ArrayLike = 0.0) -> Picture:
+        """The eigenvectors of one design at forward speeds in m/s, up to 12 of them: for each mode a dial, on which the
+        coordinates are arrows with their sizes and phases. :meth:`eigenvectors` has the numbers."""
+        return Picture(self._one().phasors_svg(self._about, np.asarray(v, dtype=np.float64).ravel().tolist()))
+
+    def along(self, parameter: str, low: float | str, high: float | str, v: float | None = None, *, count: int = 101) -> Along:
+        """One design along one of its parameters, at a forward speed in m/s: the values between ``low`` and ``high``, numbers in SI
+        units or texts with a unit, at which its stability changes, and the eigenvalues at ``count`` values from end to end.
+
+        Critical values are not scanned for: all are found, to full precision.
+
+        Raises
+        ------
+        ValueError
+            If there is no such parameter or no such range of it, if there is no speed and the model depends on it, or if there
+            is no answer.
+        """
+        return along_of(self, parameter, low, high, v, count)
 
     def side_view(self) -> Picture:
         """The side view of a bicycle, to scale.

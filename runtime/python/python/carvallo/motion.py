@@ -81,11 +81,11 @@ def simulate(design: Design, v: float, duration: float | None, times: ArrayLike 
                 raise ValueError(f"the force `{name}` has times of shape {at.shape} and values of shape {values.shape}")
             varying.append((name, list(zip(at.tolist(), values.tolist()))))
         else:
-            constant.append(f"{name}={_text(force)}")
+            constant.append(f"{name}={as_quantity(force)}")
     asked: Asked = {
         "speed": float(v),
-        "times": _times(duration, times),
-        "initial": [f"{name}={_text(value)}" for name, value in initial.items()],
+        "times": times_of(duration, times),
+        "initial": [f"{name}={as_quantity(value)}" for name, value in initial.items()],
         "constant": constant,
         "varying": varying,
         "linear": linear,
@@ -93,7 +93,8 @@ def simulate(design: Design, v: float, duration: float | None, times: ArrayLike 
     return Motion(design, asked)
 
 
-def _times(duration: float | None, times: ArrayLike | None) -> list[float]:
+def times_of(duration: float | None, times: ArrayLike | None) -> list[float]:
+    """The times that are asked for in s, one way or the other."""
     if (duration is None) == (times is None):
         raise ValueError("expected either `duration` in s or `times` in s")
     if times is not None:
@@ -106,7 +107,8 @@ def _times(duration: float | None, times: ArrayLike | None) -> list[float]:
     return np.linspace(0.0, duration, ROWS + 1).tolist() if duration > 0.0 else [0.0]
 
 
-def _text(value: Any) -> str:
+def as_quantity(value: Any) -> str:
+    """A value as it stands on the command line: numbers with all their digits."""
     return value if isinstance(value, str) else repr(float(value))
 
 
