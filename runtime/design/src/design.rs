@@ -1,9 +1,10 @@
 //! A machine as it was given, with its equations of motion: what everything is computed from.
 
+use carvallo::simulation::Machine;
 use carvallo::{Covariance, Model as _, ModelInfo};
 use carvallo_models::{WhippleMechanism, WhippleMechanismKinematics};
 
-use crate::feedback::Law;
+use crate::feedback::{Closed, Law, Unclosed};
 use crate::model::{Equations, MachineVisitor, Shipped};
 use crate::number::shortest;
 
@@ -55,7 +56,37 @@ pub struct Deviation {
     pub value: f64,
 }
 
+/// Why there is no machine whose nonlinear motion could be computed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum WithoutMachine {
+    /// The model has no nonlinear equations.
+    Equations,
+    /// It has, but the feedback cannot be part of them.
+    Feedback(Unclosed),
+}
+
 impl Design {
+    /// Why there is no machine, as a sentence.
+    pub fn explain(&self, without: &WithoutMachine) -> String {
+        let model = self.info().name;
+        let force = |law: &usize| self.feedback[*law].force(self.info()).0;
+        match without {
+            WithoutMachine::Equations => format!("the model {model} has no nonlinear equations"),
+            WithoutMachine::Feedback(Unclosed::Force(law)) => {
+                format!("the nonlinear equations of {model} have no force called `{}`, which is fed back", force(law))
+            }
+            WithoutMachine::Feedback(Unclosed::Position(law)) => {
+                format!("the nonlinear equations of {model} have no position that `{}` follows from", force(law))
+            }
+            WithoutMachine::Feedback(Unclosed::Speed(law)) => {
+                format!(
+                    "the feedback of `{}` depends on v, and in the nonlinear equations of {model} nothing runs",
+                    force(law)
+                )
+            }
+        }
+    }
+
     /// What the model tells about itself.
     pub fn info(&self) -> &'static ModelInfo {
         self.model.info
@@ -104,18 +135,30 @@ impl Design {
         })
     }
 
-    /// Hands the machine that the nonlinear equations of motion are of to a visitor; whether there are any: with feedback there
-    /// are none. The parameters of a shipped bicycle are those of the four bodies.
-    pub fn with_machine(&self, visitor: MachineVisitor) -> bool {
-        if !self.feedback.is_empty() {
-            return false;
-        }
+    /// Hands the machine that the nonlinear equations of motion are of to a visitor, with the loops of feedback closed. The
+    /// parameters of a shipped bicycle are those of the four bodies.
+    ///
+    /// # Errors
+    /// If there are none, or none with the feedback.
+    pub fn with_machine(&self, visitor: MachineVisitor) -> Result<(), WithoutMachine> {
         let bodies = WhippleMechanism::INFO;
         let model = if self.model.is_whipple() { Shipped::called(bodies.name).ok() } else { Some(self.model) };
-        let Some(model) = model else { return false };
+        let model = model.ok_or(WithoutMachine::Equations)?;
         let values: Option<Vec<f64>> =
             model.info.parameters.iter().map(|parameter| self.value(parameter.name)).collect();
-        values.is_some_and(|values| model.with_machine(&values, visitor).unwrap_or(false))
+        let values = values.ok_or(WithoutMachine::Equations)?;
+        if !cfg!(feature = "full") || self.feedback.is_empty() {
+            let found = model.with_machine(&values, visitor).unwrap_or(false);
+            return if found { Ok(()) } else { Err(WithoutMachine::Equations) };
+        }
+        let mut closed = Err(WithoutMachine::Equations);
+        let mut close = |machine: &dyn Machine| {
+            let found = Closed::new(machine, self.info(), &self.feedback);
+            closed = found.map(|machine| visitor(&machine)).map_err(WithoutMachine::Feedback);
+        };
+        // What is wrong with parameters was told when they were read.
+        let _ = model.with_machine(&values, &mut close);
+        closed
     }
 
     /// What follows from lean and steer, of the models whose parameters are those of the shipped bicycles.

@@ -35,7 +35,7 @@ mod words;
 
 pub use self::bodies::body;
 pub use self::capacity::{Capacity, of_kind};
-pub use self::design::{Design, Deviation, Given};
+pub use self::design::{Design, Deviation, Given, WithoutMachine};
 pub use self::display::DisplayUnit;
 pub use self::failure::{Failure, Place, Problem};
 pub use self::model::{Equations, MODELS, MachineVisitor, Sensitive, Shape, Shipped, Visitor, WHIPPLE};

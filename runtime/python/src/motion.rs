@@ -70,7 +70,8 @@ impl Asked {
     fn motion<'a>(&self, design: &'a Design, times: &[f64], signals: &Signals) -> Result<Motion<'a>, Failure> {
         let mut found = None;
         if !self.linear {
-            design.with_machine(&mut |machine| {
+            // Without nonlinear equations it is the motion of the linear ones, which is told.
+            let _ = design.with_machine(&mut |machine| {
                 found = Some(self.solve(design, &Nonlinear::new(machine), times, signals))
             });
         }

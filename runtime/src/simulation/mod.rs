@@ -20,6 +20,8 @@
 
 #[cfg(feature = "simulation")]
 mod chart;
+#[cfg(feature = "simulation")]
+mod drive;
 mod error;
 #[cfg(feature = "simulation")]
 mod events;
@@ -35,6 +37,8 @@ mod nonlinear;
 #[cfg(feature = "simulation")]
 mod state;
 
+#[cfg(feature = "simulation")]
+pub use drive::Drive;
 pub use error::SimulationError;
 pub use exponential::Propagator;
 pub use force::{Force, ForceError};

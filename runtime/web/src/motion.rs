@@ -80,7 +80,8 @@ pub fn move_by<T>(
 ) -> Result<T, Failure> {
     let mut told = None;
     if !asked.is_linear {
-        design.with_machine(&mut |machine| {
+        // Without nonlinear equations it is the motion of the linear ones.
+        let _ = design.with_machine(&mut |machine| {
             let motion = solve(&Nonlinear::new(machine), design, asked);
             told = Some(motion.and_then(|motion| tell(&motion)));
         });

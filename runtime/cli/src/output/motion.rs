@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use carvallo_design::number::{fixed, shortest};
+use carvallo_design::number::{self, fixed, shortest};
 use carvallo_plot::analysis::simulation::{Motion, Quantity, Row};
 
 use crate::output::columns::width;
@@ -63,6 +63,10 @@ pub fn columns(motion: &Motion) -> Vec<Column> {
         columns.push(column(format!("{name}{}{unit}", quantity.name), &|row| {
             four_decimals(in_degrees(quantity, row.positions[place]))
         }));
+    }
+    for (place, (name, unit)) in motion.feedback().iter().enumerate() {
+        let unit = if *unit == "1" { String::new() } else { format!(" ({})", number::unit(unit)) };
+        columns.push(column(format!("{name}{unit}"), &|row| four_decimals(row.feedback[place])));
     }
     if !has_speed {
         for quantity in &motion.quantities {

@@ -47,17 +47,13 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         return asked.simulate(&Linear::new(&design));
     }
     let mut done = None;
-    let has_nonlinear = design.with_machine(&mut |machine| {
+    let machine = design.with_machine(&mut |machine| {
         let asked =
             Asked { problems: asked.problems.clone(), times: asked.times.clone(), speed: asked.speed.clone(), ..asked };
         done = Some(asked.simulate(&Nonlinear::new(machine)));
     });
-    if !has_nonlinear {
-        let text = match design.feedback[..] {
-            [] => format!("the model {} has no nonlinear equations; these are the linear ones", design.info().name),
-            _ => "feedback is of the linear equations; these are they".to_owned(),
-        };
-        note(WARNING, "note", &text);
+    if let Err(without) = machine {
+        note(WARNING, "note", &format!("{}; these are the linear ones", design.explain(&without)));
     }
     done.unwrap_or_else(|| asked.simulate(&Linear::new(&design)))
 }

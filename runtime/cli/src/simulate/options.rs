@@ -30,6 +30,8 @@ Examples:
                                                 A measured one, with its picture
   carvallo simulate --speed 5 --force delta=torque.csv --duration 8 --step 0.01 --format csv --output ride.csv
                                                 Steered by a torque
+  carvallo simulate --speed 3 --initial phi_rate=0.5 --duration 4 --feedback 'Tdelta = 10*(4.7 - v)*phi_rate'
+                                                With a motor that steers into the fall; v is the speed at the moment
   carvallo simulate --speed 5 --initial phi=0.1 --duration 0 --format json
                                                 The accelerations at a state
   carvallo simulate --model Pendulum --initial 'theta=20 deg' --duration 2

@@ -38,12 +38,28 @@ impl Law {
         }
         Ok(Self { written: text.trim().to_owned(), input, gains })
     }
+
+    /// What the force is called, as `Tdelta`, and its unit as models declare it: `N*m` on an angle, `N` on a length, else `1`.
+    pub fn force(&self, info: &ModelInfo) -> (String, &'static str) {
+        let coordinate = &info.coordinates[self.input];
+        let [name, ..] = input_names(coordinate);
+        (name, force_unit(coordinate.unit).unwrap_or("1"))
+    }
 }
 
 /// What the force on a coordinate may be called, its own name first: `Tdelta` for a torque, else `Fy`; `delta`, `steer`.
 fn input_names(CoordinateInfo { name, label, unit, .. }: &CoordinateInfo) -> [String; 4] {
     let [own, other] = if *unit == "rad" { ["T", "F"] } else { ["F", "T"] };
     [format!("{own}{name}"), format!("{other}{name}"), (*name).to_owned(), (*label).to_owned()]
+}
+
+/// The unit of the force on a coordinate, by that of the coordinate.
+fn force_unit(coordinate: &str) -> Option<&'static str> {
+    match coordinate {
+        "rad" => Some("N*m"),
+        "m" => Some("N"),
+        _ => None,
+    }
 }
 
 fn input(name: &str, info: &ModelInfo) -> Result<usize, String> {
@@ -139,12 +155,8 @@ fn check_unit(
     info: &ModelInfo,
 ) -> Result<(), String> {
     let [force, motion] = [row, column].map(|index| info.coordinates[index].unit);
-    let force = match force {
-        "rad" => "N*m",
-        "m" => "N",
-        // Of given matrices nothing is known.
-        _ => return Ok(()),
-    };
+    // Of given matrices nothing is known.
+    let Some(force) = force_unit(force) else { return Ok(()) };
     let (Some(written), true, "rad" | "m") = (term.unit, term.has_unit, motion) else { return Ok(()) };
     let powers = |text: &str| units::in_si(text).map_or([0; 3], |(powers, _)| powers);
     let ([force_powers, motion_powers], rate) = ([force, motion].map(powers), i32::from(is_rate));

@@ -1,8 +1,10 @@
 //! Feedback: forces that follow from the motion, which close a loop by changing the coefficients of the equations of motion.
 //!
 //! A law such as `Tdelta = -10*phi_rate + 3*v*phi` is a force `f = -(dC q' + dK q)` with powers of the speed that the
-//! matrices have, so that `M q'' + C q' + K q = f` becomes `M q'' + (C + dC) q' + (K + dK) q = 0`: a model like any other.
+//! matrices have, so that `M q'' + C q' + K q = f` becomes `M q'' + (C + dC) q' + (K + dK) q = 0`: a model like any other. In the
+//! nonlinear equations the force is [added](Closed) to those that are applied.
 
+mod closed;
 mod law;
 mod parse;
 mod terms;
@@ -11,6 +13,7 @@ use carvallo::{Coefficients, MatrixName, ModelInfo};
 
 use crate::failure::{Failure, Place, Problem};
 
+pub use self::closed::{Closed, Unclosed};
 pub use self::law::Law;
 
 /// A force on the coordinate `row` that is a number times what a matrix multiplies, of the coordinate `column`: `q'/v` for
@@ -53,6 +56,19 @@ pub fn close<const N: usize>(mut open: Coefficients<f64, N>, gains: &[Gain]) -> 
         open.matrix_mut(*matrix)[(*row, *column)] -= value;
     }
     open
+}
+
+/// The force of each law, in their order, at a speed in m/s, and at the position and the rate of each coordinate by its place; in SI
+/// units.
+///
+/// Without the feature `full` there are none.
+pub fn forces(laws: &[Law], speed: f64, motion: impl Fn(usize) -> (f64, f64)) -> Vec<f64> {
+    let laws = if cfg!(feature = "full") { laws } else { &[] };
+    let part = |gain: &Gain| {
+        let (position, rate) = motion(gain.column);
+        gain.force(speed, position, rate)
+    };
+    laws.iter().map(|law| law.gains.iter().map(part).sum()).collect()
 }
 
 /// The laws in some texts for a model, such as `Tdelta = -10*phi_rate`.

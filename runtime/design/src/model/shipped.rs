@@ -109,14 +109,11 @@ impl Shipped {
     }
 
     /// Hands the machine that the nonlinear equations of motion are of to a visitor, for parameters in declared order; whether
-    /// there are any: with feedback there are none.
+    /// there are any. It has no feedback.
     ///
     /// # Errors
     /// The first of the parameters, or of the model's requirements, that does not hold.
     pub fn with_machine(&self, parameters: &[f64], visitor: MachineVisitor) -> Result<bool, String> {
-        if !self.gains.is_empty() {
-            return Ok(false);
-        }
         self.derivation.with_machine(parameters, visitor)
     }
 

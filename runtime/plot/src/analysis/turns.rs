@@ -51,7 +51,7 @@ impl<'a> Families<'a> {
         let speeds: Vec<f64> = stability.critical_speeds.iter().filter(is_capsize).map(|found| found.speed).collect();
         let mut found: Result<Vec<Family>, String> = Ok(Vec::new());
         let mut told = [Vec::new(), Vec::new()];
-        let has_equations = design.with_machine(&mut |machine| {
+        let machine = design.with_machine(&mut |machine| {
             told = quantities(machine.info());
             let steer = told[0].iter().rfind(|(place, _)| machine.info().positions[*place].kind == PositionKind::Free);
             let steer = steer.map_or(0, |(place, _)| *place);
@@ -73,12 +73,7 @@ impl<'a> Families<'a> {
         if families.is_empty() && speeds.is_empty() {
             return Err(fail("there is no capsize speed, at which steady turns begin".to_owned()));
         }
-        if !has_equations {
-            return Err(fail(match design.feedback[..] {
-                [] => format!("the model {} has no nonlinear equations", design.info().name),
-                _ => "turns are of the nonlinear equations, in which there is no feedback".to_owned(),
-            }));
-        }
+        machine.map_err(|without| fail(design.explain(&without)))?;
         let [positions, rates] = told;
         Ok(Self { design, positions, rates, families })
     }

@@ -33,9 +33,9 @@ impl From<Complex<f64>> for Parts {
 }
 
 /// An object whose members are known only when the program runs, in their order.
-pub struct Members<T>(pub Vec<(&'static str, T)>);
+pub struct Members<T, Name = &'static str>(pub Vec<(Name, T)>);
 
-impl<T: Serialize> Serialize for Members<T> {
+impl<T: Serialize, Name: Serialize> Serialize for Members<T, Name> {
     fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
         serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
     }

@@ -52,7 +52,8 @@ pub fn draw_motion(motion: &Motion, linear: Option<&Motion>) -> Scene {
     scene
 }
 
-/// Of a bicycle lean and steer, and the speed; of anything else all positions, those of one unit in one graph.
+/// Of a bicycle lean and steer, the forces of feedback, and the speed; of anything else all positions, those of one unit in one
+/// graph, and the forces.
 fn graphs(motion: &Motion, linear: Option<&Motion>) -> Vec<Shown> {
     let is_bicycle = motion.position("thetaR").is_some();
     let mut graphs: Vec<Shown> = Vec::new();
@@ -71,11 +72,16 @@ fn graphs(motion: &Motion, linear: Option<&Motion>) -> Vec<Shown> {
             true => quantity.name.to_owned(),
             false => format!("{} {}", quantity.label, quantity.name),
         };
-        let curves = (name, curve(motion), linear.map(curve).unwrap_or_default());
-        match graphs.iter_mut().find(|shown| shown.title == title) {
-            Some(shown) => shown.curves.push(curves),
-            None => graphs.push(Shown { title, height: HEIGHT, curves: vec![curves] }),
-        }
+        add(&mut graphs, title, HEIGHT, (name, curve(motion), linear.map(curve).unwrap_or_default()));
+    }
+    for (place, (name, unit)) in motion.feedback().into_iter().enumerate() {
+        let title = match unit {
+            "N*m" => "torques (N m)",
+            "N" => "forces (N)",
+            _ => "forces",
+        };
+        let curve = |motion: &Motion| -> Curve { motion.rows.iter().map(|row| (row.t, row.feedback[place])).collect() };
+        add(&mut graphs, title, FLAT, (name, curve(motion), linear.map(curve).unwrap_or_default()));
     }
     if is_bicycle {
         let speed = |motion: &Motion| -> Curve {
@@ -85,6 +91,14 @@ fn graphs(motion: &Motion, linear: Option<&Motion>) -> Vec<Shown> {
         graphs.push(Shown { title: "v (m/s)", height: FLAT, curves: vec![curves] });
     }
     graphs
+}
+
+/// Adds curves to the graph of their title.
+fn add(graphs: &mut Vec<Shown>, title: &'static str, height: f32, curves: (String, Curve, Curve)) {
+    match graphs.iter_mut().find(|shown| shown.title == title) {
+        Some(shown) => shown.curves.push(curves),
+        None => graphs.push(Shown { title, height, curves: vec![curves] }),
+    }
 }
 
 fn graph(Shown { title, height, curves }: Shown, end: f64) -> Graph {

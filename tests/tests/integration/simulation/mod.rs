@@ -1,6 +1,7 @@
 //! Motions in time, and steady ones.
 
 mod bicycle;
+mod feedback;
 mod linear;
 mod nonlinear;
 mod pendulums;

@@ -9,7 +9,7 @@ use carvallo_design::{Design, Failure};
 
 use super::force::Channel;
 use super::initial::Givable;
-use super::motion::{Motion, Quantity, Row, order};
+use super::motion::{Motion, Quantity, Row, fed_back, order};
 use super::solver::{Given, Solver};
 use crate::analysis::extremes;
 
@@ -114,6 +114,7 @@ impl Solver for Linear {
             accelerations: arranged(&snapshot.accelerations),
             energy: None,
             contact_forces: Vec::new(),
+            feedback: fed_back(design, speed, &quantities, &snapshot.positions, &snapshot.rates),
         });
         Ok(Motion {
             is_linear: true,

@@ -1,6 +1,7 @@
 //! A motion as it is told, whichever equations it is of.
 
 use carvallo_design::Design;
+use carvallo_design::feedback::forces;
 
 /// The order in which quantities of bicycles are told: that of the paper.
 const ORDER: [&str; 8] = ["x", "y", "psi", "phi", "pitch", "delta", "thetaR", "thetaF"];
@@ -73,6 +74,8 @@ pub struct Row {
     pub energy: Option<[f64; 2]>,
     /// The force of the ground on each wheel, in N.
     pub contact_forces: Vec<[f64; 3]>,
+    /// The force of each law of feedback, in the order of the design.
+    pub feedback: Vec<f64>,
 }
 
 impl Motion<'_> {
@@ -81,9 +84,30 @@ impl Motion<'_> {
         self.quantities.iter().position(|quantity| quantity.name == name)
     }
 
+    /// The forces that follow from the motion, in the order of the design: what they are called, and their units as models declare
+    /// them.
+    pub fn feedback(&self) -> Vec<(String, &'static str)> {
+        self.design.feedback.iter().map(|law| law.force(self.design.info())).collect()
+    }
+
     /// The forward speed in m/s, of bicycles that of the rear wheel: -rR thetaR'.
     pub fn speed(&self, row: &Row) -> Option<f64> {
         let (radius, wheel) = (self.design.value("rR")?, self.position("thetaR")?);
         Some(-radius * row.rates[wheel])
     }
+}
+
+/// The force of each law of feedback at a speed in m/s, from positions and rates of quantities in any order.
+pub(super) fn fed_back(
+    design: &Design,
+    speed: f64,
+    quantities: &[Quantity],
+    positions: &[f64],
+    rates: &[f64],
+) -> Vec<f64> {
+    forces(&design.feedback, speed, |coordinate| {
+        let name = design.info().coordinates[coordinate].name;
+        let place = quantities.iter().position(|quantity| quantity.name == name);
+        place.map_or((0.0, 0.0), |place| (positions[place], rates[place]))
+    })
 }

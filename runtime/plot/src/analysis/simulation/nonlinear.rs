@@ -3,14 +3,14 @@
 use std::ops::ControlFlow;
 
 use carvallo::motion::{MotionInfo, PositionKind};
-use carvallo::simulation::{End, Machine, Moment, Ride, RideRow, Simulation, State};
+use carvallo::simulation::{Drive, End, Machine, Moment, Ride, RideRow, Simulation, State};
 use carvallo_design::number::shortest;
 use carvallo_design::{Design, Failure};
 
 use super::force::Channel;
 use super::initial::Givable;
 use super::linear::OF_SPEED;
-use super::motion::{Motion, Quantity, Row, order};
+use super::motion::{Motion, Quantity, Row, fed_back, order};
 use super::solver::{Given, Solver};
 
 /// A machine whose lean has a cosine below this lies on the ground.
@@ -52,20 +52,11 @@ pub struct Nonlinear<'a> {
     drive: Option<Drive>,
 }
 
-/// How a machine is given its forward speed.
-#[derive(Clone, Copy)]
-struct Drive {
-    /// The position whose rate is proportional to the speed: the angle of the first wheel, or x.
-    position: usize,
-    /// That rate at 1 m/s.
-    per_speed: f64,
-}
-
 impl<'a> Nonlinear<'a> {
     /// The nonlinear equations of a machine.
     pub fn new(machine: &'a dyn Machine) -> Self {
         let info = machine.info();
-        let drive = drive(machine);
+        let drive = Drive::of(machine);
         let givable = info.positions.iter().enumerate().map(|(place, position)| Givable {
             quantity: Quantity::new(position.name, position.label, position.unit),
             position: match position.kind {
@@ -73,7 +64,7 @@ impl<'a> Nonlinear<'a> {
                 PositionKind::Free | PositionKind::Ignorable => Ok(()),
             },
             rate: match (drive, info.speed_of(place)) {
-                (Some(drive), _) if drive.position == place => Err(OF_SPEED),
+                (Some(drive), _) if drive.position() == place => Err(OF_SPEED),
                 (_, Some(_)) => Ok(()),
                 (_, None) => Err("it follows, since wheels roll"),
             },
@@ -91,31 +82,13 @@ impl<'a> Nonlinear<'a> {
         let positions: Vec<(&str, f64)> = names().zip(given.initial.positions.iter().copied()).collect();
         let mut rates = given.initial.rates.clone();
         if let Some(drive) = self.drive {
-            rates[drive.position] = drive.per_speed * speed;
+            rates[drive.position()] = drive.rate(speed);
         }
         let free = |place: &usize| self.machine.info().speed_of(*place).is_some();
         let rates: Vec<(&str, f64)> =
             names().zip(rates).enumerate().filter(|(place, _)| free(place)).map(|(_, rate)| rate).collect();
         State::new(self.machine, &positions, &rates).map_err(|error| error.to_string())
     }
-}
-
-/// At rest in the reference state, what rate of which position 1 m/s takes; `None` for what does not run.
-fn drive(machine: &dyn Machine) -> Option<Drive> {
-    let info = machine.info();
-    let x = info.position("x")?;
-    if info.speed_of(x).is_some() {
-        return Some(Drive { position: x, per_speed: 1.0 });
-    }
-    let wheel = info.wheels.first()?;
-    let position = info.position(&format!("theta{}", wheel.name))?;
-    let speed = info.speed_of(position)?;
-    let state = State::new(machine, &[], &[]).ok()?;
-    let mut speeds = state.speeds;
-    speeds[speed] = 1.0;
-    let mut rates = vec![0.0; info.positions.len()];
-    machine.rates(&state.positions, &speeds, &mut rates).ok()?;
-    (rates[x] != 0.0).then(|| Drive { position, per_speed: 1.0 / rates[x] })
 }
 
 impl Solver for Nonlinear<'_> {
@@ -168,17 +141,23 @@ impl Solver for Nonlinear<'_> {
                 ));
             }
         }
-        if let Some(Drive { position, per_speed }) = self.drive {
-            simulation = simulation.noting(STOP, move |moment: &Moment| moment.rates[position] / per_speed);
+        if let Some(drive) = self.drive {
+            simulation = simulation.noting(STOP, move |moment: &Moment| drive.speed(moment.rates));
         }
         let simulation = simulation.observed_by(reach);
         let ride = simulation.run(&start, times).map_err(|error| fail(error.to_string()))?;
-        Ok(told(design, info, ride, notes))
+        Ok(told(design, info, self.drive, ride, notes))
     }
 }
 
 /// The motion as it is told.
-fn told<'a>(design: &'a Design, info: &MotionInfo, ride: Ride, mut notes: Vec<String>) -> Motion<'a> {
+fn told<'a>(
+    design: &'a Design,
+    info: &MotionInfo,
+    drive: Option<Drive>,
+    ride: Ride,
+    mut notes: Vec<String>,
+) -> Motion<'a> {
     let quantities: Vec<Quantity> =
         info.positions.iter().map(|position| Quantity::new(position.name, position.label, position.unit)).collect();
     let order = order(&quantities);
@@ -229,8 +208,10 @@ fn told<'a>(design: &'a Design, info: &MotionInfo, ride: Ride, mut notes: Vec<St
     }
     happened.sort_by(|a, b| a.0.total_cmp(&b.0));
     notes.extend(happened.into_iter().map(|(_, note)| note));
+    let forward = |row: &RideRow| drive.map_or(0.0, |drive| drive.speed(&row.rates));
     let rows = ride.rows.into_iter().map(|row| Row {
         t: row.time,
+        feedback: fed_back(design, forward(&row), &quantities, &row.positions, &row.rates),
         positions: arranged(&row.positions),
         rates: arranged(&row.rates),
         accelerations: arranged(&row.accelerations),

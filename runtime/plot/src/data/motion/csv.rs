@@ -19,6 +19,7 @@ pub fn write_csv(motion: &Motion, output: &mut dyn Write) -> Result<()> {
     if motion.rows.iter().any(|row| row.energy.is_some()) {
         header.extend(["kinetic_energy (J)", "potential_energy (J)"].map(str::to_owned));
     }
+    header.extend(motion.feedback().iter().map(|(name, unit)| format!("{name} ({unit})")));
     for wheel in &motion.wheels {
         header.extend(["x", "y", "z"].map(|axis| format!("force_{wheel}_{axis} (N)")));
     }
@@ -30,5 +31,5 @@ fn row(row: &Row) -> Vec<String> {
     let forces = row.contact_forces.iter().flatten();
     let all = std::iter::once(&row.t).chain(&row.positions).chain(&row.rates).chain(&row.accelerations);
     // Adding zero turns -0 into 0.
-    all.chain(energy).chain(forces).map(|value| exact(value + 0.0)).collect()
+    all.chain(energy).chain(&row.feedback).chain(forces).map(|value| exact(value + 0.0)).collect()
 }

@@ -29,6 +29,8 @@ struct AtTime {
     #[serde(skip_serializing_if = "Option::is_none")]
     energy: Option<Energy>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    feedback_forces: Option<Members<f64, String>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     contact_forces: Option<Members<[f64; 3]>>,
 }
 
@@ -65,6 +67,10 @@ fn at_time(motion: &Motion, row: &Row) -> AtTime {
         rates: named(&row.rates),
         accelerations: named(&row.accelerations),
         energy: row.energy.map(|[kinetic, potential]| Energy { kinetic, potential }),
+        feedback_forces: (!row.feedback.is_empty()).then(|| {
+            let names = motion.feedback().into_iter().map(|(name, _)| name);
+            Members(names.zip(row.feedback.iter().map(|force| force + 0.0)).collect())
+        }),
         contact_forces: (!motion.wheels.is_empty()).then(|| Members(forces.collect())),
     }
 }
