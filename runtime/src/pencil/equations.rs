@@ -15,8 +15,13 @@ pub(crate) struct Equations {
 
 impl Equations {
     pub(crate) fn new<const N: usize>(coefficients: &Coefficients<f64, N>, gravity: f64) -> Self {
-        let matrices = MatrixName::ALL.map(|name| coefficients.matrix(name).transpose().as_slice().to_vec());
-        Self { matrices, gravity, states: coefficients.states.to_vec() }
+        Self::from_columns(&|name| coefficients.matrix(name).as_slice(), gravity, &coefficients.states)
+    }
+
+    /// Not generic, so that it is compiled once.
+    fn from_columns<'a>(matrix: &dyn Fn(MatrixName) -> &'a [f64], gravity: f64, states: &[States]) -> Self {
+        let matrices = MatrixName::ALL.map(|name| by_rows(matrix(name), states.len()));
+        Self { matrices, gravity, states: states.to_vec() }
     }
 
     /// The matrices at a speed.
@@ -81,8 +86,16 @@ impl Equations {
 impl Matrices {
     /// Those of a system.
     pub(crate) fn of_system<const N: usize>(system: &System<N>) -> Self {
-        let rows = [&system.k, &system.c, &system.m].map(|matrix| matrix.transpose().as_slice().to_vec());
-        let wide = rows.clone().map(|rows| rows.into_iter().map(DoubleDouble::from).collect());
-        Self::new(wide, rows.map(|rows| rows.into_iter().map(f64::abs).collect()), &system.states)
+        Self::from_columns([system.k.as_slice(), system.c.as_slice(), system.m.as_slice()], &system.states)
     }
+
+    fn from_columns(matrices: [&[f64]; 3], states: &[States]) -> Self {
+        let rows = matrices.map(|columns| by_rows(columns, states.len()));
+        let wide = rows.clone().map(|rows| rows.into_iter().map(DoubleDouble::from).collect());
+        Self::new(wide, rows.map(|rows| rows.into_iter().map(f64::abs).collect()), states)
+    }
+}
+
+fn by_rows(columns: &[f64], count: usize) -> Vec<f64> {
+    (0..count).flat_map(|row| columns.iter().skip(row).step_by(count).copied()).collect()
 }

@@ -3,7 +3,7 @@
 use super::Sensitivity;
 use super::covariance::Covariance;
 use super::error::SensitivityError;
-use crate::system::{Coefficients, Matrix, SystemError};
+use crate::system::{Coefficients, MatrixName, SystemError};
 
 /// The standard deviation of a quantity to first order, from its derivatives with respect to each parameter and the standard
 /// deviations of the parameters, which are taken to be independent: the root of the sum of the squares of their products.
@@ -50,7 +50,7 @@ impl<const N: usize> Sensitivity<N> {
     /// result leaves the range of `f64`.
     pub fn matrix_deviations(&self, deviations: &[f64]) -> Result<Coefficients<f64, N>, SensitivityError> {
         require(self.derivatives.len(), deviations)?;
-        self.each_entry(|by| {
+        self.each_entry(&|by| {
             in_range(root_sum_square(by.zip(deviations).map(|(derivative, deviation)| derivative * deviation)))
         })
     }
@@ -63,32 +63,21 @@ impl<const N: usize> Sensitivity<N> {
         &self,
         covariance: &Covariance,
     ) -> Result<Coefficients<f64, N>, SensitivityError> {
-        self.each_entry(|by| covariance.standard_deviation(&by.collect::<Vec<f64>>()))
+        self.each_entry(&|by| covariance.standard_deviation(&by.collect::<Vec<f64>>()))
     }
 
     /// What is made of the derivatives of each entry of the matrices with respect to each parameter.
     fn each_entry(
         &self,
-        make: impl Fn(&mut dyn Iterator<Item = f64>) -> Result<f64, SensitivityError>,
+        make: &dyn Fn(&mut dyn Iterator<Item = f64>) -> Result<f64, SensitivityError>,
     ) -> Result<Coefficients<f64, N>, SensitivityError> {
-        let of = |matrix: fn(&Coefficients<f64, N>) -> &Matrix<f64, N>| {
-            let mut made = Matrix::<f64, N>::zeros();
-            for (place, entry) in made.iter_mut().enumerate() {
-                *entry = make(&mut self.derivatives.iter().map(|by| matrix(by)[place]))?;
+        let mut made = Coefficients { states: self.coefficients.states, ..Default::default() };
+        for name in MatrixName::ALL {
+            for (place, entry) in made.matrix_mut(name).as_mut_slice().iter_mut().enumerate() {
+                *entry = make(&mut self.derivatives.iter().map(|by| by.matrix(name).as_slice()[place]))?;
             }
-            Ok::<_, SensitivityError>(made)
-        };
-        Ok(Coefficients {
-            m: of(|c| &c.m)?,
-            cm1: of(|c| &c.cm1)?,
-            c0: of(|c| &c.c0)?,
-            c1: of(|c| &c.c1)?,
-            kc: of(|c| &c.kc)?,
-            k0: of(|c| &c.k0)?,
-            k1: of(|c| &c.k1)?,
-            k2: of(|c| &c.k2)?,
-            states: self.coefficients.states,
-        })
+        }
+        Ok(made)
     }
 }
 

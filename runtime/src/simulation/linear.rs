@@ -51,7 +51,13 @@ impl LinearMotion {
     /// If the system has no [state-space form](System::state_space).
     pub fn new<const N: usize>(system: &System<N>) -> Result<Self, SystemError> {
         let StateSpace { stiffness, damping, input, states } = system.state_space()?;
-        let mut size = N;
+        Ok(Self::from_columns([stiffness.as_slice(), damping.as_slice(), input.as_slice()], &states))
+    }
+
+    /// From what is solved for, column by column. Not generic, so that it is compiled once.
+    fn from_columns([stiffness, damping, input]: [&[f64]; 3], states: &[States]) -> Self {
+        let count = states.len();
+        let mut size = count;
         let rates: Vec<Option<usize>> = states
             .iter()
             .map(|states| {
@@ -61,22 +67,23 @@ impl LinearMotion {
                 })
             })
             .collect();
-        let (mut a, mut b) = (DMatrix::zeros(size, size), DMatrix::zeros(size, N));
-        for i in 0..N {
+        let (mut a, mut b) = (DMatrix::zeros(size, size), DMatrix::zeros(size, count));
+        for i in 0..count {
             // What is solved for is the rate of a coordinate of first order, the acceleration of any other.
             let row = rates[i].unwrap_or(i);
             if let Some(rate) = rates[i] {
                 a[(i, rate)] = 1.0;
             }
-            for j in 0..N {
-                a[(row, j)] = stiffness[(i, j)];
-                b[(row, j)] = input[(i, j)];
+            for j in 0..count {
+                let place = i + count * j;
+                a[(row, j)] = stiffness[place];
+                b[(row, j)] = input[place];
                 if let Some(rate) = rates[j] {
-                    a[(row, rate)] = damping[(i, j)];
+                    a[(row, rate)] = damping[place];
                 }
             }
         }
-        Ok(Self { coordinates: N, rates, following: 0, a, b, c: DVector::zeros(size) })
+        Self { coordinates: count, rates, following: 0, a, b, c: DVector::zeros(size) }
     }
 
     /// The same motion with what follows from it at a forward speed in m/s: the yaw, and other quantities by their rates,

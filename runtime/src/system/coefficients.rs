@@ -67,11 +67,11 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
 
     /// The same numbers as `f64`, exactly.
     pub(crate) fn widen(&self) -> Coefficients<f64, N> {
-        let wide = |matrix: &Matrix<T, N>| matrix.map(Scalar::to_f64);
-        let Self { m, cm1, c0, c1, kc, k0, k1, k2, states } = self;
-        let [m, cm1, c0, c1] = [m, cm1, c0, c1].map(wide);
-        let [kc, k0, k1, k2] = [kc, k0, k1, k2].map(wide);
-        Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, states: *states }
+        let mut wide = Coefficients { states: self.states, ..Default::default() };
+        for name in MatrixName::ALL {
+            *wide.matrix_mut(name) = self.matrix(name).map(Scalar::to_f64);
+        }
+        wide
     }
 
     /// Whether there is a C-1 or a K1: without them damping is of the powers 0 and 1 of the speed and stiffness of 0 and 2,

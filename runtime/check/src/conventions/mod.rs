@@ -104,7 +104,7 @@ impl Convention {
 fn divide(entries: &mut [f64], count: usize) {
     let square = count * count;
     let transposed: Vec<f64> = (0..square).map(|at| entries[at % count * count + at / count]).collect();
-    if dependent_column(&transposed, count, |_| true).is_some() {
+    if dependent_column(&transposed, count, &|_| true).is_some() {
         return;
     }
     for column in 0..count {

@@ -42,7 +42,8 @@ pub fn check(matrices: &Matrices, info: &ModelInfo) -> Result<(), String> {
         }
     }
     let (_, m) = matrices[0];
-    match dependent_column(m, info.coordinates.len(), |column| info.coordinates[column].states != States::Position) {
+    let has_rate = |column: usize| info.coordinates[column].states != States::Position;
+    match dependent_column(m, info.coordinates.len(), &has_rate) {
         None => Ok(()),
         Some(column) => Err(singular(m, column, info)),
     }
@@ -92,7 +93,7 @@ fn singular(m: &[f64], column: usize, info: &ModelInfo) -> String {
 /// The first of the columns that count which depends on those before it, by elimination with pivots that are the largest
 /// relative to their rows. As for the library, a pivot is zero if it is no more than the rounding of the terms that were
 /// subtracted to form it.
-pub fn dependent_column(m: &[f64], count: usize, counts: impl Fn(usize) -> bool) -> Option<usize> {
+pub fn dependent_column(m: &[f64], count: usize, counts: &dyn Fn(usize) -> bool) -> Option<usize> {
     let at = |row: usize, column: usize| row + count * column;
     let mut m = m.to_vec();
     let mut terms: Vec<f64> = m.iter().map(|entry| entry.abs()).collect();

@@ -5,14 +5,13 @@ mod check;
 use std::array;
 
 use carvallo::{
-    Coefficients, CoordinateInfo, Domain, Matrix, MatrixName, ModelInfo, ParameterInfo, ParameterStability,
-    Sensitivity, States,
+    Coefficients, CoordinateInfo, Domain, Matrix, MatrixName, ModelInfo, ParameterInfo, ParameterStability, States,
 };
 
 use self::check::check;
 pub use self::check::{dependent_column, free};
 use crate::feedback::{Gain, close};
-use crate::model::{Derivation, Equations, NOT_BUILT, Sensitive, Shipped, Visitor};
+use crate::model::{Derivation, Equations, NOT_BUILT, Sensitive, Shipped, Visitor, sensitive};
 
 /// What the model of given matrices is called.
 pub const NAME: &str = "Matrices";
@@ -162,8 +161,6 @@ impl<const N: usize> Derivation for Given<N> {
         // Gravity, the last parameter, is in no matrix.
         let gravity = derivatives.len();
         derivatives.push(Coefficients { states: coefficients.states, ..Default::default() });
-        let closed = close(coefficients, gains);
-        let sensitivity = Sensitivity::new(&closed, &derivatives, parameters[gravity], Some(gravity));
-        Ok(Box::new(sensitivity.map_err(|error| error.to_string())?))
+        sensitive(coefficients, &derivatives, gains, (parameters[gravity], Some(gravity)))
     }
 }

@@ -5,7 +5,9 @@ use std::fmt::Debug;
 use std::marker::PhantomData;
 
 use carvallo::simulation::Machine;
-use carvallo::{Model, ModelInfo, ParameterStability, Sensitivity, SensitivityError};
+use carvallo::{
+    Coefficients, Model, ModelInfo, ParameterError, ParameterStability, Sensitivity, SensitivityError, System,
+};
 
 use super::equations::Equations;
 use super::sensitive::Sensitive;
@@ -84,12 +86,13 @@ impl<const N: usize, M: Model<N, Scalar = f64>> Derivation for Compiled<N, M> {
             return Err(NOT_BUILT.to_owned());
         }
         let mut parameters = parameters.to_vec();
-        let system = |value: f64| {
+        let mut system = |value: f64| {
             parameters[position] = value;
             let gravity = M::INFO.gravity.map_or(0.0, |position| parameters[position]);
-            let coefficients = close(valid::<N, M>(&parameters)?.coefficients(), gains);
-            coefficients.at(speed, gravity).map_err(|error| error.to_string())
+            at(valid::<N, M>(&parameters)?.coefficients(), gains, speed, gravity)
         };
+        // Of one type for all models of so many coordinates.
+        let system: &mut dyn FnMut(f64) -> Result<System<N>, String> = &mut system;
         ParameterStability::new(range, system).map_err(|error| error.to_string())
     }
 
@@ -100,11 +103,31 @@ impl<const N: usize, M: Model<N, Scalar = f64>> Derivation for Compiled<N, M> {
         let model = valid::<N, M>(parameters)?;
         let without = SensitivityError::WithoutDerivatives { model: M::INFO.name };
         let (coefficients, derivatives) = model.derivatives().ok_or_else(|| without.to_string())?;
-        // Gains are numbers: the derivatives are those of the open loop.
-        let (closed, gravity) = (close(coefficients, gains), Model::gravity(&model).unwrap_or(0.0));
-        let sensitivity = Sensitivity::new(&closed, derivatives.as_ref(), gravity, M::INFO.gravity);
-        Ok(Box::new(sensitivity.map_err(|error| error.to_string())?))
+        let gravity = (Model::gravity(&model).unwrap_or(0.0), M::INFO.gravity);
+        sensitive(coefficients, derivatives.as_ref(), gains, gravity)
     }
+}
+
+/// The equations of motion of a closed loop at a speed and a gravity.
+fn at<const N: usize>(
+    coefficients: Coefficients<f64, N>,
+    gains: &[Gain],
+    speed: f64,
+    gravity: f64,
+) -> Result<System<N>, String> {
+    close(coefficients, gains).at(speed, gravity).map_err(|error| error.to_string())
+}
+
+/// How those of a closed loop change with the parameters, of which one is the gravity. Gains are numbers: the derivatives are
+/// those of the open loop.
+pub(crate) fn sensitive<const N: usize>(
+    coefficients: Coefficients<f64, N>,
+    derivatives: &[Coefficients<f64, N>],
+    gains: &[Gain],
+    (gravity, parameter): (f64, Option<usize>),
+) -> Result<Box<dyn Sensitive>, String> {
+    let sensitivity = Sensitivity::new(&close(coefficients, gains), derivatives, gravity, parameter);
+    Ok(Box::new(sensitivity.map_err(|error| error.to_string())?))
 }
 
 /// What is said in the place of what a program was built without.
@@ -119,9 +142,11 @@ impl<const N: usize, M> Debug for Compiled<N, M> {
 /// The model with parameters in declared order.
 fn valid<const N: usize, M: Model<N, Scalar = f64>>(parameters: &[f64]) -> Result<M, String> {
     let model = M::from_slice(parameters).map_err(|error| error.to_string())?;
-    model.validate().map_err(|error| {
-        let value = with_unit(error.value, error.unit);
-        format!("`{}` is {value}; it must be {}", error.subject, error.required)
-    })?;
+    model.validate().map_err(refusal)?;
     Ok(model)
+}
+
+fn refusal(error: ParameterError) -> String {
+    let value = with_unit(error.value, error.unit);
+    format!("`{}` is {value}; it must be {}", error.subject, error.required)
 }

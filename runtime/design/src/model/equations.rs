@@ -9,7 +9,7 @@ use carvallo::{
     SystemError,
 };
 
-use crate::matrices::dependent_column;
+use super::written;
 
 /// The right and the left eigenvector of an eigenvalue, by coordinate.
 #[derive(Clone, Debug)]
@@ -87,8 +87,7 @@ pub trait Equations: Debug {
 
 impl<const N: usize> Equations for Coefficients<f64, N> {
     fn matrices(&self) -> [(MatrixName, Vec<Vec<f64>>); 8] {
-        let rows = |matrix: &Matrix<f64, N>| matrix.row_iter().map(|row| row.iter().copied().collect()).collect();
-        MatrixName::ALL.map(|name| (name, rows(self.matrix(name))))
+        written::all(&|name| self.matrix(name).as_slice(), N)
     }
 
     fn eigenvalues(&self, speed: f64, gravity: f64) -> Result<Vec<Complex<f64>>, SystemError> {
@@ -101,41 +100,18 @@ impl<const N: usize> Equations for Coefficients<f64, N> {
 
     fn system(&self, speed: f64, gravity: f64) -> Result<[Vec<f64>; 3], SystemError> {
         let system = self.at(speed, gravity)?;
-        Ok([&system.m, &system.c, &system.k].map(|matrix| matrix.transpose().as_slice().to_vec()))
+        Ok(written::by_rows([system.m.as_slice(), system.c.as_slice(), system.k.as_slice()], N))
     }
 
     fn state_space(&self, speed: f64, gravity: f64) -> Result<[Vec<f64>; 2], SystemError> {
         let StateSpace { stiffness, damping, input, states } = self.at(speed, gravity)?.state_space()?;
-        let positions = (0..N).filter(|&index| states[index] != States::Rate);
-        let rates = (0..N).filter(|&index| states[index] != States::Position);
-        let [mut a, mut b] = [Vec::new(), Vec::new()];
-        let solved = |row: usize, a: &mut Vec<f64>, b: &mut Vec<f64>| {
-            a.extend(positions.clone().map(|column| stiffness[(row, column)]));
-            a.extend(rates.clone().map(|column| damping[(row, column)]));
-            b.extend(input.row(row).iter());
-        };
-        for row in positions.clone() {
-            if states[row] == States::Position {
-                solved(row, &mut a, &mut b);
-                continue;
-            }
-            a.extend(positions.clone().map(|_| 0.0));
-            a.extend(rates.clone().map(|column| if column == row { 1.0 } else { 0.0 }));
-            b.extend([0.0; N]);
-        }
-        rates.clone().for_each(|row| solved(row, &mut a, &mut b));
-        Ok([a, b])
+        Ok(written::state_space([stiffness.as_slice(), damping.as_slice(), input.as_slice()], &states))
     }
 
     fn eigenvectors(&self, speed: f64, gravity: f64, values: &[Complex<f64>]) -> Result<Vec<Shape>, SystemError> {
         let vectors = self.at(speed, gravity)?.eigenvectors(values)?;
-        // Adding zero turns -0 into 0.
-        let positive_zeros = |entry: &Complex<f64>| Complex::new(entry.re + 0.0, entry.im + 0.0);
-        let shape = |vectors: Eigenvectors<N>| Shape {
-            right: vectors.right.iter().map(positive_zeros).collect(),
-            left: vectors.left.iter().map(positive_zeros).collect(),
-        };
-        Ok(vectors.into_iter().map(shape).collect())
+        let shape = |of: &Eigenvectors<N>| written::shape(of.right.as_slice(), of.left.as_slice());
+        Ok(vectors.iter().map(shape).collect())
     }
 
     fn stability(&self, gravity: f64) -> Result<Stability, SystemError> {
@@ -159,16 +135,7 @@ impl<const N: usize> Equations for Coefficients<f64, N> {
     }
 
     fn without_rest(&self) -> Option<&'static str> {
-        if self.cm1.iter().any(|&entry| entry != 0.0) {
-            return Some("C-1 is divided by the speed");
-        }
-        let mut leading = self.m;
-        for (column, _) in self.states.iter().enumerate().filter(|(_, states)| **states == States::Position) {
-            leading.set_column(column, &self.c0.column(column));
-        }
-        let is_singular =
-            self.states.contains(&States::Position) && dependent_column(leading.as_slice(), N, |_| true).is_some();
-        is_singular.then_some("the rate of a coordinate of first order is multiplied by the speed alone")
+        written::without_rest([&self.m, &self.cm1, &self.c0].map(|matrix| matrix.as_slice()), &self.states)
     }
 }
 

@@ -5,8 +5,9 @@ mod derivation;
 mod equations;
 mod sensitive;
 mod shipped;
+mod written;
 
-pub(crate) use self::derivation::{Derivation, NOT_BUILT};
+pub(crate) use self::derivation::{Derivation, NOT_BUILT, sensitive};
 pub use self::derivation::{MachineVisitor, Visitor};
 pub use self::equations::{Equations, Shape};
 pub use self::sensitive::Sensitive;

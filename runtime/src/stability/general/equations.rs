@@ -18,8 +18,15 @@ pub(crate) struct Matrices {
 
 impl<const N: usize> From<&Coefficients<f64, N>> for Matrices {
     fn from(coefficients: &Coefficients<f64, N>) -> Self {
-        let square = |name| Square::from_columns(N, coefficients.matrix(name).as_slice());
-        Self { all: MatrixName::ALL.map(square), states: coefficients.states.to_vec() }
+        Self::from_columns(&|name| coefficients.matrix(name).as_slice(), &coefficients.states)
+    }
+}
+
+impl Matrices {
+    /// Not generic, so that it is compiled once.
+    fn from_columns<'a>(matrix: &dyn Fn(MatrixName) -> &'a [f64], states: &[States]) -> Self {
+        let square = |name| Square::from_columns(states.len(), matrix(name));
+        Self { all: MatrixName::ALL.map(square), states: states.to_vec() }
     }
 }
 
