@@ -27,6 +27,7 @@ mod model;
 mod nearest;
 pub mod number;
 pub mod parameter;
+mod path;
 pub mod quantity;
 pub mod speeds;
 #[cfg(feature = "full")]
@@ -40,4 +41,5 @@ pub use self::display::DisplayUnit;
 pub use self::failure::{Failure, Place, Problem};
 pub use self::model::{Equations, MODELS, MachineVisitor, Sensitive, Shape, Shipped, Visitor, WHIPPLE};
 pub use self::nearest::nearest;
+pub use self::path::Path;
 pub use self::words::in_words;

@@ -7,20 +7,6 @@ use crate::nearest::nearest;
 use crate::number::with_unit;
 use crate::quantity::{self, Context, no_names};
 
-/// The parameter that stands before an equals sign, and what stands behind it.
-///
-/// # Errors
-/// If there is no equals sign, or no such parameter.
-pub fn split<'a>(
-    text: &'a str,
-    info: &ModelInfo,
-    expected: &str,
-) -> Result<(usize, &'static ParameterInfo, &'a str), String> {
-    let (name, values) = text.split_once('=').ok_or(expected)?;
-    let position = find(name.trim(), info)?;
-    Ok((position, &info.parameters[position], values))
-}
-
 /// Where the parameter called `name` is among those of a model.
 ///
 /// # Errors

@@ -34,9 +34,12 @@ impl Map {
         let values = design.values();
         let axes: Vec<MapAxis> = axes
             .iter()
-            .map(|axis| {
-                let info = &design.info().parameters[axis.position];
-                MapAxis::new(label(info), info.unit, &axis.values, values[axis.position])
+            .enumerate()
+            .map(|(column, axis)| {
+                let info = &axis.parameter.info;
+                let own = axis.parameter.position().map(|at| values[at]);
+                let own = own.or_else(|| plan.task.varied.start(column)).unwrap_or(f64::NAN);
+                MapAxis::new(label(info), info.unit, &axis.values, own)
             })
             .collect();
         picture::draw_map(&design.title(), &axes, &self.cells)

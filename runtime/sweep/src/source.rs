@@ -1,5 +1,6 @@
 //! Where the designs of a sweep come from, and the way to them.
 
+use carvallo_design::conventions::Varying;
 use carvallo_design::{Design, Failure};
 use rayon::prelude::*;
 
@@ -17,17 +18,14 @@ pub enum Source {
 }
 
 impl Source {
-    /// The columns of the designs, and for each the position of its parameter, if it is one.
-    pub fn headings(&self, design: &Design) -> (Vec<Heading>, Vec<Option<usize>>) {
-        let parameter = |position: usize| {
-            let parameter = &design.info().parameters[position];
-            Heading::number(parameter.name, parameter.unit)
-        };
+    /// The columns of the designs, and for each its parameter, if it is one.
+    pub fn headings(&self, design: &Design) -> (Vec<Heading>, Vec<Option<Varying>>) {
+        let parameter = |varying: Varying| (Heading::number(varying.info.name, varying.info.unit), Some(varying));
         match self {
-            Self::Generated(generator) => generator.positions().map(|at| (parameter(at), Some(at))).unzip(),
+            Self::Generated(generator) => generator.parameters(design.info()).into_iter().map(parameter).unzip(),
             Self::File(file) => {
-                let heading = |Named { name, position }: &Named| match position {
-                    Some(position) => (parameter(*position), Some(*position)),
+                let heading = |Named { name, parameter: own, .. }: &Named| match own {
+                    Some(own) => parameter(own.clone()),
                     None => (Heading::text(name.clone()), None),
                 };
                 file.columns.iter().map(heading).unzip()

@@ -202,6 +202,9 @@ fn run_along(options: &Options, along: &Along) -> Result<(), Failure> {
         picture.check(&options.design)?;
     }
     let analysis = AlongAnalysis::new(options.design.load()?, along, options.speed.map(|Speed(speed)| speed))?;
+    if let Some(kept) = analysis.path.note() {
+        note(WARNING, "note", &format!("{}: {kept}", analysis.design.name));
+    }
     if options.speed.is_some() && analysis.speed.is_none() {
         let name = analysis.design.info().name;
         note(WARNING, "note", &format!("nothing in the model {name} depends on the speed: --speed is ignored"));

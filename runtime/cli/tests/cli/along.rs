@@ -106,3 +106,21 @@ fn mistakes_are_named() {
     let message = "matrices that are given themselves have no parameters but their entries, which `carvallo sweep --vary` goes along";
     fails("M_11=1:2", &["matrices.json"], message);
 }
+
+/// At its weave speed (Meijaard et al. 2007, Table 2) the benchmark is critical along any parameter, at its own value: its head
+/// angle is 72 degrees, and its fork offset rF sin λ - c cos λ.
+#[test]
+fn parameters_may_be_those_of_others() {
+    let directory = Directory::new("along-others");
+    let lam = std::f64::consts::PI / 10.0;
+    for (along, expected) in [
+        ("head_angle=60 deg:80 deg", 0.4 * std::f64::consts::PI),
+        ("fork_offset=0:60 mm", 0.35 * lam.sin() - 0.08 * lam.cos()),
+        ("d3=0:0.06", 0.35 * lam.sin() - 0.08 * lam.cos()),
+    ] {
+        let run = directory.run(&["analyze", "--along", along, "--speed", "4.29238253634111", "--format", "json"]);
+        assert!(run.stderr.starts_with("note: benchmark: `") && run.stderr.contains(" stay as they are"), "{}", run.stderr);
+        let found = critical(&serde_json::from_str(&run.stdout).unwrap());
+        assert!(found.iter().any(|(_, value, _)| (value - expected).abs() < 1e-11), "{along}: {found:?}");
+    }
+}

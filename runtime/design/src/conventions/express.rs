@@ -4,10 +4,10 @@ use std::collections::HashMap;
 
 use carvallo::{Covariance, ModelInfo};
 
+use super::Convention;
 use super::carried::{Carried, deviations};
-use super::geometry::GEOMETRY;
 use super::name::Values;
-use super::{Convention, OTHERS};
+use super::recognise::only;
 use crate::failure::Place;
 use crate::input::{
     Document, Entry, Named, Names, Node, Scope, Value, Written, position, resolve_correlations, validate,
@@ -23,18 +23,8 @@ pub fn express(
     info: &'static ModelInfo,
     settings: &[Entry],
 ) -> Option<&'static Convention> {
-    let foreign: Vec<&Entry> = settings.iter().filter(|entry| position(&entry.name, info).is_none()).collect();
-    let has_all = |convention: &&Convention| {
-        let mut prepared: Vec<Entry> = foreign.iter().map(|entry| (*entry).clone()).collect();
-        (convention.prepare)(&mut prepared, &mut Vec::new());
-        !prepared.is_empty() && prepared.iter().all(|entry| convention.parameter(&entry.name).is_some())
-    };
-    let convention = match OTHERS.into_iter().filter(has_all).collect::<Vec<_>>()[..] {
-        [convention] => convention,
-        // Names that mean the same everywhere.
-        [.., convention] if convention.name == GEOMETRY.name => convention,
-        _ => return None,
-    };
+    let foreign: Vec<Entry> = settings.iter().filter(|entry| position(&entry.name, info).is_none()).cloned().collect();
+    let convention = only(&foreign)?;
     let mut values = Values::default();
     let mut given = Vec::new();
     let scope = Scope::new(&document.entries, HashMap::new(), info);

@@ -22,6 +22,7 @@ mod gyrostats;
 mod jbike6;
 mod moore;
 mod name;
+mod naming;
 mod principal;
 mod pydy;
 mod read;
@@ -31,13 +32,16 @@ mod steered;
 mod tensor;
 #[cfg(test)]
 mod tests;
+mod varied;
 mod wheels;
 mod write;
 
 pub use self::convert::{Converted, Parameter, convert};
 pub use self::name::{Name, Need};
+pub use self::naming::{Naming, Varying, folded, spelled};
 pub use self::read::Reading;
 pub(crate) use self::read::read;
+pub use self::varied::Varied;
 pub use self::write::{Form, write};
 
 use self::name::Values;
@@ -131,6 +135,12 @@ impl Convention {
     fn needed(&self) -> Vec<Vec<&'static str>> {
         let required = self.names.iter().filter(|name| name.need == Need::Required);
         required.map(|name| vec![name.name]).chain(self.alternatives.iter().map(|names| names.to_vec())).collect()
+    }
+}
+
+impl PartialEq for Convention {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
     }
 }
 

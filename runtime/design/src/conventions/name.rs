@@ -7,7 +7,7 @@ use carvallo::{Bound, Domain};
 use super::dual::Dual;
 
 /// A parameter of a convention.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Name {
     /// What it is called.
     pub name: &'static str,
@@ -133,6 +133,16 @@ impl Values {
     /// The same under the same names, where they are given.
     pub fn keep(&mut self, other: &Self, names: &[&'static str]) {
         names.iter().for_each(|name| self.copy(name, other, name));
+    }
+
+    /// Replaces the value of the one at a position.
+    pub fn set(&mut self, position: usize, value: f64) {
+        self.0[position].1 = value.into();
+    }
+
+    /// Leaves out what is not to be kept.
+    pub fn retain(&mut self, is_kept: impl Fn(&str) -> bool) {
+        self.0.retain(|(name, _)| is_kept(name));
     }
 
     /// In the order in which they were pushed.

@@ -1,7 +1,9 @@
-//! In which convention a file is, by the names that it has.
+//! In which convention a file is, or some names are, by the names alone.
 
 use carvallo::ModelInfo;
 
+use super::geometry::GEOMETRY;
+use super::moore::MOORE;
 use super::{Convention, OTHERS};
 use crate::input::{Entry, position};
 
@@ -17,6 +19,33 @@ pub fn recognise(entries: &[Entry], info: &ModelInfo) -> Option<&'static Convent
     let shares = OTHERS.into_iter().map(|convention| (convention, share_of(convention, entries, info)));
     let best = shares.max_by(|(_, a), (_, b)| a.total_cmp(b)).filter(|(_, share)| *share > paper);
     best.map(|(convention, _)| convention)
+}
+
+/// What Moore and Peterson call alike and mean alike, beside the names of the paper.
+const ALIKE: [&str; 2] = ["rr", "rf"];
+
+/// The conventions that have all of these names, and a parameter among them.
+pub fn with_all(names: &[Entry]) -> Vec<&'static Convention> {
+    let has_all = |convention: &&Convention| {
+        let mut names = names.to_vec();
+        (convention.prepare)(&mut names, &mut Vec::new());
+        names.iter().all(|entry| convention.known(&entry.name).is_some())
+            && names.iter().any(|entry| convention.parameter(&entry.name).is_some())
+    };
+    OTHERS.into_iter().filter(has_all).collect()
+}
+
+/// The convention that some names are of, if they mean the same in all that have them.
+pub fn only(names: &[Entry]) -> Option<&'static Convention> {
+    match with_all(names)[..] {
+        [convention] => Some(convention),
+        // Names that mean the same everywhere.
+        [.., convention] if convention.name == GEOMETRY.name => Some(convention),
+        [convention, ..] if convention.name == MOORE.name => {
+            names.iter().all(|entry| ALIKE.contains(&entry.name.as_str())).then_some(convention)
+        }
+        _ => None,
+    }
 }
 
 /// How much of what a convention needs is given; zero if that may be a few names in a file of something else.

@@ -185,6 +185,6 @@ fn known_values(entries: &[Entry], scope: &Scope) -> HashMap<String, f64> {
 }
 
 /// As the model would have it.
-fn parameter(name: &'static Name) -> ParameterInfo {
+pub fn parameter(name: &'static Name) -> ParameterInfo {
     ParameterInfo::new(name.name, name.unit, name.domain).docs(name.docs)
 }

@@ -12,6 +12,7 @@ use self::check::check;
 pub use self::check::{dependent_column, free};
 use crate::feedback::{Gain, close};
 use crate::model::{Derivation, Equations, NOT_BUILT, Sensitive, Shipped, Visitor, sensitive};
+use crate::path::Path;
 
 /// What the model of given matrices is called.
 pub const NAME: &str = "Matrices";
@@ -140,7 +141,7 @@ impl<const N: usize> Derivation for Given<N> {
         visitor(&close(self.coefficients(parameters)?, gains))
     }
 
-    fn along(&self, _: &[f64], _: &[Gain], _: usize, _: [f64; 2], _: f64) -> Result<ParameterStability, String> {
+    fn along(&self, _: &Path, _: &[Gain], _: [f64; 2], _: f64) -> Result<ParameterStability, String> {
         Err(NO_PARAMETERS.to_owned())
     }
 

@@ -13,6 +13,7 @@ use super::equations::Equations;
 use super::sensitive::Sensitive;
 use crate::feedback::{Gain, close};
 use crate::number::with_unit;
+use crate::path::Path;
 
 /// What makes equations of motion from parameters, which are in declared order, with a loop that is closed by gains, if there
 /// are any.
@@ -29,15 +30,8 @@ pub(crate) trait Derivation: Debug + Sync {
         Ok(false)
     }
 
-    /// Stability along the parameter at a position, over a range and at a speed.
-    fn along(
-        &self,
-        parameters: &[f64],
-        gains: &[Gain],
-        position: usize,
-        range: [f64; 2],
-        speed: f64,
-    ) -> Result<ParameterStability, String>;
+    /// Stability along a path through the parameters, over a range and at a speed.
+    fn along(&self, path: &Path, gains: &[Gain], range: [f64; 2], speed: f64) -> Result<ParameterStability, String>;
 
     /// How the equations of motion change with the parameters.
     fn sensitivity(&self, parameters: &[f64], gains: &[Gain]) -> Result<Box<dyn Sensitive>, String>;
@@ -74,20 +68,12 @@ impl<const N: usize, M: Model<N, Scalar = f64>> Derivation for Compiled<N, M> {
         Ok(machine.is_some())
     }
 
-    fn along(
-        &self,
-        parameters: &[f64],
-        gains: &[Gain],
-        position: usize,
-        range: [f64; 2],
-        speed: f64,
-    ) -> Result<ParameterStability, String> {
+    fn along(&self, path: &Path, gains: &[Gain], range: [f64; 2], speed: f64) -> Result<ParameterStability, String> {
         if !cfg!(feature = "full") {
             return Err(NOT_BUILT.to_owned());
         }
-        let mut parameters = parameters.to_vec();
         let mut system = |value: f64| {
-            parameters[position] = value;
+            let parameters = path.at(value)?;
             let gravity = M::INFO.gravity.map_or(0.0, |position| parameters[position]);
             at(valid::<N, M>(&parameters)?.coefficients(), gains, speed, gravity)
         };

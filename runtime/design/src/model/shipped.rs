@@ -9,6 +9,7 @@ use super::derivation::{Compiled, Derivation, MachineVisitor, Visitor};
 use super::equations::Equations;
 use super::sensitive::Sensitive;
 use crate::feedback::{Gain, Law};
+use crate::path::Path;
 
 /// A model that ships with Carvallo.
 #[derive(Clone, Copy, Debug)]
@@ -117,18 +118,12 @@ impl Shipped {
         self.derivation.with_machine(parameters, visitor)
     }
 
-    /// Stability along the parameter at a position, over a range and at a speed in m/s.
+    /// Stability along a path through the parameters, over a range of what changes along it and at a speed in m/s.
     ///
     /// # Errors
     /// A value at which a parameter or a requirement of the model does not hold; or that there is no answer.
-    pub fn along(
-        &self,
-        parameters: &[f64],
-        position: usize,
-        range: [f64; 2],
-        speed: f64,
-    ) -> Result<ParameterStability, String> {
-        self.derivation.along(parameters, self.gains, position, range, speed)
+    pub fn along(&self, path: &Path, range: [f64; 2], speed: f64) -> Result<ParameterStability, String> {
+        self.derivation.along(path, self.gains, range, speed)
     }
 
     /// How the equations of motion change with parameters in declared order.

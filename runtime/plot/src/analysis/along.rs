@@ -5,8 +5,8 @@ use std::str::FromStr;
 use carvallo::{Complex, CriticalSpeed, CriticalValue, ParameterInfo, ParameterStability, Verdict};
 use carvallo_design::matrices::{NAME, NO_PARAMETERS};
 use carvallo_design::number::{shortest, with_unit};
-use carvallo_design::parameter::{check_units, find, number};
-use carvallo_design::{Design, Failure, Place, Problem};
+use carvallo_design::parameter::{check_units, number};
+use carvallo_design::{Design, Failure, Path, Place, Problem};
 
 use crate::analysis::{self, extremes};
 
@@ -41,9 +41,10 @@ impl FromStr for Along {
 pub struct AlongAnalysis {
     /// What is analyzed.
     pub design: Design,
-    /// The parameter that changes.
-    pub parameter: &'static ParameterInfo,
-    position: usize,
+    /// The parameter that changes: one of the model, or of any convention of bicycles.
+    pub parameter: ParameterInfo,
+    /// The designs that it passes through.
+    pub path: Path,
     /// In m/s; none where nothing depends on it.
     pub speed: Option<f64>,
     /// The values of the parameter, in its unit, from end to end.
@@ -76,10 +77,10 @@ impl AlongAnalysis {
         if along.name == "v" {
             return Err(wrong("`v` is the speed: without --along everything is along it".to_owned()));
         }
-        let position = find(&along.name, info).map_err(wrong)?;
-        let parameter = &info.parameters[position];
-        check_units(&along.ends.each_ref().map(String::as_str), parameter).map_err(wrong)?;
-        let [low, high] = along.ends.each_ref().map(|end| number(end, parameter));
+        let path = Path::new(&design, &along.name).map_err(wrong)?;
+        let parameter = path.parameter;
+        check_units(&along.ends.each_ref().map(String::as_str), &parameter).map_err(wrong)?;
+        let [low, high] = along.ends.each_ref().map(|end| number(end, &parameter));
         let (low, high) = (low.map_err(wrong)?, high.map_err(wrong)?);
         if low >= high {
             let [low, high] = [low, high].map(|end| with_unit(end, parameter.unit));
@@ -97,11 +98,11 @@ impl AlongAnalysis {
             }
             speed => speed.filter(|_| design.model.depends_on_speed()),
         };
-        let stability = design.model.along(&design.values(), position, [low, high], speed.unwrap_or(0.0));
+        let stability = design.model.along(&path, [low, high], speed.unwrap_or(0.0));
         let stability = stability.map_err(|error| {
             Failure::Run(format!("{} along {}: {error}{}", design.title(), parameter.name, extremes(&design)))
         })?;
-        Ok(Self { design, parameter, position, speed, range: [low, high], stability })
+        Ok(Self { design, parameter, path, speed, range: [low, high], stability })
     }
 
     /// What happens at a critical value, in the words of the field.
@@ -126,8 +127,7 @@ impl AlongAnalysis {
     }
 
     fn row(&self, value: f64) -> Result<AtValue, Failure> {
-        let mut parameters = self.design.values();
-        parameters[self.position] = value;
+        let parameters = self.path.at(value).map_err(|error| self.failed(value, &error))?;
         let gravity = self.design.info().gravity.map_or(0.0, |position| parameters[position]);
         let equations = self.design.model.equations(&parameters);
         let found = equations.and_then(|equations| {
@@ -142,11 +142,6 @@ impl AlongAnalysis {
     pub(super) fn failed(&self, value: f64, error: &str) -> Failure {
         let (title, name) = (self.design.title(), self.parameter.name);
         Failure::Run(format!("{title} at {name} = {}: {error}", shortest(value)))
-    }
-
-    /// Where the parameter is among those of the model.
-    pub(super) fn position(&self) -> usize {
-        self.position
     }
 }
 

@@ -26,20 +26,18 @@ impl<'a> Traced<'a> {
     pub fn new(analysis: &'a AlongAnalysis) -> Result<Self, Failure> {
         let AlongAnalysis { design, range: [low, high], stability, .. } = analysis;
         let parameter = analysis.parameter;
-        let (model, values, speed) = (design.model, design.values(), analysis.speed.unwrap_or(0.0));
-        let (low, position) = (*low, analysis.position());
+        let (model, path, speed, low) = (design.model, analysis.path.clone(), analysis.speed.unwrap_or(0.0), *low);
         let told = Arc::new(OnceLock::new());
         let telling = Arc::clone(&told);
         // Branches begin at zero or above, as speeds do.
         let eigenvalues = move |place: f64| {
-            let mut values = values.clone();
-            values[position] = low + place;
-            let gravity = model.info.gravity.map_or(0.0, |position| values[position]);
-            let equations = model.equations(&values).map_err(|message| {
+            let fail = |message| {
                 let _ = telling.set(message);
                 SystemError::NotFinite { quantity: parameter.name, value: low + place }
-            })?;
-            equations.eigenvalues(speed, gravity)
+            };
+            let values = path.at(low + place).map_err(fail)?;
+            let gravity = model.info.gravity.map_or(0.0, |position| values[position]);
+            model.equations(&values).map_err(fail)?.eigenvalues(speed, gravity)
         };
         let place = |&CriticalValue { kind, value, error, eigenvalue, change }: &CriticalValue| CriticalSpeed {
             kind,
@@ -104,9 +102,8 @@ impl<'a> Traced<'a> {
 
     /// The eigenvalues at a value with the names that they have along the speed; none where there are no names.
     fn modes(&self, value: f64) -> Vec<ModeValue> {
-        let AlongAnalysis { design, speed, .. } = self.analysis;
-        let mut values = design.values();
-        values[self.analysis.position()] = value;
+        let AlongAnalysis { design, speed, path, .. } = self.analysis;
+        let Ok(values) = path.at(value) else { return Vec::new() };
         let gravity = design.info().gravity.map_or(0.0, |position| values[position]);
         let Some((speed, equations)) = speed.zip(design.model.equations(&values).ok()) else { return Vec::new() };
         let followed = equations.stability(gravity).and_then(|stability| {

@@ -4,19 +4,19 @@ mod cells;
 mod solution;
 
 use carvallo_design::Shipped;
+use carvallo_design::conventions::Varied;
 
 use self::cells::Cells;
 use self::solution::Solution;
 use super::table::{Column, Designs, Layout, Results};
 
 /// What is the same for all designs.
-#[derive(Debug)]
 pub struct Task {
     pub model: &'static Shipped,
     /// The parameters that no column gives.
     pub base: Vec<f64>,
-    /// For each column of the designs the position of its parameter, if it is one.
-    pub positions: Vec<Option<usize>>,
+    /// Puts the columns of the designs into them.
+    pub varied: Varied,
     pub layout: Layout,
 }
 
@@ -35,12 +35,8 @@ impl Task {
             let solved = match &designs.errors[row] {
                 Some(error) => Err(error.clone()),
                 None => {
-                    for (column, position) in designs.columns.iter().zip(&self.positions) {
-                        if let (Some(position), Some(value)) = (position, column.number(row)) {
-                            values[*position] = value;
-                        }
-                    }
-                    solution.solve(self.model, &values, &self.layout)
+                    let put = self.varied.put(|column| designs.columns[column].number(row), &mut values);
+                    put.and_then(|()| solution.solve(self.model, &values, &self.layout))
                 }
             };
             match solved {

@@ -1,9 +1,10 @@
 //! A parameter that takes one value after the other: `w=0.9:1.2:0.01`, `w=0.9:1.2:31 points`, `mB=60,75,90`.
 
-use carvallo::{ModelInfo, ParameterInfo};
+use carvallo::ParameterInfo;
+use carvallo_design::conventions::{Naming, Varying};
 use carvallo_design::input::evaluated;
 use carvallo_design::number::with_unit;
-use carvallo_design::parameter::{any_possible, check_units, number, split, too_wide};
+use carvallo_design::parameter::{any_possible, check_units, number, too_wide};
 use carvallo_design::quantity::{Steps, check_commas};
 
 /// More than this many values of one parameter are taken for a slip in the step.
@@ -12,26 +13,31 @@ const MAX_POINTS: f64 = 1_000_000.0;
 /// A parameter and the values that it takes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// Where the parameter is among those of the model.
-    pub position: usize,
+    pub parameter: Varying,
     pub values: Vec<f64>,
 }
 
 impl Axis {
     /// # Errors
     /// What is wrong. Some values outside of the parameter's domain are not: they are designs without a result.
-    pub fn parse(text: &str, info: &ModelInfo) -> Result<Self, String> {
+    pub fn parse(text: &str, naming: &Naming) -> Result<Self, String> {
         let expected = "expected NAME=LOW:HIGH:STEP, NAME=LOW:HIGH:N points or NAME=a,b,c, such as w=0.9:1.2:0.01";
-        let (position, parameter, values) = split(text, info, expected)?;
+        let (name, values) = text.split_once('=').ok_or(expected)?;
+        let varying = naming.find(name.trim())?;
+        let parameter = &varying.info;
         let values = match values.split(':').collect::<Vec<_>>()[..] {
             [list] => {
-                let list: Vec<&str> = list.split(',').collect();
+                let list = list.split(',').collect::<Vec<&str>>();
+                let list = list.iter().map(|text| varying.in_numbers(text, naming)).collect::<Result<Vec<_>, _>>()?;
+                let list: Vec<&str> = list.iter().map(AsRef::as_ref).collect();
                 let values = list.iter().map(|value| number(value, parameter)).collect::<Result<Vec<f64>, _>>()?;
                 check_commas(&list)?;
                 check_units(&list, parameter)?;
                 values
             }
             [low, high, last] => {
+                let (low, high) = (varying.in_numbers(low, naming)?, varying.in_numbers(high, naming)?);
+                let (low, high) = (low.as_ref(), high.as_ref());
                 let range = Range::parse(low, high, parameter)?;
                 match last.trim_end().strip_suffix("points").or_else(|| last.trim_end().strip_suffix("point")) {
                     Some(count) => check_units(&[low, high], parameter).and_then(|()| range.points(count))?,
@@ -45,7 +51,7 @@ impl Axis {
             _ => return Err(expected.to_owned()),
         };
         any_possible(&values, parameter)?;
-        Ok(Self { position, values })
+        Ok(Self { parameter: varying, values })
     }
 }
 
@@ -106,9 +112,14 @@ impl Range {
 mod tests {
     use super::Axis;
     use carvallo_design::WHIPPLE;
+    use carvallo_design::conventions::Naming;
+
+    fn parsed(text: &str) -> Result<Axis, String> {
+        Axis::parse(text, &Naming::new(WHIPPLE.info, text.split('=').next()))
+    }
 
     fn values(text: &str) -> Vec<f64> {
-        Axis::parse(text, WHIPPLE.info).map(|axis| axis.values).unwrap_or_default()
+        parsed(text).map(|axis| axis.values).unwrap_or_default()
     }
 
     #[test]
@@ -156,7 +167,7 @@ mod tests {
                  has no place here",
             ),
         ] {
-            assert_eq!(Axis::parse(text, WHIPPLE.info), Err(message.to_owned()), "{text}");
+            assert_eq!(parsed(text), Err(message.to_owned()), "{text}");
         }
     }
 }

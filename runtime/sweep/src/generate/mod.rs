@@ -4,6 +4,9 @@ mod axis;
 mod random;
 mod together;
 
+use carvallo::ModelInfo;
+use carvallo_design::conventions::Varying;
+
 pub use self::axis::Axis;
 pub use self::random::{Distribution, Random};
 pub use self::together::{MEASURED, Together};
@@ -29,11 +32,12 @@ impl Generator {
         self.vary.iter().try_fold(self.samples, |total, axis| total.checked_mul(axis.values.len() as u64))
     }
 
-    /// Where the parameters of its columns are among those of the model.
-    pub fn positions(&self) -> impl Iterator<Item = usize> {
-        let random = self.random.iter().map(|random| random.position);
-        let together = self.together.iter().flat_map(|together| together.positions.iter().copied());
-        self.vary.iter().map(|axis| axis.position).chain(random).chain(together)
+    /// The parameters of its columns, of a model.
+    pub fn parameters(&self, info: &ModelInfo) -> Vec<Varying> {
+        let vary = self.vary.iter().map(|axis| axis.parameter.clone());
+        let random = self.random.iter().map(|random| random.parameter.clone());
+        let together = self.together.iter().flat_map(|together| together.positions.iter());
+        vary.chain(random).chain(together.map(|at| Varying::of_model(info, *at))).collect()
     }
 
     /// So many designs from the one with a number on.

@@ -1,9 +1,9 @@
 //! A parameter that is drawn: `c=0.02..0.12` or `mB=85+-5`.
 
-use carvallo::ModelInfo;
+use carvallo_design::conventions::{Naming, Varying};
 use carvallo_design::input::measured;
 use carvallo_design::number::with_unit;
-use carvallo_design::parameter::{any_possible, check_units, number, split, too_wide};
+use carvallo_design::parameter::{any_possible, check_units, number, too_wide};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{RngCore as _, SeedableRng as _};
 
@@ -16,8 +16,9 @@ const FARTHEST: f64 = 8.6;
 /// A parameter and its distribution.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Random {
-    /// Where the parameter is among those of the model.
-    pub position: usize,
+    pub parameter: Varying,
+    /// Each parameter has numbers of its own, which do not depend on what else is drawn.
+    stream: u64,
     pub distribution: Distribution,
 }
 
@@ -31,9 +32,11 @@ pub enum Distribution {
 impl Random {
     /// # Errors
     /// What is wrong. Distributions that partly leave the parameter's domain are not: they make designs without a result.
-    pub fn parse(text: &str, info: &ModelInfo) -> Result<Self, String> {
+    pub fn parse(text: &str, naming: &Naming) -> Result<Self, String> {
         let expected = "expected NAME=LOW..HIGH, NAME=MEAN+-DEVIATION or measured, such as c=0.02..0.12 or mB=85+-5";
-        let (position, parameter, values) = split(text, info, expected)?;
+        let (name, values) = text.split_once('=').ok_or(expected)?;
+        let varying = naming.find(name.trim())?;
+        let parameter = &varying.info;
         let with_unit = |value| with_unit(value, parameter.unit);
         let distribution = if let Some((low, high)) = values.split_once("..") {
             check_units(&[low, high], parameter)?;
@@ -63,13 +66,12 @@ impl Random {
             }
             Distribution::Normal { mean, deviation }
         };
-        Ok(Self { position, distribution })
+        Ok(Self { stream: varying.stream(naming.info()), parameter: varying, distribution })
     }
 
     /// What draws its samples: each by its number, so that it is the same whichever were drawn before it.
     pub fn draws(&self, seed: u64) -> Draws {
-        // Each parameter has numbers of its own, which do not depend on what else is drawn.
-        Draws::new(self.distribution, seed, self.position as u64)
+        Draws::new(self.distribution, seed, self.stream)
     }
 }
 
@@ -112,16 +114,21 @@ impl Draws {
 mod tests {
     use super::Random;
     use carvallo_design::WHIPPLE;
+    use carvallo_design::conventions::Naming;
+
+    fn parsed(text: &str) -> Result<Random, String> {
+        Random::parse(text, &Naming::new(WHIPPLE.info, text.split('=').next()))
+    }
 
     fn samples(text: &str, seed: u64) -> Vec<f64> {
-        let random = Random::parse(text, WHIPPLE.info).expect("a distribution");
+        let random = parsed(text).expect("a distribution");
         let mut draws = random.draws(seed);
         (0..20_000).map(|index| draws.sample(index)).collect()
     }
 
     #[test]
     fn a_sample_depends_on_its_number_alone() {
-        let random = Random::parse("c=0..1", WHIPPLE.info).expect("a distribution");
+        let random = parsed("c=0..1").expect("a distribution");
         let all = samples("c=0..1", 7);
         for index in [19_999, 3, 4, 0, 12_345] {
             assert_eq!(random.draws(7).sample(index), all[index as usize]);
@@ -160,7 +167,7 @@ mod tests {
             ("mB=85+/--5", "the standard deviation is -5 kg; it must be >= 0"),
             ("MB=85±5", "`MB` is not a parameter of Whipple; did you mean `mB`?"),
         ] {
-            assert_eq!(Random::parse(text, WHIPPLE.info), Err(message.to_owned()), "{text}");
+            assert_eq!(parsed(text), Err(message.to_owned()), "{text}");
         }
     }
 }

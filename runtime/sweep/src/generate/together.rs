@@ -1,6 +1,7 @@
 //! Parameters that are drawn as they were measured, with their standard deviations and correlations.
 
 use carvallo::Covariance;
+use carvallo_design::conventions::Varying;
 use carvallo_design::{Design, Failure, Place};
 
 use super::random::{Distribution, Draws};
@@ -24,12 +25,13 @@ pub struct Together {
 impl Together {
     /// # Errors
     /// If no parameter but the others has a standard deviation.
-    pub fn new(design: &Design, others: &[usize]) -> Result<Self, Failure> {
+    pub fn new(design: &Design, others: &[&Varying]) -> Result<Self, Failure> {
         let deviation = |given: &carvallo_design::Given| given.deviation.as_ref().map_or(0.0, |spread| spread.value);
         let deviations: Vec<f64> = design.parameters.iter().map(deviation).collect();
         let fail = |message: String| Failure::at(Place::Option(format!("--random {MEASURED}")), message);
         let positions: Vec<usize> = (0..deviations.len())
-            .filter(|position| deviations[*position] > 0.0 && !others.contains(position))
+            .filter(|position| deviations[*position] > 0.0)
+            .filter(|position| others.iter().all(|other| other.position() != Some(*position)))
             .collect();
         if positions.is_empty() {
             return Err(fail(format!("none of the parameters of {} has a standard deviation", design.title())));
@@ -66,6 +68,7 @@ impl Together {
 #[cfg(test)]
 mod tests {
     use super::Together;
+    use carvallo_design::conventions::Varying;
     use carvallo_design::input;
 
     /// Within five standard errors of 20,000 samples.
@@ -93,7 +96,8 @@ mod tests {
         assert!((cm / (cc * mm).sqrt() + 0.6).abs() < 5.0 * (1.0 - 0.36) / n.sqrt());
         // By their numbers alone.
         assert_eq!(together.columns(3, 12_345..12_346), [[c[12_345]], [m[12_345]]]);
-        let alone = Together::new(&design, &together.positions[..1]).unwrap();
+        let first = Varying::of_model(design.info(), together.positions[0]);
+        let alone = Together::new(&design, &[&first]).unwrap();
         assert_eq!(alone.positions, together.positions[1..]);
     }
 }

@@ -32,14 +32,14 @@ pub fn fingerprint(design: &Design, source: &Source, headings: &[Heading], forma
     match source {
         Source::Generated(generator) => {
             for axis in &generator.vary {
-                line(&format!("vary {}", axis.position), &axis.values);
+                line(&format!("vary {}", axis.parameter.stream(design.info())), &axis.values);
             }
             for random in &generator.random {
                 let (name, values) = match random.distribution {
                     Distribution::Uniform { low, high } => ("uniform", [low, high]),
                     Distribution::Normal { mean, deviation } => ("normal", [mean, deviation]),
                 };
-                line(&format!("{name} {}", random.position), &values);
+                line(&format!("{name} {}", random.parameter.stream(design.info())), &values);
             }
             if let Some(together) = &generator.together {
                 for ((position, mean), parts) in together.positions.iter().zip(&together.means).zip(&together.parts) {

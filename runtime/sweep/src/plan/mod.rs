@@ -5,6 +5,7 @@ mod validate;
 
 pub(crate) use self::validate::validate;
 
+use carvallo_design::conventions::{Varied, Varying};
 use carvallo_design::{Design, Failure, Place, Problem};
 
 use self::fingerprint::fingerprint;
@@ -36,22 +37,40 @@ pub struct Plan {
 }
 
 impl Plan {
+    /// What is to be known of what varies, and of the columns of a file.
+    pub fn notes(&self) -> Vec<String> {
+        let of_file = match &self.source {
+            Source::File(file) => file.notes.clone(),
+            Source::Generated(_) => Vec::new(),
+        };
+        of_file.into_iter().chain(self.task.varied.note()).collect()
+    }
+
     /// What is asked for of a design.
     ///
     /// # Errors
     /// Everything that is wrong with the request.
     pub fn new(design: &Design, request: &Request) -> Result<Self, Failure> {
         let info = design.info();
-        let Validated { vary, random, is_measured, speeds, format, file } = validate(request, design.model)?;
+        let Validated { mut naming, vary, random, is_measured, speeds, format, file } = validate(request, design.model)?;
         let source = match file {
             Some((path, format)) => {
                 let file = File::open(&path, format, info)?;
                 once(request, &file)?;
+                naming = file.naming.clone();
                 Source::File(file)
             }
             None => {
-                let varied = vary.iter().map(|axis| axis.position);
-                let others: Vec<usize> = varied.chain(random.iter().map(|random| random.position)).collect();
+                let varied = vary.iter().map(|axis| &axis.parameter);
+                let others: Vec<&Varying> = varied.chain(random.iter().map(|random| &random.parameter)).collect();
+                if let (true, Some(convention)) = (is_measured, naming.convention()) {
+                    let message = format!(
+                        "what was measured are parameters of the paper, which would replace what follows from {}: \
+                         beside it only the paper's can vary",
+                        convention.title
+                    );
+                    return Err(Failure::at(Place::Option("--random measured".to_owned()), message));
+                }
                 let together = is_measured.then(|| Together::new(design, &others)).transpose()?;
                 let (samples, seed) = (request.samples.unwrap_or(1), request.seed.unwrap_or_default());
                 Source::Generated(Generator { vary, random, together, samples, seed })
@@ -69,9 +88,12 @@ impl Plan {
                 }
             },
         };
-        let (mut headings, positions) = source.headings(design);
+        let (mut headings, parameters) = source.headings(design);
         let layout = Layout::new(design.model, speeds);
-        let task = Task { model: design.model, base: design.values(), positions, layout };
+        let parameters: Vec<Option<&Varying>> = parameters.iter().map(Option::as_ref).collect();
+        let fail = |message: String| Failure::usage(format!("{}: {message}", design.title()));
+        let varied = Varied::new(design, &naming, &parameters).map_err(fail)?;
+        let task = Task { model: design.model, base: design.values(), varied, layout };
         headings.extend(task.layout.headings());
         headings.push(Heading::text("error"));
         let fingerprint = fingerprint(design, &source, &headings, format)?;
@@ -81,7 +103,11 @@ impl Plan {
 
 /// Whether each parameter has its value from one place.
 fn once(request: &Request, file: &File) -> Result<(), Failure> {
-    let is_twice = |name: &str| file.columns.iter().any(|column| column.name == name);
+    let is_twice = |name: &str| {
+        let own = file.naming.find(name).ok();
+        let is_own = |other: &Varying| own.as_ref().is_some_and(|own| own.is(other));
+        file.columns.iter().any(|column| column.name == name || column.parameter.as_ref().is_some_and(is_own))
+    };
     let base = &request.base;
     let twice = base.overrides.iter().filter(|(_, name, _)| is_twice(name));
     let problem = |(option, name, _): &(String, String, String)| {

@@ -2,8 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use carvallo::{MatrixName, ModelInfo};
-use carvallo_design::input::{is_same_file, position};
+use carvallo::MatrixName;
+use carvallo_design::conventions::{Naming, Varying};
+use carvallo_design::input::is_same_file;
 use carvallo_design::number::shortest;
 use carvallo_design::{Capacity, Failure, Place, Problem, Shipped, speeds};
 
@@ -19,6 +20,7 @@ const MAX_CELLS: usize = 1_000_000;
 
 /// What was asked for, with everything in it that can be validated without reading a file.
 pub struct Validated {
+    pub naming: Naming,
     pub vary: Vec<Axis>,
     pub random: Vec<Random>,
     /// Whether all others are drawn as they were measured.
@@ -33,7 +35,9 @@ pub struct Validated {
 pub fn validate(request: &Request, model: &Shipped) -> Result<Validated, Failure> {
     let info = model.info;
     let mut problems = Problems::default();
-    let (vary, random) = problems.parameters(request, info);
+    let options = request.vary.iter().chain(request.random.iter().filter(|text| !is_measured(text)));
+    let naming = Naming::new(info, options.map(|text| name_of(text)));
+    let (vary, random) = problems.parameters(request, &naming);
     let format = request.output.as_deref().map_or(Format::Csv, |path| problems.table("--output", path));
     let file = request.designs.clone().map(|path| {
         let format = problems.table("--designs", &path);
@@ -56,10 +60,15 @@ pub fn validate(request: &Request, model: &Shipped) -> Result<Validated, Failure
     }
     if problems.all.is_empty() {
         let is_measured = request.random.iter().any(|text| is_measured(text));
-        Ok(Validated { vary, random, is_measured, speeds, format, file })
+        Ok(Validated { naming, vary, random, is_measured, speeds, format, file })
     } else {
         Err(Failure::Input(problems.all))
     }
+}
+
+/// What stands before the equals sign.
+fn name_of(text: &str) -> &str {
+    text.split('=').next().unwrap_or_default().trim()
 }
 
 fn is_measured(text: &str) -> bool {
@@ -82,21 +91,30 @@ impl Problems {
     }
 
     /// What varies and what is drawn.
-    fn parameters(&mut self, request: &Request, info: &ModelInfo) -> (Vec<Axis>, Vec<Random>) {
-        let vary = self.each("--vary", &request.vary, |text| Axis::parse(text, info));
+    fn parameters(&mut self, request: &Request, naming: &Naming) -> (Vec<Axis>, Vec<Random>) {
+        let vary = self.each("--vary", &request.vary, |text| Axis::parse(text, naming));
         let alone: Vec<String> = request.random.iter().filter(|text| !is_measured(text)).cloned().collect();
-        let random = self.each("--random", &alone, |text| Random::parse(text, info));
+        let random = self.each("--random", &alone, |text| Random::parse(text, naming));
         let varied = request.vary.iter().map(|text| ("--vary", text));
         let base = &request.base;
         let settings = base.overrides.iter().map(|(option, name, _)| (option.clone(), name.as_str()));
         let mut given: Vec<(String, &str)> = settings.collect();
-        let is_same = |first: &str, second| {
-            first == second || position(first, info).is_some_and(|at| position(second, info) == Some(at))
-        };
+        let meaning = |name: &str| naming.find(name).ok();
         for (option, text) in varied.chain(request.random.iter().map(|text| ("--random", text))) {
-            let name = text.split('=').next().unwrap_or_default().trim();
-            if let Some((first, _)) = given.iter().find(|(_, other)| is_same(other, name)) {
-                let message = format!("`{name}` is given twice; first at {first}");
+            let name = name_of(text);
+            let own: Option<Varying> = meaning(name);
+            // What is set and what varies may well stand in each other's place: then the latter is kept no more.
+            let is_same = |first: &str, other: &str| match (&own, meaning(other)) {
+                _ if other == name => true,
+                (Some(own), Some(other)) if first.starts_with("--set") => own.is(&other),
+                (Some(own), Some(other)) => own.is_in_place_of(&other, naming),
+                _ => false,
+            };
+            if let Some((first, other)) = given.iter().find(|(first, other)| is_same(first, other)) {
+                let message = match own.as_ref().zip(meaning(other)).is_none_or(|(own, other)| own.is(&other)) {
+                    true => format!("`{name}` is given twice; first at {first}"),
+                    false => format!("`{name}` stands in the place of `{other}`, which varies, too, at {first}"),
+                };
                 self.option(option, text, message);
             }
             given.push((format!("{option} {text}"), name));

@@ -83,7 +83,7 @@ pub fn check(path: &Path, columns: &[Named]) -> Result<bool, Failure> {
     let mut record = ByteRecord::new();
     let mut found = [false; 2];
     while reader.read_byte_record(&mut record).map_err(|error| fail(path, error))? {
-        let cells = record.iter().zip(columns).filter(|(_, column)| column.position.is_some());
+        let cells = record.iter().zip(columns).filter(|(_, column)| column.parameter.is_some());
         for text in cells.filter_map(|(cell, _)| std::str::from_utf8(cell).ok()) {
             let signs = signs(text);
             found = [found[0] || signs[0], found[1] || signs[1]];

@@ -2,6 +2,7 @@
 
 mod chunk;
 mod csv;
+mod heading;
 mod lines;
 mod parquet;
 mod rows;
@@ -9,12 +10,14 @@ mod rows;
 use std::path::{Path, PathBuf};
 
 use carvallo::ModelInfo;
-use carvallo_design::parameter::find;
+use carvallo_design::conventions::Naming;
+use carvallo_design::quantity::scale;
 use carvallo_design::{Failure, Place, Problem};
 
 pub use self::rows::Named;
 
-use self::rows::Rows;
+use self::heading::Heading;
+use self::rows::{Rows, Unit};
 use super::table::{Designs, Format};
 
 /// Columns that are no parameters; they are copied to the result.
@@ -24,8 +27,11 @@ const COPIED: [&str; 5] = ["name", "id", "index", "bike", "bicycle"];
 pub struct File {
     pub path: PathBuf,
     format: Format,
-    info: &'static ModelInfo,
+    /// What the names of its columns mean.
+    pub naming: Naming,
     pub columns: Vec<Named>,
+    /// What is to be known of them.
+    pub notes: Vec<String>,
     /// Whether decimals in its texts stand behind points and behind commas.
     has_both_signs: bool,
 }
@@ -52,17 +58,27 @@ impl File {
         let mut problems = Vec::new();
         let mut problem = |message| problems.push(Problem { place: Place::File(label.clone()), message });
         let mut columns: Vec<Named> = Vec::new();
-        for (at, name) in names.into_iter().enumerate() {
-            // Tables of pandas begin with an index that has no name.
-            let name = if at == 0 && name.is_empty() { "index".to_owned() } else { name };
+        let mut notes = Vec::new();
+        // Tables of pandas begin with an index that has no name.
+        let unnamed = |(at, name): (usize, String)| if at == 0 && name.is_empty() { "index".to_owned() } else { name };
+        let names: Vec<String> = names.into_iter().enumerate().map(unnamed).collect();
+        let mut headings: Vec<Heading> = names.iter().map(|name| Heading::parse(name, info)).collect();
+        let is_copied = |name: &str| COPIED.iter().any(|copied| name.eq_ignore_ascii_case(copied));
+        let own = headings.iter_mut().filter(|heading| !is_copied(&heading.name) && !heading.name.is_empty());
+        let naming = heading::naming(info, own.collect());
+        for (at, (name, heading)) in names.into_iter().zip(headings).enumerate() {
             if columns.iter().any(|other| other.name == name) {
                 problem(format!("there are two columns `{name}`"));
             }
-            let position = match find(&name, info) {
-                Ok(position) => Some(position),
-                Err(_) if COPIED.contains(&name.as_str()) => None,
+            let parameter = match naming.column(&heading.name) {
+                Ok(parameter) => Some(parameter),
+                Err(_) if is_copied(&name) => None,
                 Err(_) if name.is_empty() => {
                     problem(format!("column {} has no name", at + 1));
+                    None
+                }
+                Err(_) if let Some(reason) = naming.ignored(&heading.name) => {
+                    notes.push(format!("{label}: `{name}` is copied and changes nothing: {reason}"));
                     None
                 }
                 Err(message) => {
@@ -70,13 +86,26 @@ impl File {
                     None
                 }
             };
-            let other = columns.iter().find(|other| position.is_some() && other.position == position);
+            let other = columns.iter().find(|other| parameter.is_some() && other.parameter == parameter);
             if let Some(other) = other.filter(|other| other.name != name) {
                 problem(format!("columns `{}` and `{name}` are the same parameter", other.name));
             }
-            columns.push(Named { name, position });
+            let unit = heading.unit.zip(parameter.as_ref()).map(|(written, parameter)| {
+                let scale = scale(&written, parameter.info.unit);
+                (written, scale, parameter.info)
+            });
+            let unit = match unit {
+                Some((written, None, info)) => {
+                    let unit = with_unit_of(info.unit);
+                    problem(format!("column `{name}` has the unit `{written}`; `{}` is {unit}", info.name));
+                    None
+                }
+                Some((written, Some(scale), _)) => Some(Unit { written, scale }),
+                None => None,
+            };
+            columns.push(Named { name, parameter, unit });
         }
-        if columns.iter().all(|column| column.position.is_none()) && problems.is_empty() {
+        if columns.iter().all(|column| column.parameter.is_none()) && problems.is_empty() {
             problems
                 .push(Problem { place: Place::File(label.clone()), message: "no column is a parameter".to_owned() });
         }
@@ -87,7 +116,7 @@ impl File {
             Format::Csv => csv::check(path, &columns)?,
             Format::Parquet => parquet::check(path, &columns).map(|()| false)?,
         };
-        let file = Self { path: path.to_owned(), format, info, columns, has_both_signs };
+        let file = Self { path: path.to_owned(), format, naming, columns, notes, has_both_signs };
         if file.designs(&mut file.records()?, 1)?.rows == 0 {
             let message = "there is no design: no row follows the names of the columns";
             return Err(Failure::at(Place::File(label), message));
@@ -109,11 +138,19 @@ impl File {
     /// # Errors
     /// If the file cannot be read.
     pub fn designs(&self, records: &mut Records, most: usize) -> Result<Designs, Failure> {
-        let mut rows = Rows::new(&self.columns, self.info, most);
+        let mut rows = Rows::new(&self.columns, &self.naming, most);
         match records {
             Records::Csv(records) => records.read(&mut rows, most)?,
             Records::Parquet(records) => records.read(&mut rows, most)?,
         }
         Ok(rows.designs)
+    }
+}
+
+/// `in m`, or what has no unit is.
+fn with_unit_of(unit: &str) -> String {
+    match carvallo_design::number::unit(unit) {
+        unit if unit.is_empty() => "a pure number".to_owned(),
+        unit => format!("in {unit}"),
     }
 }

@@ -92,8 +92,8 @@ pub fn check(path: &Path, columns: &[Named]) -> Result<(), Failure> {
         problems.push(Problem { place, message });
     };
     let fields = reader.metadata().file_metadata().schema().get_fields();
-    for (Named { name, position }, field) in columns.iter().zip(fields) {
-        let is_copied = position.is_none();
+    for (Named { name, parameter, .. }, field) in columns.iter().zip(fields) {
+        let is_copied = parameter.is_none();
         if !is_readable(field, is_copied) {
             let expected = if is_copied { "integers or text" } else { "numbers or text" };
             problem(format!("column `{name}` holds {}; expected {expected}", description(field)));

@@ -1,17 +1,27 @@
 //! Rows of a file as designs, whatever its format.
 
-use carvallo::{ModelInfo, ParameterInfo};
+use carvallo::ParameterInfo;
+use carvallo_design::conventions::{Naming, Varying};
 use carvallo_design::input::measured;
 use carvallo_design::number::shortest;
-use carvallo_design::quantity::ambiguous;
+use carvallo_design::quantity::{Scale, ambiguous};
 
 use crate::table::{Column, Designs, Kind};
 
 /// A column of a file.
 pub struct Named {
     pub name: String,
-    /// Where its parameter is among those of the model; columns without one are copied.
-    pub position: Option<usize>,
+    /// Its parameter; columns without one are copied.
+    pub parameter: Option<Varying>,
+    /// What its numbers are in, if that is not the unit of the parameter.
+    pub unit: Option<Unit>,
+}
+
+/// The unit of a column.
+pub struct Unit {
+    pub written: String,
+    /// To the unit of the parameter.
+    pub scale: Scale,
 }
 
 /// A value of a file.
@@ -31,19 +41,19 @@ pub enum Cell<'a> {
 /// Designs to which rows are added.
 pub struct Rows<'a> {
     columns: &'a [Named],
-    info: &'static ModelInfo,
+    naming: &'a Naming,
     pub designs: Designs,
 }
 
 impl<'a> Rows<'a> {
     /// None yet, but with room for so many.
-    pub fn new(columns: &'a [Named], info: &'static ModelInfo, room: usize) -> Self {
-        let column = |named: &Named| match named.position {
+    pub fn new(columns: &'a [Named], naming: &'a Naming, room: usize) -> Self {
+        let column = |named: &Named| match named.parameter {
             Some(_) => Column::new(Kind::Number, room),
             None => Column::new(Kind::Text, room),
         };
         let designs = columns.iter().map(column).collect();
-        Self { columns, info, designs: Designs { rows: 0, columns: designs, errors: Vec::with_capacity(room) } }
+        Self { columns, naming, designs: Designs { rows: 0, columns: designs, errors: Vec::with_capacity(room) } }
     }
 
     /// A row that has the cells of the columns.
@@ -61,12 +71,18 @@ impl<'a> Rows<'a> {
 
     /// The next cell of a column, which is in a row. Of a row the first mistake is told, so columns come in their order.
     pub fn put(&mut self, column: usize, row: usize, cell: Cell) {
-        let Named { name, position } = &self.columns[column];
+        let Named { name, parameter, unit } = &self.columns[column];
         let error = &mut self.designs.errors[row];
         match &mut self.designs.columns[column] {
             Column::Numbers(values) => {
-                let parameter = position.map(|position| &self.info.parameters[position]);
-                match parameter.map_or(Ok(None), |parameter| number(cell, parameter).map(Some)) {
+                let naming = self.naming;
+                let found = parameter.as_ref().map(|parameter| match cell {
+                    Cell::Text(text) | Cell::TextWithCommas(text, _) if parameter.has_sizes() => {
+                        parameter.in_numbers(text, naming).and_then(|text| number(Cell::Text(&text), &parameter.info))
+                    }
+                    cell => in_unit(cell, &parameter.info, unit.as_ref()),
+                });
+                match found.transpose() {
                     Ok(value) => values.push(value),
                     Err(message) => {
                         error.get_or_insert(message);
@@ -93,6 +109,28 @@ impl<'a> Rows<'a> {
         self.designs.columns.iter_mut().for_each(Column::push_none);
         self.designs.errors.push(Some(error));
         self.designs.rows += 1;
+    }
+}
+
+/// A number in the unit of the column, unless it has one of its own.
+fn in_unit(cell: Cell, info: &ParameterInfo, unit: Option<&Unit>) -> Result<f64, String> {
+    let Some(Unit { written, scale }) = unit else { return number(cell, info) };
+    let text = match cell {
+        Cell::Number(value) if value.is_finite() => return Ok(scale.apply(value)),
+        Cell::Integer(value) => return Ok(scale.apply(value as f64)),
+        Cell::Text(text) => text,
+        Cell::TextWithCommas(text, both) if !both || ambiguous(text).is_none() => {
+            let text = if text.contains('.') { text.to_owned() } else { text.replace(',', ".") };
+            return in_unit(Cell::Text(&text), info, unit);
+        }
+        cell => return number(cell, info),
+    };
+    match text.parse::<f64>() {
+        Ok(value) if value.is_finite() && value != 0.0 => Ok(scale.apply(value)),
+        _ => match measured(&format!("({text}) {written}"), info) {
+            Ok((value, _)) => Ok(value),
+            Err(_) => number(Cell::Text(text), info),
+        },
     }
 }
 

@@ -3,6 +3,7 @@
 mod designs;
 mod maps;
 mod mistakes;
+mod names;
 mod results;
 mod resume;
 mod tables;

@@ -1,0 +1,68 @@
+//! The designs that one parameter passes through.
+
+use carvallo::ParameterInfo;
+
+#[cfg(feature = "full")]
+use crate::conventions::{Naming, Varied};
+use crate::design::Design;
+#[cfg(not(feature = "full"))]
+use crate::parameter::find;
+
+/// A design, and the parameter of it that changes: one of its model, or one of any convention of bicycles.
+#[derive(Clone, Debug)]
+pub struct Path {
+    /// The parameter.
+    pub parameter: ParameterInfo,
+    values: Vec<f64>,
+    #[cfg(feature = "full")]
+    varied: Varied,
+    #[cfg(not(feature = "full"))]
+    position: usize,
+}
+
+#[cfg(feature = "full")]
+impl Path {
+    /// # Errors
+    /// If there is no such parameter, or the design cannot be expressed in its convention.
+    pub fn new(design: &Design, name: &str) -> Result<Self, String> {
+        let naming = Naming::new(design.info(), [name]);
+        let varying = naming.find(name)?;
+        let varied = Varied::new(design, &naming, &[Some(&varying)])?;
+        Ok(Self { parameter: varying.info, values: design.values(), varied })
+    }
+
+    /// The parameters of the model at a value of the parameter, in declared order.
+    ///
+    /// # Errors
+    /// If the parameter cannot have this value, or there is no such design.
+    pub fn at(&self, value: f64) -> Result<Vec<f64>, String> {
+        let mut values = self.values.clone();
+        self.varied.put(|_| Some(value), &mut values)?;
+        Ok(values)
+    }
+
+    /// What of the design is kept along it, where that is not plain.
+    pub fn note(&self) -> Option<String> {
+        self.varied.note()
+    }
+}
+
+#[cfg(not(feature = "full"))]
+impl Path {
+    /// # Errors
+    /// If there is no such parameter.
+    pub fn new(design: &Design, name: &str) -> Result<Self, String> {
+        let position = find(name, design.info())?;
+        Ok(Self { parameter: design.info().parameters[position], values: design.values(), position })
+    }
+
+    /// The parameters of the model at a value of the parameter, in declared order.
+    ///
+    /// # Errors
+    /// None.
+    pub fn at(&self, value: f64) -> Result<Vec<f64>, String> {
+        let mut values = self.values.clone();
+        values[self.position] = value;
+        Ok(values)
+    }
+}
