@@ -19,7 +19,11 @@ Designs:
   --random 'mB=85+-5' --samples 1000 normal, by its mean and standard deviation; also +/- and ±
   --random measured --samples 1000   all parameters of DESIGN that have standard deviations, with their correlations
                                      Beside --vary, each combination gets the same samples
-  --designs bikes.csv                a row for each design; columns are named like parameters; `name`, `id`, `index`
+  --vary 'fork_offset=30 mm:50 mm:1 mm'
+                                     names of other conventions (see `carvallo convert --help`) keep everything else in
+                                     it, here head angle, wheel base and wheels; a note says what is kept
+  --designs bikes.csv                a row for each design; columns are named like parameters, of any
+                                     convention, and may have a unit, as `w [mm]` or `w_mm`; `name`, `id`, `index`
                                      and `bike` are copied. Parameters without a column are those of DESIGN. In CSV, lines before the
                                      header that begin with # are comments; Parquet may be compressed with Snappy, gzip
                                      or LZ4, or not at all

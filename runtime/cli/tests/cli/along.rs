@@ -119,7 +119,11 @@ fn parameters_may_be_those_of_others() {
         ("d3=0:0.06", 0.35 * lam.sin() - 0.08 * lam.cos()),
     ] {
         let run = directory.run(&["analyze", "--along", along, "--speed", "4.29238253634111", "--format", "json"]);
-        assert!(run.stderr.starts_with("note: benchmark: `") && run.stderr.contains(" stay as they are"), "{}", run.stderr);
+        assert!(
+            run.stderr.starts_with("note: benchmark: `") && run.stderr.contains(" stay as they are"),
+            "{}",
+            run.stderr
+        );
         let found = critical(&serde_json::from_str(&run.stdout).unwrap());
         assert!(found.iter().any(|(_, value, _)| (value - expected).abs() < 1e-11), "{along}: {found:?}");
     }

@@ -90,7 +90,9 @@ impl Naming {
             (Some(Name { need: Need::Equal(other, reason), .. }), None) => {
                 Err(format!("`{name}` is that of `{other}`: {reason}"))
             }
-            (Some(Name { need: Need::Ignored(reason), .. }), None) => Err(format!("`{name}` changes nothing: {reason}")),
+            (Some(Name { need: Need::Ignored(reason), .. }), None) => {
+                Err(format!("`{name}` changes nothing: {reason}"))
+            }
             _ => Err(self.unknown(name)),
         }
     }

@@ -97,7 +97,8 @@ impl Varied {
         if !start.iter().skip(varied.len()).any(|(name, _)| name != "g") {
             return Some(format!("{shown} {vary} as all of {}; those of the paper follow", convention.title));
         }
-        let kept: Vec<&str> = start.iter().skip(varied.len()).map(|(name, _)| name).filter(|name| !is_own(name)).collect();
+        let kept: Vec<&str> =
+            start.iter().skip(varied.len()).map(|(name, _)| name).filter(|name| !is_own(name)).collect();
         let kept = match kept.len() {
             0 => "all else stays as it is".to_owned(),
             count if count > LISTED => "all other parameters of it stay as they are".to_owned(),
@@ -151,11 +152,7 @@ impl Foreign {
                 _ => continue,
             };
             if (value - required).abs() > 1e-9 * value.abs().max(required.abs()) {
-                return Err(format!(
-                    "`{}` is {}; it must be {what}: {reason}",
-                    name.name,
-                    with_unit(value, name.unit)
-                ));
+                return Err(format!("`{}` is {}; it must be {what}: {reason}", name.name, with_unit(value, name.unit)));
             }
         }
         (self.convention.to_paper)(&values)

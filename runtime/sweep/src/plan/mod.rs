@@ -52,7 +52,8 @@ impl Plan {
     /// Everything that is wrong with the request.
     pub fn new(design: &Design, request: &Request) -> Result<Self, Failure> {
         let info = design.info();
-        let Validated { mut naming, vary, random, is_measured, speeds, format, file } = validate(request, design.model)?;
+        let Validated { mut naming, vary, random, is_measured, speeds, format, file } =
+            validate(request, design.model)?;
         let source = match file {
             Some((path, format)) => {
                 let file = File::open(&path, format, info)?;

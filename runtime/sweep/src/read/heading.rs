@@ -53,7 +53,7 @@ fn is_unit(text: &str) -> bool {
 
 /// What the names mean that stand beside each other in a table. Where all are those of the model but for their case, as
 /// databases fold names, and some of them are no others, they are the model's.
-pub fn naming<'a>(info: &'static ModelInfo, mut headings: Vec<&'a mut Heading>) -> Naming {
+pub fn naming(info: &'static ModelInfo, mut headings: Vec<&mut Heading>) -> Naming {
     let names: Option<Vec<&str>> = headings.iter().map(|heading| folded(&heading.name, info)).collect();
     let is_only_folded = |heading: &&mut Heading| spelled(&heading.name, info).is_none();
     if let Some(names) = names.filter(|_| headings.iter().any(is_only_folded)) {

@@ -108,7 +108,11 @@ fn tables_may_be_in_the_names_of_others() {
     directory.write("moore.csv", format!("{names}{values},0.0603,5,one\n{values},0.07,5,other\n"));
     let run = directory.run(&["sweep", "pista", "--designs", "moore.csv", "--set", "w=2"]);
     assert!(run.stderr.contains("`v` is copied and changes nothing"), "{}", run.stderr);
-    assert!(run.stderr.contains("vary as all of the names of Moore (2012); those of the paper follow"), "{}", run.stderr);
+    assert!(
+        run.stderr.contains("vary as all of the names of Moore (2012); those of the paper follow"),
+        "{}",
+        run.stderr
+    );
     let found = table(run);
     is_benchmark(&found, 0);
     assert_eq!(found.text(0, "bike"), "one");
