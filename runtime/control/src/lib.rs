@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod balance;
+mod derivatives;
 mod feedback;
 pub mod files;
 mod frequency;
@@ -12,8 +13,10 @@ mod response;
 mod signal;
 mod state_space;
 mod transfer;
+mod transmission;
 mod zeros;
 
+pub use self::derivatives::StateSpaceDerivative;
 pub use self::feedback::{Code, Regulator, Riccati, RiccatiError, Schedule, Weights};
 pub use self::frequency::FrequencyResponse;
 pub use self::lost::{Lost, Port, lost};
@@ -24,6 +27,7 @@ pub use self::response::Response;
 pub use self::signal::{Order, Quantity, Signal};
 pub use self::state_space::StateSpace;
 pub use self::transfer::TransferFunction;
+pub use self::transmission::{singular_values, transmission_zeros};
 
 #[cfg(test)]
 mod tests;

@@ -104,15 +104,16 @@ fn angle_from_minus_one(value: Complex<f64>) -> f64 {
 /// By the eigenvalues of `A - B (1 + D)^-1 C`; where 1 + D is zero the loop has no motion at all.
 fn closed_loop(space: &StateSpace, input: usize, output: usize) -> Result<Verdict, SystemError> {
     let Channel { a, b, c, d } = Channel::of(space, input, output);
-    if 1.0 + d == 0.0 {
+    let loop_gain = 1.0 + d[(0, 0)];
+    if loop_gain == 0.0 {
         return Ok(Verdict::Unstable);
     }
-    Ok(Verdict::of(&matrix_eigenvalues(&(a - b * c / (1.0 + d)))?))
+    Ok(Verdict::of(&matrix_eigenvalues(&(a - b * c / loop_gain))?))
 }
 
 /// `G(s) - G(-s)`.
 fn parallel(Channel { a, b, c, .. }: &Channel) -> Channel {
-    Channel { a: diagonal(a, &-a), b: stacked(b, b), c: beside(c, c), d: 0.0 }
+    Channel { a: diagonal(a, &-a), b: stacked(b, b), c: beside(c, c), d: DMatrix::zeros(1, 1) }
 }
 
 /// `1 - G(s) G(-s)`.
@@ -120,7 +121,9 @@ fn series(Channel { a, b, c, d }: &Channel) -> Channel {
     let states = a.nrows();
     let mut both = diagonal(a, &-a);
     both.view_mut((states, 0), (states, states)).copy_from(&(b * c));
-    Channel { a: both, b: stacked(b, &(b * *d)), c: beside(&(c * -*d), c), d: 1.0 - d * d }
+    let through = d[(0, 0)];
+    let own = DMatrix::from_element(1, 1, 1.0 - through * through);
+    Channel { a: both, b: stacked(b, &(b * through)), c: beside(&(c * -through), c), d: own }
 }
 
 fn diagonal(first: &DMatrix<f64>, second: &DMatrix<f64>) -> DMatrix<f64> {

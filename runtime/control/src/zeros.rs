@@ -1,4 +1,4 @@
-//! Zeros and gain of a single-input, single-output state space.
+//! Zeros and gain of a state space with as many outputs as inputs.
 
 use carvallo::{Complex, SystemError, matrix_eigenvalues};
 use nalgebra::{DMatrix, DVector};
@@ -8,65 +8,92 @@ use crate::balance::{Balanced, Channel};
 /// What is smaller than this beside what it was computed from is its rounding.
 const ROUNDING: f64 = 1e-13;
 
-/// The zeros of `d + c (s - A)^-1 b` in 1/s, sorted by real part, then by imaginary part, and the number k with which it is
-/// `k Π (s - zero) / Π (s - eigenvalue of A)`. Where the output does not depend on the input, k is zero and there are none.
+/// The zeros of the determinant of `D + C (s - A)^-1 B` in 1/s, sorted by real part, then by imaginary part, and the number k with
+/// which it is `k Π (s - zero) / Π (s - eigenvalue of A)`. Where it is zero at all s, as where an output does not depend on the
+/// inputs, or two depend on each other, k is zero and there are none.
 ///
 /// The zeros are the numbers at which the pencil of Rosenbrock is singular,
 ///
 /// ```text
-/// [ A - s  b ]
-/// [   c    d ]
+/// [ A - s  B ]
+/// [   C    D ]
 /// ```
 ///
-/// which is deflated of its infinite eigenvalues by reflections (Emami-Naeini & Van Dooren 1982, for one input and one output):
-/// while d is zero, the states are turned such that c reaches the last one alone. That one is then as good as an output that is
-/// zero, so its row takes the place of c and d, and it is a state no longer. A d that is not zero leaves the eigenvalues of
-/// `A - b c / d`. A state that is taken out lowers the degree of the numerator by one, and k is the product of what c was and d.
+/// which is deflated of its infinite eigenvalues by reflections (Emami-Naeini & Van Dooren 1982, with one row at a time): while D is
+/// singular, the outputs are turned such that the inputs do not reach the last one at once, and the states such that it is a
+/// multiple of the last one alone. That one is then as good as an output that is zero, so its row takes the place of the output's,
+/// and it is a state no longer. A D that is not singular leaves the eigenvalues of `A - B D^-1 C`. A state that is taken out lowers
+/// the degree of the numerator by one, and k is the product of what the outputs were multiples by, and of the determinant of D.
 ///
 /// # Errors
 /// If the iteration for eigenvalues does not converge, or one leaves the range of `f64`.
+///
+/// # Panics
+/// If there are not as many outputs as inputs.
 pub fn zeros(channel: Channel) -> Result<(Vec<Complex<f64>>, f64), SystemError> {
-    let Balanced { channel: Channel { mut a, b, c, mut d }, power } = channel.balanced();
-    let (mut b, mut c) = (b.column(0).into_owned(), c.row(0).transpose());
+    let Balanced { channel: Channel { mut a, mut b, mut c, mut d }, power } = channel.balanced();
+    assert!(d.is_square() && d.nrows() > 0, "as many outputs as inputs");
     let mut gain = 2_f64.powi(power);
-    let [of_input, of_states] = [b.amax(), a.amax()].map(|largest| ROUNDING * largest);
-    while d == 0.0 {
-        let size = c.norm();
-        let Some(last) = a.nrows().checked_sub(1).filter(|_| size > 0.0) else { return Ok((Vec::new(), 0.0)) };
-        gain *= turn(&mut a, &mut b, &c, last);
-        let row = a.row(last).transpose();
-        (d, c) = (b[last], row.rows(0, last).into_owned());
+    let [of_inputs, of_states] = [b.amax(), a.amax()].map(|largest| ROUNDING * largest);
+    let output = d.nrows() - 1;
+    while let Some(mirrored) = turn_outputs(&mut c, &mut d) {
+        let along = c.row(output).transpose();
+        let Some(last) = a.nrows().checked_sub(1).filter(|_| along.norm() > 0.0) else { return Ok((Vec::new(), 0.0)) };
+        gain *= mirrored * turn_states(&mut a, &mut b, &mut c, &along);
+        c.set_row(output, &a.row(last));
+        d.set_row(output, &b.row(last));
         (a, b) = (a.view((0, 0), (last, last)).into_owned(), b.rows(0, last).into_owned());
-        if d.abs() <= of_input {
-            d = 0.0;
+        c = c.columns(0, last).into_owned();
+        if d.row(output).amax() <= of_inputs {
+            d.row_mut(output).fill(0.0);
         }
-        if c.amax() <= of_states {
-            c.fill(0.0);
+        if c.row(output).iter().all(|entry| entry.abs() <= of_states) {
+            c.row_mut(output).fill(0.0);
         }
     }
-    let zeros = matrix_eigenvalues(&(a - b * c.transpose() / d))?;
-    Ok((zeros, gain * d))
+    let factors = d.full_piv_lu();
+    let Some(inverse) = factors.try_inverse() else { return Ok((Vec::new(), 0.0)) };
+    let zeros = matrix_eigenvalues(&(a - b * inverse * c))?;
+    Ok((zeros, gain * factors.determinant()))
 }
 
-/// Turns the states by a reflection such that c is along the last one; what c is there.
-fn turn(a: &mut DMatrix<f64>, b: &mut DVector<f64>, c: &DVector<f64>, last: usize) -> f64 {
-    let size = c.norm();
-    let along = if c[last] > 0.0 { -size } else { size };
-    let mut mirror = c.clone();
+/// If D is singular, turns the outputs by reflections such that its last row is zero; -1 or 1, the determinant of these.
+fn turn_outputs(c: &mut DMatrix<f64>, d: &mut DMatrix<f64>) -> Option<f64> {
+    let last = d.nrows() - 1;
+    let decomposed = d.clone().col_piv_qr();
+    let (turned, triangular) = (decomposed.q(), decomposed.r());
+    if triangular[(last, last)].abs() > ROUNDING * triangular[(0, 0)].abs() {
+        return None;
+    }
+    *c = turned.tr_mul(c);
+    *d = turned.tr_mul(d);
+    d.row_mut(last).fill(0.0);
+    // What is left of an output that is nothing but others.
+    if c.row(last).amax() <= ROUNDING * c.amax() {
+        c.row_mut(last).fill(0.0);
+    }
+    Some(turned.determinant().signum())
+}
+
+/// Turns the states by a reflection such that a row of C, which is not zero, is along the last one; what it is there.
+fn turn_states(a: &mut DMatrix<f64>, b: &mut DMatrix<f64>, c: &mut DMatrix<f64>, row: &DVector<f64>) -> f64 {
+    let last = a.nrows() - 1;
+    let size = row.norm();
+    let along = if row[last] > 0.0 { -size } else { size };
+    let mut mirror = row.clone();
     mirror[last] -= along;
     let square = mirror.norm_squared();
-    let reflected = |vector: DVector<f64>| {
-        let share = 2.0 * mirror.dot(&vector) / square;
-        vector - &mirror * share
+    let reflect_columns = |matrix: &mut DMatrix<f64>| {
+        let shares = mirror.tr_mul(matrix) * (2.0 / square);
+        *matrix -= &mirror * shares;
     };
-    for column in 0..a.ncols() {
-        let turned = reflected(a.column(column).into_owned());
-        a.set_column(column, &turned);
-    }
-    for row in 0..a.nrows() {
-        let turned = reflected(a.row(row).transpose());
-        a.set_row(row, &turned.transpose());
-    }
-    *b = reflected(b.clone());
+    let reflect_rows = |matrix: &mut DMatrix<f64>| {
+        let shares = &*matrix * &mirror * (2.0 / square);
+        *matrix -= shares * mirror.transpose();
+    };
+    reflect_columns(a);
+    reflect_rows(a);
+    reflect_columns(b);
+    reflect_rows(c);
     along
 }

@@ -21,7 +21,7 @@ use pencil::Direction;
 use crate::model::{Differentiable, Model};
 use crate::number::Scalar;
 use crate::system::require_finite;
-use crate::system::{Coefficients, SystemError};
+use crate::system::{Coefficients, Matrix, SystemError};
 
 pub use covariance::Covariance;
 pub use critical::{CriticalDerivative, NotDifferentiable};
@@ -126,6 +126,18 @@ impl<const N: usize> Sensitivity<N> {
         let (coefficients, derivatives) = Model::derivatives(model).ok_or(without)?;
         let gravity = Model::gravity(model).map_or(0.0, Scalar::to_f64);
         Self::new(&coefficients, derivatives.as_ref(), gravity, M::INFO.gravity)
+    }
+
+    /// The derivatives of M, C and K of [`Coefficients::at`] a speed in m/s with respect to a parameter, by its position.
+    ///
+    /// # Errors
+    /// If an entry is not finite, as at rest with a derivative of C-1.
+    ///
+    /// # Panics
+    /// If there is no such parameter.
+    pub fn system(&self, parameter: usize, speed: f64) -> Result<[Matrix<f64, N>; 3], SystemError> {
+        let Direction { m, c, k } = self.direction(parameter, speed)?;
+        Ok([m, c, k])
     }
 
     /// The derivatives of the equations of motion at a speed: with respect to it, and then to each parameter.

@@ -22,6 +22,8 @@ its force (Tdelta), each in SI units. Without one for an output, every state has
 input that is not named has 1. A weight on the yaw psi or the lateral place y of a bicycle makes it go straight, or stay on its
 line.
 
+--sensitivity tells what 1 % of each parameter changes about each gain, by the exact derivatives, which are in the JSON.
+
 --emit writes a module of Rust without the standard library, or C99: the gains as a table, interpolated linearly along the speed,
 and those at its ends beyond. A note says between which speeds the interpolated gains do not hold the machine.
 
@@ -30,6 +32,8 @@ Examples:
   carvallo lqr --inputs Tdelta --speeds 1:8:0.5 --weight phi=10 --weight delta_rate=0.1 --weight Tdelta=0.5
   carvallo lqr --inputs Tdelta --speeds 2:10:1 --weight y=1 --format json
                                                 To stay on a line
+  carvallo lqr --inputs Tdelta --speeds 4 --sensitivity
+                                                What each parameter changes about the gains
   carvallo lqr --inputs Tdelta --speeds 1:8:0.5 --emit c --output regulator.c
   carvallo lqr --model DoublePendulum --inputs Ttheta1
 
@@ -68,6 +72,9 @@ pub struct Options {
     /// Source text with the gains in the place of a table: rust or c
     #[arg(long, value_name = "LANGUAGE", hide_possible_values = true)]
     emit: Option<Language>,
+    /// Tells also what each parameter changes about the gains; with table, markdown, latex or json
+    #[arg(long, conflicts_with = "emit")]
+    sensitivity: bool,
     #[arg(long, value_name = "FILE", help = "Where the result goes [default: stdout]")]
     output: Option<PathBuf>,
 }
@@ -96,15 +103,23 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             format!("between {from} and {to} m/s the interpolated gains do not hold it: more speeds are needed there");
         note(WARNING, "note", &text);
     }
+    if options.sensitivity && options.format == Format::Csv {
+        let place = Place::Option("--sensitivity".to_owned());
+        return Err(Failure::at(place, "CSV has no place for it; table, markdown, latex and json have"));
+    }
+    let sensitivities = options.sensitivity.then(|| schedule.sensitivities(&design, &weights)).transpose()?;
+    let sensitivities = sensitivities.as_deref();
     let text = match (options.emit, options.format) {
         (Some(Language::Rust), _) => schedule.code(Code::Rust, &design, &weights),
         (Some(Language::C), _) => schedule.code(Code::C, &design, &weights),
         (None, Format::Json) => {
-            return deliver(path, |output| data::schedule::write_json(&design, &schedule, &weights, output));
+            return deliver(path, |output| {
+                data::schedule::write_json(&design, &schedule, &weights, sensitivities, output)
+            });
         }
         (None, Format::Csv) => return deliver(path, |output| data::schedule::write_csv(&schedule, output)),
-        (None, Format::Document(language)) => documents::of_schedule(&design, &schedule).write(language),
-        (None, Format::Table) => documents::of_schedule(&design, &schedule).at_terminal(),
+        (None, Format::Document(language)) => documents::of_schedule(&design, &schedule, sensitivities).write(language),
+        (None, Format::Table) => documents::of_schedule(&design, &schedule, sensitivities).at_terminal(),
     };
     deliver(path, |output| output.write_all(text.as_bytes()))
 }

@@ -56,6 +56,30 @@ fn every_format_has_the_same_gains() {
     assert!(found.iter().zip(own).all(|(found, own)| (found - own).abs() < 1e-12 * 10.0), "{found:?}");
 }
 
+/// Against differences of the gains of two bicycles with other masses; in the table 1 % of the mass.
+#[test]
+fn sensitivities_are_slopes_of_gains() {
+    let directory = Directory::of_this_test();
+    let asked = ["lqr", "--inputs", "Tdelta", "--speeds", "2,4", "--format", "json"];
+    let json = directory.run(&[&asked[..], &["--sensitivity"]].concat()).json();
+    let gains = |mass: &str| {
+        numbers(&directory.run(&[&asked[..], &["--set", mass]].concat()).json()["regulators"][1]["gains"][0])
+    };
+    let (low, high) = (gains("mB=84.99"), gains("mB=85.01"));
+    let found = numbers(&json["regulators"][1]["sensitivities"]["mB"][0]);
+    for (found, slope) in found.iter().zip(low.iter().zip(&high).map(|(low, high)| (high - low) / 0.02)) {
+        assert!((found - slope).abs() < 1e-6 * slope.abs(), "{found}, expected {slope}");
+    }
+    assert!(directory.run(&asked).json()["regulators"][0].get("sensitivities").is_none());
+    let table = directory.run(&[&asked[..5], &["--sensitivity"]].concat()).ok();
+    assert!(table.contains("\nWhat 1 % of each parameter changes about the gains K of Tdelta, at 4 m/s\n"), "{table}");
+    let cell = format!("{:+.6}", 0.85 * found[0]);
+    assert!(table.lines().any(|line| line.starts_with("  mB ") && line.contains(&cell)), "{cell} {table}");
+    let csv = ["lqr", "--inputs", "Tdelta", "--speeds", "2", "--sensitivity", "--format", "csv"];
+    let message = "error: --sensitivity: CSV has no place for it; table, markdown, latex and json have\n";
+    directory.run(&csv).fails(2, message);
+}
+
 /// What a program of the source text prints: for each speed the gains, and the inputs for the state (1, 2, 3, 4), as bits.
 const RUST: &str = r#"
 #[path = "regulator.rs"]

@@ -167,3 +167,45 @@ fn polynomials_are_formulas_in_latex() {
     assert!(latex.contains("& $s^{4} + 15.9519\\,s^{3} + 47.4134\\,s^{2} + 302.796\\,s + 93.346$ "), "{latex}");
     assert!(latex.contains("& $-59.259923$, $-13.746500$ ") && !latex.contains("asciicircum"), "{latex}");
 }
+
+/// Both with 60 digits, by `transmission.py` of the crate.
+#[test]
+fn several_inputs_and_outputs_have_zeros_and_singular_values_together() {
+    let directory = Directory::of_this_test();
+    let model = ["transfer", "--model", "WhippleLeaning", "--speed", "6", "--inputs", "Tdelta,Ttheta"];
+    let asked = |more: &[&str]| directory.run(&[&model[..], &["--outputs", "phi,delta"], more].concat());
+    let json = asked(&["--frequencies", "0.1,3", "--format", "json"]).json();
+    let zeros: Vec<f64> =
+        json["transmission_zeros"].as_array().expect("zeros").iter().map(|zero| number(&zero["re"])).collect();
+    assert_eq!(zeros.len(), 2);
+    close(zeros[0], -2.7787849495893706);
+    close(zeros[1], 2.7787849495893706);
+    for (place, values) in
+        [[2.579310941673995, 7.494396511444063e-05], [0.11460292180384705, 0.00014326718227811397]].iter().enumerate()
+    {
+        values
+            .iter()
+            .enumerate()
+            .for_each(|(at, value)| close(number(&json["singular_values"][place]["values"][at]), *value));
+    }
+    asked(&["--sigma", "sigma.svg"]);
+    let svg = std::fs::read_to_string(directory.0.join("sigma.svg")).expect("a picture");
+    for text in
+        ["Singular values of WhippleLeaning example at 6 m/s", "σ1 largest", "σ2 smallest", "singular values (dB)"]
+    {
+        assert!(svg.contains(&format!("aria-label=\"{text}\"")), "{text}: {svg}");
+    }
+    let table = asked(&[]).ok();
+    assert!(table.contains("\nTransmission zeros, at 6 m/s  of all inputs and outputs\n"), "{table}");
+    assert!(table.contains("\n   -2.778785             2.7788         1.0000\n"), "{table}");
+    assert!(table.contains("\n                0.1      2.57931    7.4944e-5\n"), "{table}");
+    let csv = asked(&["--frequencies", "0.1,3", "--format", "csv"]).ok();
+    assert!(csv.lines().next().expect("a heading").ends_with(",singular value 1,singular value 2"), "{csv}");
+    // A table without headings has no empty line for them.
+    let latex = asked(&["--format", "latex"]).ok();
+    assert!(latex.contains("\\toprule\n    gain k ") && latex.contains(" $\\sigma$1 & "), "{latex}");
+    // More outputs than inputs.
+    let tall = directory.run(&[&model[..], &["--outputs", "phi,delta,theta", "--format", "json"]].concat()).json();
+    assert!(tall["transmission_zeros"].is_null() && tall.get("transmission_zeros").is_some());
+    assert!(directory.run(&to_lean(&["--format", "json"])).json().get("transmission_zeros").is_none());
+}

@@ -5,6 +5,7 @@ mod modes;
 mod regulator;
 mod riccati;
 mod schedule;
+mod sensitivities;
 mod weights;
 
 pub use self::code::Code;

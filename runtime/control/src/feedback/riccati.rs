@@ -131,7 +131,7 @@ fn sign(mut z: DMatrix<f64>) -> Option<DMatrix<f64>> {
 
 /// The symmetric X with `A' X + X A + W = 0`, for a symmetric W, as a system of linear equations for its entries on and above the
 /// diagonal.
-fn lyapunov(a: &DMatrix<f64>, w: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+pub fn lyapunov(a: &DMatrix<f64>, w: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let n = a.nrows();
     let place = |row: usize, column: usize| {
         let (low, high) = (row.min(column), row.max(column));

@@ -2,6 +2,7 @@
 
 use carvallo_design::number::shortest;
 use carvallo_design::{Design, Failure};
+use nalgebra::DMatrix;
 
 use super::modes::eigenvalues;
 use super::regulator::Regulator;
@@ -36,6 +37,14 @@ impl Schedule {
         }
         let unstable = between(design, &regulators, weights)?;
         Ok(Self { regulators, unstable })
+    }
+
+    /// Of each regulator the [derivatives](Regulator::sensitivities) of its gains with respect to each parameter.
+    ///
+    /// # Errors
+    /// Those of the first regulator that has none.
+    pub fn sensitivities(&self, design: &Design, weights: &Weights) -> Result<Vec<Vec<DMatrix<f64>>>, Failure> {
+        self.regulators.iter().map(|regulator| regulator.sensitivities(design, weights)).collect()
     }
 }
 

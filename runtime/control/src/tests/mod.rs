@@ -5,8 +5,10 @@ mod frequency_responses;
 mod modal;
 mod regulators;
 mod responses;
+mod sensitivities;
 mod state_spaces;
 mod transfer_functions;
+mod transmission;
 
 use carvallo_design::Design;
 use carvallo_design::input::{self, Request};

@@ -13,7 +13,7 @@ fn regulator(design: &Design, speed: f64, inputs: &[&str], weights: &[&str]) -> 
     Regulator::new(design, speed, &read(design, inputs, weights)?)
 }
 
-fn read(design: &Design, inputs: &[&str], weights: &[&str]) -> Result<Weights, Failure> {
+pub fn read(design: &Design, inputs: &[&str], weights: &[&str]) -> Result<Weights, Failure> {
     let ports = Ports::of(design);
     let inputs: Vec<usize> = inputs.iter().map(|name| ports.input(name).expect("an input")).collect();
     let weights: Vec<String> = weights.iter().map(|weight| (*weight).to_owned()).collect();

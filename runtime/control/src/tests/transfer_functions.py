@@ -68,39 +68,44 @@ def text(values):
     return " ".join(f"{float(mpmath.re(z))!r},{float(mpmath.im(z))!r}" for z in ordered)
 
 
-print("# model\tset\tspeed\tinput\toutput\tgain\tzeros\tpoles")
-for model, name, speed, channels in CASES:
-    command = [sys.argv[1], "analyze", name, "--model", model, "--speeds", speed, "--format", "json"]
-    told = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
-    v, g = Fraction(speed), Fraction(told["parameters"].get("g", 0))
-    zero = [[0] * len(told["matrices"]["M"])] * len(told["matrices"]["M"])
-    get = lambda key: [[Fraction(a) for a in row] for row in told["matrices"].get(key, zero)]
-    size = range(len(zero))
-    m, cm1, c0, c1, kc, k0, k1, k2 = map(get, ["M", "C-1", "C0", "C1", "Kc", "K0", "K1", "K2"])
-    pencil = [
-        [
+def main():
+    print("# model\tset\tspeed\tinput\toutput\tgain\tzeros\tpoles")
+    for model, name, speed, channels in CASES:
+        command = [sys.argv[1], "analyze", name, "--model", model, "--speeds", speed, "--format", "json"]
+        told = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
+        v, g = Fraction(speed), Fraction(told["parameters"].get("g", 0))
+        zero = [[0] * len(told["matrices"]["M"])] * len(told["matrices"]["M"])
+        get = lambda key: [[Fraction(a) for a in row] for row in told["matrices"].get(key, zero)]
+        size = range(len(zero))
+        m, cm1, c0, c1, kc, k0, k1, k2 = map(get, ["M", "C-1", "C0", "C1", "Kc", "K0", "K1", "K2"])
+        pencil = [
             [
-                kc[i][j] + g * k0[i][j] + v * k1[i][j] + v * v * k2[i][j],
-                cm1[i][j] / v + c0[i][j] + v * c1[i][j],
-                m[i][j],
+                [
+                    kc[i][j] + g * k0[i][j] + v * k1[i][j] + v * v * k2[i][j],
+                    cm1[i][j] / v + c0[i][j] + v * c1[i][j],
+                    m[i][j],
+                ]
+                for j in size
             ]
-            for j in size
+            for i in size
         ]
-        for i in size
-    ]
-    command = [sys.argv[1], "statespace", name, "--model", model, "--speed", speed, "--format", "json"]
-    inputs = [signal["name"] for signal in json.loads(subprocess.run(command, capture_output=True).stdout)["inputs"]]
-    names = [signal[1:] for signal in inputs]
-    for given, wanted in channels:
-        row, column = inputs.index(given), names.index(wanted.removesuffix("_rate"))
-        minor = determinant([r[:column] + r[column + 1 :] for i, r in enumerate(pencil) if i != row])
-        numerator = stripped([(-1) ** (row + column) * a for a in minor])
-        denominator = stripped(determinant(pencil))
-        if wanted.endswith("_rate"):
-            numerator = [Fraction(0)] + numerator
-        # Positions that are no states.
-        while denominator[0] == 0 and numerator[0] == 0:
-            numerator, denominator = numerator[1:], denominator[1:]
-        gain = float(numerator[-1] / denominator[-1])
-        columns = [model, name, speed, given, wanted, repr(gain), text(roots(numerator)), text(roots(denominator))]
-        print("\t".join(columns))
+        command = [sys.argv[1], "statespace", name, "--model", model, "--speed", speed, "--format", "json"]
+        inputs = [signal["name"] for signal in json.loads(subprocess.run(command, capture_output=True).stdout)["inputs"]]
+        names = [signal[1:] for signal in inputs]
+        for given, wanted in channels:
+            row, column = inputs.index(given), names.index(wanted.removesuffix("_rate"))
+            minor = determinant([r[:column] + r[column + 1 :] for i, r in enumerate(pencil) if i != row])
+            numerator = stripped([(-1) ** (row + column) * a for a in minor])
+            denominator = stripped(determinant(pencil))
+            if wanted.endswith("_rate"):
+                numerator = [Fraction(0)] + numerator
+            # Positions that are no states.
+            while denominator[0] == 0 and numerator[0] == 0:
+                numerator, denominator = numerator[1:], denominator[1:]
+            gain = float(numerator[-1] / denominator[-1])
+            columns = [model, name, speed, given, wanted, repr(gain), text(roots(numerator)), text(roots(denominator))]
+            print("\t".join(columns))
+
+
+if __name__ == "__main__":
+    main()

@@ -8,17 +8,22 @@ use crate::{StateSpace, TransferFunction};
 /// The most by which roots may differ, relative to the largest of them: doubles, and the condition of what is asked.
 const BOUND: f64 = 1e-12;
 
-fn roots(text: &str) -> Vec<Complex<f64>> {
+pub fn roots(text: &str) -> Vec<Complex<f64>> {
     let number = |text: &str| text.parse::<f64>().expect("a number");
     let root = |(re, im): (&str, &str)| Complex::new(number(re), number(im));
     text.split_whitespace().map(|pair| root(pair.split_once(',').expect("two parts"))).collect()
 }
 
-/// Each has its own counterpart.
 #[track_caller]
 fn assert_roots(what: &str, found: &[Complex<f64>], expected: &[Complex<f64>]) {
+    assert_roots_among(what, found, expected, expected);
+}
+
+/// Each has its own counterpart, to what the largest of some numbers has of rounding.
+#[track_caller]
+pub fn assert_roots_among(what: &str, found: &[Complex<f64>], expected: &[Complex<f64>], all: &[Complex<f64>]) {
     assert_eq!(found.len(), expected.len(), "{what}: {found:?} are not {expected:?}");
-    let largest = expected.iter().map(|root| root.norm()).fold(0.0, f64::max);
+    let largest = all.iter().map(|root| root.norm()).fold(0.0, f64::max);
     let mut left = found.to_vec();
     for root in expected {
         let distance = |place: &usize| (left[*place] - root).norm();

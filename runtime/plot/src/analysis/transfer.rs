@@ -1,7 +1,7 @@
 //! Transfer functions between all inputs and outputs of a state space.
 
 use carvallo::{Complex, SystemError, matrix_eigenvalues};
-use carvallo_control::{FrequencyResponse, Margins, StateSpace, TransferFunction};
+use carvallo_control::{FrequencyResponse, Margins, StateSpace, TransferFunction, singular_values, transmission_zeros};
 use carvallo_design::{Design, Failure};
 
 use crate::analysis::extremes;
@@ -16,6 +16,19 @@ pub struct Transfers<'a> {
     pub poles: Vec<Complex<f64>>,
     /// From each input to each output, those of one input one after the other.
     pub channels: Vec<Transfer>,
+    /// The transmission zeros in 1/s of all inputs and outputs together; `None` where there are not as many of both, or where outputs
+    /// depend on each other.
+    pub transmission_zeros: Option<Vec<Complex<f64>>>,
+    /// At the frequencies of the responses; none at a pole.
+    pub singular_values: Vec<AtFrequency>,
+}
+
+/// The singular values of all transfer functions together at a frequency.
+pub struct AtFrequency {
+    /// In rad/s.
+    pub frequency: f64,
+    /// Descending, in the units of outputs by those of inputs.
+    pub values: Vec<f64>,
 }
 
 /// One of them.
@@ -67,8 +80,24 @@ impl<'a> Transfers<'a> {
         for channel in &mut channels {
             channel.response = channel.function.frequency_response(&frequencies);
         }
-        let poles = matrix_eigenvalues(&space.a).map_err(fail)?;
-        Ok(Self { design, space, poles, channels })
+        let functions: Vec<TransferFunction> = channels.iter().map(|channel| channel.function.minimal()).collect();
+        let at = |frequency: f64| {
+            let values = singular_values(&functions, space.inputs.len(), frequency)?;
+            Some(AtFrequency { frequency, values })
+        };
+        Ok(Self {
+            design,
+            space,
+            poles: matrix_eigenvalues(&space.a).map_err(fail)?,
+            singular_values: frequencies.into_iter().filter_map(at).collect(),
+            transmission_zeros: transmission_zeros(space).map_err(fail)?,
+            channels,
+        })
+    }
+
+    /// Whether there is more than one transfer function.
+    pub fn are_several(&self) -> bool {
+        self.channels.len() > 1
     }
 }
 

@@ -38,6 +38,8 @@ mod scene;
 mod series;
 mod side_view;
 mod side_views;
+#[cfg(feature = "control")]
+mod sigma;
 mod speed;
 mod svg;
 mod tornado;
@@ -69,6 +71,8 @@ pub use self::scene::{Color, Paint, Scene};
 pub use self::series::Series;
 pub use self::side_view::draw_side_view;
 pub use self::side_views::draw_side_views;
+#[cfg(feature = "control")]
+pub use self::sigma::draw_sigma;
 pub use self::speed::{Limits, draw_eigenvalues};
 pub use self::tornado::draw_tornado;
 #[cfg(feature = "turns")]

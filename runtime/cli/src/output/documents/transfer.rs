@@ -2,7 +2,7 @@
 
 use carvallo::Complex;
 use carvallo_design::number::{fixed, shortest, unit};
-use carvallo_plot::analysis::transfer::{Transfer, Transfers};
+use carvallo_plot::analysis::transfer::{AtFrequency, Transfer, Transfers};
 
 use super::state_space::at;
 use crate::output::typeset::{Cell, Column, Document, Table};
@@ -17,7 +17,49 @@ pub fn of_transfers(transfers: &Transfers) -> Document {
         notes: Vec::new(),
     };
     let each = transfers.channels.iter().map(|channel| table(channel, &at));
-    super::about(transfers.design, [poles].into_iter().chain(each).collect())
+    let together = if transfers.are_several() { together(transfers, &at) } else { Vec::new() };
+    super::about(transfers.design, [poles].into_iter().chain(together).chain(each).collect())
+}
+
+/// What all inputs and outputs have together: transmission zeros, and singular values by decades.
+fn together(transfers: &Transfers, at: &str) -> Vec<Table> {
+    let zeros = transfers.transmission_zeros.as_ref().map(|zeros| Table {
+        title: format!("Transmission zeros{at}  of all inputs and outputs"),
+        columns: ["zero (1/s)", "frequency (rad/s)", "damping ratio"].map(Column::right).into(),
+        rows: match &zeros[..] {
+            [] => vec![["none", "", ""].map(Cell::words).to_vec()],
+            zeros => zeros.iter().filter(|zero| zero.im >= 0.0).map(|zero| modal(*zero)).collect(),
+        },
+        notes: Vec::new(),
+    });
+    let count = transfers.singular_values.first().map_or(0, |at| at.values.len());
+    let row = |at: &AtFrequency| {
+        let cells = [at.frequency].into_iter().chain(at.values.iter().copied());
+        cells.map(|value| Cell::number(significant(value))).collect()
+    };
+    let singular = Table {
+        title: format!("Singular values{at}"),
+        columns: ["frequency (rad/s)".to_owned()]
+            .into_iter()
+            .chain((1..=count).map(|place| format!("σ{place}")))
+            .map(Column::right)
+            .collect(),
+        rows: by_decades(&transfers.singular_values).into_iter().map(row).collect(),
+        notes: Vec::new(),
+    };
+    zeros.into_iter().chain([singular]).collect()
+}
+
+/// A few of many: those nearest to powers of ten, and where there are few all.
+fn by_decades(all: &[AtFrequency]) -> Vec<&AtFrequency> {
+    const FEW: usize = 12;
+    if all.len() <= FEW {
+        return all.iter().collect();
+    }
+    let decade = |at: &AtFrequency| at.frequency.log10().round();
+    let off = |at: &&AtFrequency| (at.frequency.log10() - decade(at)).abs();
+    let groups = all.chunk_by(|a, b| decade(a) == decade(b));
+    groups.filter_map(|group| group.iter().min_by(|a, b| off(a).total_cmp(&off(b)))).collect()
 }
 
 /// A pole, or a pair, with its natural frequency and damping ratio.

@@ -31,7 +31,8 @@ fn write_table(Table { title, columns, rows, notes }: &Table, document: &str) ->
     let mut text = format!(
         "\n\\begin{{table}}\n  \\centering\n  \\caption{{{caption}}}\n  \\begin{{tabular}}{{{sides}}}\n    \\toprule\n"
     );
-    for (index, cells) in lines.iter().enumerate() {
+    let has_heading = lines[0].iter().any(|cell| !cell.is_empty());
+    for (index, cells) in lines.iter().enumerate().skip(usize::from(!has_heading)) {
         let line = aligned(cells, &widths, columns).join(" & ");
         text.push_str(&format!("    {} \\\\\n", line.trim_end()));
         if index == 0 {
@@ -65,6 +66,7 @@ fn words(text: &str) -> String {
         '³' => "$^3$".to_owned(),
         '°' => "$^\\circ$".to_owned(),
         'λ' => "$\\lambda$".to_owned(),
+        'σ' => "$\\sigma$".to_owned(),
         // Quotes of LaTeX are a pair.
         '"' => "''".to_owned(),
         c => c.to_string(),

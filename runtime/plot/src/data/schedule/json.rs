@@ -2,6 +2,7 @@
 
 use std::io::{Result, Write};
 
+use carvallo::nalgebra::DMatrix;
 use carvallo_control::{Ports, Regulator, Schedule, Weights};
 use carvallo_design::Design;
 use serde::Serialize;
@@ -33,20 +34,36 @@ struct Gains {
     /// Nothing where the equations do not depend on it.
     speed: Option<f64>,
     gains: Vec<Vec<f64>>,
+    /// By parameter, where they are asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sensitivities: Option<Members<Vec<Vec<f64>>>>,
     eigenvalues: Vec<Parts>,
     residual: f64,
 }
 
+/// With the derivatives of the gains of each regulator by parameter, if they are given.
+///
 /// # Errors
 /// If it cannot be written.
-pub fn write_json(design: &Design, schedule: &Schedule, weights: &Weights, output: &mut dyn Write) -> Result<()> {
+pub fn write_json(
+    design: &Design,
+    schedule: &Schedule,
+    weights: &Weights,
+    sensitivities: Option<&[Vec<DMatrix<f64>>]>,
+    output: &mut dyn Write,
+) -> Result<()> {
     let (ports, space) = (Ports::of(design), &schedule.regulators[0].space);
     let of_outputs = weights.outputs.iter().map(|(output, value)| (ports.signal(*output).name, *value));
     let of_inputs = weights.inputs.iter().map(|(input, value)| (ports.inputs[*input].name.clone(), *value));
     let parameters = design.info().parameters.iter().zip(&design.parameters);
-    let gains = |own: &Regulator| Gains {
+    let rows = |matrix: &DMatrix<f64>| -> Vec<Vec<f64>> {
+        matrix.row_iter().map(|row| row.iter().map(|entry| entry + 0.0).collect()).collect()
+    };
+    let names = || design.info().parameters.iter().map(|parameter| parameter.name);
+    let gains = |(place, own): (usize, &Regulator)| Gains {
         speed: own.space.speed,
-        gains: own.gains.row_iter().map(|row| row.iter().copied().collect()).collect(),
+        gains: rows(&own.gains),
+        sensitivities: sensitivities.map(|of| Members(names().zip(of[place].iter().map(rows)).collect())),
         eigenvalues: own.eigenvalues.iter().copied().map(Parts::from).collect(),
         residual: own.residual,
     };
@@ -56,7 +73,7 @@ pub fn write_json(design: &Design, schedule: &Schedule, weights: &Weights, outpu
         states: Told::all(&space.states),
         inputs: Told::all(&space.inputs),
         weights: of_outputs.chain(of_inputs).map(|(of, value)| Line(Weight { of, value })).collect(),
-        regulators: schedule.regulators.iter().map(gains).map(Line).collect(),
+        regulators: schedule.regulators.iter().enumerate().map(gains).map(Line).collect(),
         unstable_between: schedule.unstable.iter().copied().map(Line).collect(),
     };
     write_document(&document, output)

@@ -18,6 +18,18 @@ struct Document<'a> {
     /// Nothing where the equations do not depend on it.
     speed: Option<f64>,
     transfer_functions: Vec<Told<'a>>,
+    /// Of all of them together; only where there are several.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    transmission_zeros: Option<Line<Option<Vec<Parts>>>>,
+    /// Where frequencies are asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    singular_values: Option<Vec<Line<Values<'a>>>>,
+}
+
+#[derive(Serialize)]
+struct Values<'a> {
+    frequency: f64,
+    values: &'a [f64],
 }
 
 #[derive(Serialize)]
@@ -73,6 +85,14 @@ pub fn write_json(transfers: &Transfers, responses: bool, output: &mut dyn Write
         parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
         speed: transfers.space.speed,
         transfer_functions: transfers.channels.iter().map(|channel| told(channel, responses)).collect(),
+        transmission_zeros: transfers.are_several().then(|| {
+            let zeros = transfers.transmission_zeros.as_ref();
+            Line(zeros.map(|zeros| zeros.iter().copied().map(Parts::from).collect()))
+        }),
+        singular_values: (transfers.are_several() && responses).then(|| {
+            let values = transfers.singular_values.iter();
+            values.map(|at| Line(Values { frequency: at.frequency, values: &at.values })).collect()
+        }),
     };
     write_document(&document, output)
 }
