@@ -1,7 +1,7 @@
 //! What every bicycle keeps, without being asked: its wheels do not overlap, and its bodies are rigid bodies.
 
 use carvallo::ModelInfo;
-use carvallo_design::body;
+use carvallo_design::{Dual, body};
 
 use crate::constraint::{Constraint, Excess};
 use crate::range::Range;
@@ -38,24 +38,19 @@ pub fn constraints(info: &ModelInfo, ranges: &[Range]) -> Vec<Constraint> {
     constraints
 }
 
-fn overlap(info: &ModelInfo, values: &[f64], _: &str) -> f64 {
-    value(info, values, "rR") + value(info, values, "rF") + GAP - value(info, values, "w")
+fn overlap(value: &dyn Fn(&str) -> Dual, _: &str) -> Dual {
+    value("rR") + value("rF") + GAP.into() - value("w")
 }
 
 /// Of a frame with a product of inertia, by its principal moments; relative to their sum.
-fn frame(info: &ModelInfo, values: &[f64], letter: &str) -> f64 {
-    let [xx, yy, zz, xz] = ["xx", "yy", "zz", "xz"].map(|axes| value(info, values, &format!("I{letter}{axes}")));
-    let (mean, radius) = ((xx + zz) / 2.0, ((xx - zz) / 2.0).hypot(xz));
+fn frame(value: &dyn Fn(&str) -> Dual, letter: &str) -> Dual {
+    let [xx, yy, zz, xz] = ["xx", "yy", "zz", "xz"].map(|axes| value(&format!("I{letter}{axes}")));
+    let (mean, radius) = (0.5 * (xx + zz), (0.5 * (xx - zz)).hypot(xz));
     let excess = (yy - 2.0 * mean).max(2.0 * radius - yy).max(radius - mean);
-    excess / (xx + yy + zz).abs().max(f64::MIN_POSITIVE)
+    excess / (xx + yy + zz).abs().max(f64::MIN_POSITIVE.into())
 }
 
-fn wheel(info: &ModelInfo, values: &[f64], letter: &str) -> f64 {
-    let [radial, axial] = ["xx", "yy"].map(|axes| value(info, values, &format!("I{letter}{axes}")));
-    (axial - 2.0 * radial) / (2.0 * radial + axial).abs().max(f64::MIN_POSITIVE)
-}
-
-/// Constraints are there only for models that have the parameters.
-fn value(info: &ModelInfo, values: &[f64], name: &str) -> f64 {
-    info.position(name).map_or(0.0, |position| values[position])
+fn wheel(value: &dyn Fn(&str) -> Dual, letter: &str) -> Dual {
+    let [radial, axial] = ["xx", "yy"].map(|axes| value(&format!("I{letter}{axes}")));
+    (axial - 2.0 * radial) / (2.0 * radial + axial).abs().max(f64::MIN_POSITIVE.into())
 }

@@ -3,7 +3,7 @@
 use carvallo::ModelInfo;
 use carvallo_design::input::position;
 use carvallo_design::quantity::{self, Context, Mistake, Reason};
-use carvallo_design::{Failure, Place};
+use carvallo_design::{Dual, Failure, Place};
 
 use crate::goal::Measure;
 use crate::measures::Measures;
@@ -25,11 +25,8 @@ enum Kind {
     Built { function: Excess, part: &'static str },
 }
 
-/// By how much something is too large, by the parameters of a model and the letter of a part of the machine.
-pub type Excess = fn(&ModelInfo, &[f64], &str) -> f64;
-
-/// Steps of differences, relative to the range: in expressions without noise they leave about ten digits.
-const STEP: f64 = 1e-6;
+/// By how much something is too large, by the parameters of a model under their names, and the letter of a part of the machine.
+pub type Excess = fn(&dyn Fn(&str) -> Dual, &str) -> Dual;
 
 impl Constraint {
     /// Reads `EXPRESSION <= EXPRESSION`, or with `>=`; `<` and `>` mean the same, since the difference is one of rounding. Names
@@ -71,17 +68,18 @@ impl Constraint {
     /// By how much it is missed: zero or less where it holds; `None` where a speed that stands in it is not there, or an
     /// expression has no value.
     pub(crate) fn excess(&self, info: &ModelInfo, values: &[f64], measures: Option<&Measures>) -> Option<f64> {
-        self.sides(info, values, &|measure| take(measures, measure)).map(|(small, large)| small - large)
+        let sides = self.sides(info, &|position| values[position].into(), &|measure| take(measures, measure));
+        sides.map(|(small, large)| (small - large).value)
     }
 
     /// The size of its sides, to tell what is little.
     pub(crate) fn scale(&self, info: &ModelInfo, values: &[f64], measures: Option<&Measures>) -> f64 {
-        let sides = self.sides(info, values, &|measure| take(measures, measure));
-        let size = sides.map_or(0.0, |(small, large)| small.abs().max(large.abs()));
+        let sides = self.sides(info, &|position| values[position].into(), &|measure| take(measures, measure));
+        let size = sides.map_or(0.0, |(small, large)| small.value.abs().max(large.value.abs()));
         if size > 0.0 && size.is_finite() { size } else { 1.0 }
     }
 
-    /// The derivatives of the excess by the shares of the ranges: of expressions by differences, of the speeds in them exactly.
+    /// The derivatives of the excess by the shares of the ranges, exactly.
     pub(crate) fn gradient(
         &self,
         info: &ModelInfo,
@@ -89,53 +87,50 @@ impl Constraint {
         measures: Option<&Measures>,
         ranges: &[Range],
     ) -> Vec<f64> {
-        let excess = |values: &[f64], changed: Option<(Measure, f64)>| {
-            let names = |measure: Measure| match changed {
-                Some((other, value)) if other == measure => Some(value),
-                _ => take(measures, measure),
-            };
-            self.sides(info, values, &names).map_or(0.0, |(small, large)| small - large)
-        };
-        let speeds = Measure::SPEEDS.into_iter().filter_map(|measure| {
-            let measured = measures?.take(measure).ok()??;
-            let step = STEP * measured.value.abs().max(STEP);
-            let [above, below] = [step, -step].map(|step| excess(values, Some((measure, measured.value + step))));
-            let slope = (above - below) / (2.0 * step);
-            (slope != 0.0).then_some((slope, measured.gradient))
-        });
-        let speeds: Vec<(f64, Vec<f64>)> = speeds.collect();
         let by = |range: &Range| {
-            let step = STEP * (range.high - range.low);
-            let [above, below] = [step, -step].map(|step| {
-                let mut values = values.to_vec();
-                values[range.position] += step;
-                excess(&values, None)
-            });
-            let through_speeds: f64 = speeds.iter().map(|(slope, gradient)| slope * gradient[range.position]).sum();
-            ((above - below) / (2.0 * step) + through_speeds) * (range.high - range.low)
+            let width = range.high - range.low;
+            let own = |position: usize| Dual {
+                value: values[position],
+                slope: if position == range.position { width } else { 0.0 },
+            };
+            let speed = |measure: Measure| {
+                let measured = measures?.take(measure).ok()??;
+                Some(Dual { value: measured.value, slope: measured.gradient[range.position] * width })
+            };
+            self.sides(info, &own, &speed).map_or(0.0, |(small, large)| (small - large).slope)
         };
         ranges.iter().map(by).collect()
     }
 
-    fn sides(&self, info: &ModelInfo, values: &[f64], speed: &dyn Fn(Measure) -> Option<f64>) -> Option<(f64, f64)> {
+    fn sides(
+        &self,
+        info: &ModelInfo,
+        own: &dyn Fn(usize) -> Dual,
+        speed: &dyn Fn(Measure) -> Option<Dual>,
+    ) -> Option<(Dual, Dual)> {
         match &self.kind {
-            Kind::Built { function, part } => Some((function(info, values, part), 0.0)),
+            Kind::Built { function, part } => {
+                // Constraints are there only for models that have the parameters.
+                let value = |name: &str| info.position(name).map_or(Dual::default(), own);
+                Some((function(&value, part), Dual::default()))
+            }
             Kind::Texts { small, large, unit } => {
                 let names = |name: &str| match position(name, info) {
-                    Some(position) => Some(Ok(values[position])),
+                    Some(position) => Some(Ok(own(position))),
                     None => {
                         let missing = || format!("there is no {name}");
                         Some(speed(Measure::of_speeds(name)?).ok_or_else(missing))
                     }
                 };
-                Some((evaluate(small, unit, &names).ok()?, evaluate(large, unit, &names).ok()?))
+                let side = |text: &str| quantity::differentiated(text, unit, &names).ok();
+                Some((side(small)?, side(large)?))
             }
         }
     }
 }
 
-fn take(measures: Option<&Measures>, measure: Measure) -> Option<f64> {
-    measures?.value(measure)
+fn take(measures: Option<&Measures>, measure: Measure) -> Option<Dual> {
+    measures?.value(measure).map(Dual::constant)
 }
 
 fn evaluate(text: &str, unit: &str, names: &quantity::Lookup) -> Result<f64, String> {

@@ -52,9 +52,6 @@ impl Goal {
 }
 
 impl Measure {
-    /// Those that are no parameters.
-    pub(crate) const SPEEDS: [Self; 4] = [Self::StableRange, Self::WeaveSpeed, Self::CapsizeSpeed, Self::FlutterSpeed];
-
     /// The measure called `name`: `stable-range`, `weave-speed`, `capsize-speed`, `divergence-speed`, `flutter-speed` or
     /// `wobble-speed`, or a parameter of the model.
     ///

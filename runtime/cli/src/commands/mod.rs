@@ -8,6 +8,7 @@ mod controllability;
 mod convert;
 mod demo;
 mod equations;
+mod groups;
 mod lists;
 mod lqr;
 mod measure;
@@ -27,7 +28,7 @@ use std::process::ExitCode;
 use carvallo_design::{Failure, Place, Problem};
 use clap::builder::{Styles, styling::AnsiColor};
 use clap::error::{ContextKind, ContextValue};
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 
 use crate::terminal::{ERROR, note};
 use crate::{simulate, sweep};
@@ -82,6 +83,7 @@ struct Arguments {
     command: Option<Command>,
 }
 
+/// In the help they stand in the [groups].
 #[derive(Debug, Subcommand)]
 enum Command {
     Analyze(analyze::Options),
@@ -152,7 +154,10 @@ fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
 /// # Errors
 /// What is wrong with the value of an option.
 fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Arguments, Failure> {
-    Arguments::try_parse_from(arguments).map_err(|error| problem(&error).unwrap_or_else(|| error.exit()))
+    let mut command = groups::grouped(Arguments::command());
+    let matches = command.try_get_matches_from_mut(arguments);
+    let parsed = matches.and_then(|matches| Arguments::from_arg_matches(&matches));
+    parsed.map_err(|error| problem(&error).unwrap_or_else(|| error.format(&mut command).exit()))
 }
 
 /// A problem that is told as those in files are: by the option as it was given.

@@ -160,3 +160,16 @@ fn expressions_are_the_nearest_doubles() {
         assert_eq!(json["parameters"]["lam"].as_f64().map(f64::to_bits), Some(bits.to_bits()), "{value}");
     }
 }
+
+/// The same bicycle, whatever its file is called.
+#[test]
+fn a_wrong_ending_is_no_mistake() {
+    let directory = Directory::new("formats-endings");
+    let json = directory.run(&["convert", "benchmark", "--to", "paper", "--format", "json"]).ok();
+    let expected = directory.run(&["analyze", "--format", "csv"]).ok();
+    for (name, text) in [("a.toml", json.as_str()), ("b.yaml", &json), ("c.json", BENCHMARK)] {
+        directory.write(name, text);
+        let run = directory.run(&["analyze", name, "--format", "csv"]);
+        assert_eq!((run.code, run.stdout.as_str()), (Some(0), expected.as_str()), "{name}: {}", run.stderr);
+    }
+}

@@ -31,6 +31,16 @@ fn help_has_examples_and_the_exit_codes() {
     let directory = Directory::new("help");
     let help = directory.run(&["--help"]).ok();
     assert!(help.contains("carvallo analyze pista --plot pista.svg"), "{help}");
+    let lines: Vec<&str> = help.lines().collect();
+    assert_eq!(lines[2..5], ["Usage: carvallo [COMMAND]", "", "Stability:"]);
+    assert!(
+        help.contains("\n\nMotion:\n  simulate         The motion from an initial state, under forces\n"),
+        "{help}"
+    );
+    assert!(
+        help.contains("\n\nOptions:\n  -h, --help     Print help\n  -V, --version  Print version\n\nExamples:\n"),
+        "{help}"
+    );
     for command in ["analyze", "sensitivity", "show", "sweep"] {
         let help = directory.run(&[command, "--help"]).ok();
         assert!(help.contains(&format!("Usage: carvallo {command} [OPTIONS] [DESIGN|FILE]\n")), "{help}");

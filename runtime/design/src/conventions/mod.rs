@@ -15,7 +15,6 @@
 mod arrays;
 mod carried;
 mod convert;
-mod dual;
 mod express;
 mod geometry;
 mod gyrostats;
@@ -45,6 +44,7 @@ pub use self::varied::Varied;
 pub use self::write::{Form, write};
 
 use self::name::Values;
+use crate::dual;
 use crate::failure::{Failure, Problem};
 use crate::input::Entry;
 

@@ -88,6 +88,14 @@ struct Changes {
     bodies: Vec<Body>,
 }
 
+/// What the parameters of a real machine would hardly be.
+#[cfg(feature = "full")]
+pub(crate) fn warnings(info: &carvallo::ModelInfo, values: &[f64]) -> Vec<String> {
+    let mut warnings = magnitude::warnings(info, values);
+    warnings.extend(plausible::warnings(info, values));
+    warnings
+}
+
 /// Whether two paths are of one file, which is there.
 pub fn is_same_file(first: &Path, second: &Path) -> bool {
     first.canonicalize().is_ok_and(|first| second.canonicalize().is_ok_and(|second| first == second))
@@ -321,7 +329,11 @@ enum Form {
 impl Form {
     fn of(file: File) -> Self {
         let ending = Path::new(file.label).extension().and_then(|ending| ending.to_str()).map(str::to_lowercase);
+        let begins = file.text.trim_start();
         match ending.as_deref() {
+            // Neither TOML nor a YAML of lines begins so, and no JSON assigns: such a file has the wrong ending.
+            Some("toml" | "yml" | "yaml") if begins.starts_with('{') => Self::Json,
+            Some("json") if !begins.starts_with(['{', '/']) && is_assigning(begins) => Self::by_content(file),
             Some("toml") => Self::Toml,
             Some("json") => Self::Json,
             Some("yml" | "yaml") => Self::Lines(':'),
@@ -363,6 +375,12 @@ fn latin_script(label: &str, bytes: &[u8]) -> Option<String> {
     let text: String = bytes.iter().map(|&byte| char::from(byte)).collect();
     let is_text = !text.contains(|sign: char| sign.is_control() && !sign.is_whitespace());
     (is_text && lines::is_matlab(File { label, text: &text })).then_some(text)
+}
+
+/// Whether there is an assignment to a name in some line.
+fn is_assigning(text: &str) -> bool {
+    let is_name = |name: &str| !name.trim().is_empty() && !name.contains(['"', '\'', ':']);
+    text.lines().any(|line| line.split_once('=').is_some_and(|(name, _)| is_name(name)))
 }
 
 /// Whether a line, alone, tells that a file is in TOML.

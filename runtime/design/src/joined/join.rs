@@ -8,6 +8,7 @@ use super::read::read;
 use crate::bodies::body;
 use crate::design::{Design, Deviation, Given};
 use crate::failure::{Failure, Problem};
+use crate::input::warnings;
 use crate::number::shortest;
 
 /// Changes the parameters of the frames to those with the bodies, and how they vary together: the mass that is added moves the
@@ -54,12 +55,17 @@ pub fn join(
 /// Everything that is wrong with the bodies, or that the model has no such frame.
 pub fn add(design: Design, bodies: &[String]) -> Result<Design, Failure> {
     let bodies = bodies.iter().map(|text| read(text, text)).collect::<Result<Vec<Body>, Failure>>()?;
-    let Design { mut parameters, mut covariance, .. } = design;
+    let info = design.model.info;
+    let alone = warnings(info, &design.values());
+    let Design { mut parameters, mut covariance, warnings: mut told, .. } = design;
     join(&bodies, design.model.info, &mut parameters, &mut covariance).map_err(Failure::Input)?;
     let values: Vec<f64> = parameters.iter().map(|given| given.value).collect();
     let equations = design.model.equations(&values).map_err(Failure::usage)?;
     let (name, kind) = (name(design.name, &bodies), kind(design.kind, &bodies));
-    Ok(Design { name, kind, parameters, covariance, equations, ..design })
+    // What was told of the machine alone may hold no more with the bodies.
+    told.retain(|warning| !alone.contains(warning));
+    told.extend(warnings(info, &values));
+    Ok(Design { name, kind, parameters, covariance, equations, warnings: told, ..design })
 }
 
 /// What a machine is called with the bodies.
@@ -103,4 +109,24 @@ fn without_frame(Body { place, frame: frame @ Frame(letter), .. }: &Body, info: 
 /// `rear frame` of `rear frame B`.
 fn without_letter(body: &str) -> &str {
     body.rsplit_once(' ').map_or(body, |(name, _)| name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::add;
+    use crate::input::{Request, load};
+
+    /// What was told of the machine alone, and is no more so; and what is so of both alone.
+    #[test]
+    fn warnings_are_those_of_the_whole() {
+        let overrides = vec![("--set IByy=25".to_owned(), "IByy".to_owned(), "25".to_owned())];
+        let stretched = || load(&Request { overrides: overrides.clone(), ..Request::default() }).unwrap();
+        let [warning] = &stretched().warnings[..] else { panic!("one") };
+        assert!(warning.starts_with("no rigid body has the inertias of"), "{warning}");
+        // A long beam across, of 1/12 m l^2 about both other axes.
+        let wide = add(stretched(), &["mass=100 kg, at=(0.3, 0, -0.9), box=(0.1, 3, 0.1)".to_owned()]).unwrap();
+        assert_eq!(wide.warnings, [""; 0]);
+        let low = add(load(&Request::default()).unwrap(), &["mass=500 kg, at=(0.3, 0, 0.5)".to_owned()]).unwrap();
+        assert!(low.warnings.iter().any(|warning| warning.contains("below the ground")), "{:?}", low.warnings);
+    }
 }

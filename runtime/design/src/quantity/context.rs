@@ -10,7 +10,7 @@ pub struct Context<'a> {
 }
 
 /// The value of a name, or what is wrong with it; `None` if it is not known.
-pub type Lookup<'a> = dyn Fn(&str) -> Option<Result<f64, String>> + 'a;
+pub type Lookup<'a, T = f64> = dyn Fn(&str) -> Option<Result<T, String>> + 'a;
 
 /// For values that refer to nothing.
 pub fn no_names(_: &str) -> Option<Result<f64, String>> {

@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use super::arithmetic::Arithmetic;
 use super::context::Lookup;
 use super::function;
 use super::literal::{self, kept};
@@ -14,8 +15,8 @@ const NOT_LINEAR: &str = "degrees are added, and multiplied or divided by pure n
 
 /// An expression at the beginning of a text.
 #[derive(Debug)]
-pub struct Parsed<'a> {
-    pub value: f64,
+pub struct Parsed<'a, T> {
+    pub value: T,
     /// Whether degrees stand in it, outside of the arguments of functions.
     pub in_degrees: bool,
     /// Whether a name stands in it.
@@ -32,7 +33,7 @@ pub struct Parsed<'a> {
 ///
 /// # Errors
 /// What is wrong, if it does not begin with one.
-pub fn parse<'a>(text: &'a str, names: &Lookup) -> Result<Parsed<'a>, String> {
+pub fn parse<'a, T: Arithmetic>(text: &'a str, names: &Lookup<T>) -> Result<Parsed<'a, T>, String> {
     let mut parser = Parser { rest: text, depth: 0, behind_degrees: None, in_degrees: false, refers: false, names };
     let value = parser.sum()?.in_radians()?.value;
     Ok(Parsed { value, in_degrees: parser.in_degrees, refers: parser.refers, rest: parser.rest.trim() })
@@ -40,8 +41,8 @@ pub fn parse<'a>(text: &'a str, names: &Lookup) -> Result<Parsed<'a>, String> {
 
 /// A part of an expression.
 #[derive(Clone, Copy)]
-struct Operand {
-    value: f64,
+struct Operand<T> {
+    value: T,
     kind: Kind,
 }
 
@@ -74,11 +75,11 @@ impl Kind {
     }
 }
 
-impl Operand {
+impl<T: Arithmetic> Operand<T> {
     fn in_radians(self) -> Result<Self, String> {
         match self.kind {
             Kind::Degrees => {
-                let value = kept(self.value * PI / 180.0, self.value != 0.0)?;
+                let value = kept_of(self.value * PI.into() / 180.0.into(), self.value.value() != 0.0)?;
                 Ok(Self { value, kind: Kind::Angle })
             }
             _ => Ok(self),
@@ -86,7 +87,7 @@ impl Operand {
     }
 
     /// The value of what degrees have no meaning in.
-    fn pure(self) -> Result<f64, String> {
+    fn pure(self) -> Result<T, String> {
         if self.kind.has_degrees() { Err(NOT_LINEAR.to_owned()) } else { Ok(self.value) }
     }
 
@@ -109,18 +110,18 @@ impl Operand {
     }
 }
 
-struct Parser<'a, 'n> {
+struct Parser<'a, 'n, T> {
     rest: &'a str,
     depth: usize,
     /// How long the text was behind the last `deg`.
     behind_degrees: Option<usize>,
     in_degrees: bool,
     refers: bool,
-    names: &'n Lookup<'n>,
+    names: &'n Lookup<'n, T>,
 }
 
-impl<'a> Parser<'a, '_> {
-    fn sum(&mut self) -> Result<Operand, String> {
+impl<'a, T: Arithmetic> Parser<'a, '_, T> {
+    fn sum(&mut self) -> Result<Operand<T>, String> {
         self.depth += 1;
         if self.depth > MAX_DEPTH {
             return Err("nested too deeply".to_owned());
@@ -150,7 +151,7 @@ impl<'a> Parser<'a, '_> {
     }
 
     /// What follows a sign: a second one could be a slip, or mean a standard deviation, and is never computed with.
-    fn unsigned(&mut self) -> Result<Operand, String> {
+    fn unsigned(&mut self) -> Result<Operand<T>, String> {
         if self.rest.starts_with(['+', '-', '±']) {
             let hint = "a difference has one sign, and a standard deviation `+/-` behind the whole value";
             return Err(format!("a sign after a sign; {hint}"));
@@ -158,7 +159,7 @@ impl<'a> Parser<'a, '_> {
         self.product()
     }
 
-    fn product(&mut self) -> Result<Operand, String> {
+    fn product(&mut self) -> Result<Operand<T>, String> {
         let mut product = self.signed()?;
         loop {
             if self.degrees() {
@@ -167,13 +168,15 @@ impl<'a> Parser<'a, '_> {
             } else if self.take("*") || self.take("×") || self.take("·") {
                 let factor = self.signed()?;
                 let kind = product.kind.times(factor.kind)?;
-                let value = kept(product.value * factor.value, product.value != 0.0 && factor.value != 0.0)?;
+                let is_nonzero = product.value.value() != 0.0 && factor.value.value() != 0.0;
+                let value = kept_of(product.value * factor.value, is_nonzero)?;
                 product = Operand { value, kind };
             } else if self.take("/") {
                 let divisor = self.signed()?;
                 let kind = product.kind.times(divisor.kind)?;
                 let divisor = divisor.pure()?;
-                let value = kept(product.value / divisor, product.value != 0.0 && divisor.is_finite())?;
+                let is_nonzero = product.value.value() != 0.0 && divisor.value().is_finite();
+                let value = kept_of(product.value / divisor, is_nonzero)?;
                 product = Operand { value, kind };
             } else {
                 return Ok(product);
@@ -182,7 +185,7 @@ impl<'a> Parser<'a, '_> {
     }
 
     /// Binds weaker than `^`, so that `-2^2` is -4 as in formulas.
-    fn signed(&mut self) -> Result<Operand, String> {
+    fn signed(&mut self) -> Result<Operand<T>, String> {
         let is_negative = self.take("-");
         if is_negative || self.take("+") {
             if self.rest.starts_with(['+', '-', '±']) {
@@ -194,7 +197,7 @@ impl<'a> Parser<'a, '_> {
         self.power()
     }
 
-    fn power(&mut self) -> Result<Operand, String> {
+    fn power(&mut self) -> Result<Operand<T>, String> {
         let base = self.operand()?;
         if !(self.take("^") || self.take("**")) {
             return Ok(base);
@@ -204,7 +207,8 @@ impl<'a> Parser<'a, '_> {
         let exponent = self.operand()?;
         let kind = base.kind.times(exponent.kind)?;
         let (base, exponent) = (base.pure()?, exponent.pure()?);
-        let value = kept(base.powf(if negative { -exponent } else { exponent }), base != 0.0 && base.is_finite())?;
+        let is_nonzero = base.value() != 0.0 && base.value().is_finite();
+        let value = kept_of(base.powf(if negative { -exponent } else { exponent }), is_nonzero)?;
         Ok(Operand { value, kind })
     }
 
@@ -221,12 +225,12 @@ impl<'a> Parser<'a, '_> {
         false
     }
 
-    fn operand(&mut self) -> Result<Operand, String> {
+    fn operand(&mut self) -> Result<Operand<T>, String> {
         if self.take("(") {
             return self.closed();
         }
         if self.rest.starts_with(|c: char| c.is_ascii_digit() || c == '.') {
-            let value = self.number()?;
+            let value = self.number()?.into();
             return Ok(Operand { value, kind: Kind::Number });
         }
         let other = |value| Operand { value, kind: Kind::Other };
@@ -239,14 +243,14 @@ impl<'a> Parser<'a, '_> {
             });
         }
         if let "pi" | "π" = name {
-            return Ok(other(PI));
+            return Ok(other(PI.into()));
         }
         // Degrees in the arguments of a function do not make its value an angle.
         let in_degrees = self.in_degrees;
         let (value, is_never_zero) = if let Some(function) = function::of_one(name) {
             self.open(word)?;
             let argument = self.closed()?.in_radians()?.value;
-            (function(argument), name == "exp" && argument.is_finite())
+            (argument.one(name, function), name == "exp" && argument.value().is_finite())
         } else if let Some(function) = function::of_two(name) {
             self.open(word)?;
             let first = self.sum()?.in_radians()?.value;
@@ -254,14 +258,17 @@ impl<'a> Parser<'a, '_> {
                 return Err(format!("`{word}` has two arguments"));
             }
             let second = self.closed()?.in_radians()?.value;
-            (function(first, second), name.starts_with("pow") && first != 0.0 && first.is_finite())
+            {
+                let is_power = name.starts_with("pow") && first.value() != 0.0 && first.value().is_finite();
+                (first.two(second, name, function), is_power)
+            }
         } else {
             self.refers = true;
             let found = (self.names)(word).unwrap_or_else(|| Err(format!("`{word}` is not known")));
             return found.map(other);
         };
         self.in_degrees = in_degrees;
-        kept(value, is_never_zero).map(other)
+        kept_of(value, is_never_zero).map(other)
     }
 
     fn open(&mut self, function: &str) -> Result<(), String> {
@@ -269,7 +276,7 @@ impl<'a> Parser<'a, '_> {
     }
 
     /// The rest of what stands in parentheses, and the closing one.
-    fn closed(&mut self) -> Result<Operand, String> {
+    fn closed(&mut self) -> Result<Operand<T>, String> {
         let value = self.sum()?;
         if self.take(")") { Ok(value) } else { Err("a closing parenthesis is missing".to_owned()) }
     }
@@ -304,6 +311,11 @@ impl<'a> Parser<'a, '_> {
     fn skip_space(&mut self) {
         self.rest = self.rest.trim_start();
     }
+}
+
+/// The value, unless it is zero and should not be.
+fn kept_of<T: Arithmetic>(value: T, nonzero: bool) -> Result<T, String> {
+    kept(value.value(), nonzero).map(|_| value)
 }
 
 /// Takes a sign that comes next, with the space around it. `*` is not the beginning of `**`.

@@ -20,6 +20,7 @@
 //! sign after a sign), `27 +/- 1 deg` and `18.5 deg - 0.5` (degrees or radians); and in a table in which decimals stand
 //! behind points and behind commas, `1.000` and `1,000` (one or a thousand).
 
+mod arithmetic;
 mod context;
 mod decimals;
 pub(crate) mod expression;
@@ -40,6 +41,17 @@ pub use self::range::{Steps, check_commas, check_units};
 #[cfg(feature = "full")]
 pub use self::units::{Scale, scale};
 pub use self::value::is_unit_alone;
+
+use crate::dual::Dual;
+
+/// The value of an expression in the declared unit, with its derivative, by those of the names.
+///
+/// # Errors
+/// What is wrong.
+pub fn differentiated(text: &str, unit: &str, names: &Lookup<Dual>) -> Result<Dual, Reason> {
+    // Typeset tables have a minus sign of their own.
+    value::evaluate_in(text.replace('−', "-").trim(), unit, names).map(|found| found.value)
+}
 
 #[cfg(test)]
 mod tests;

@@ -226,3 +226,35 @@ fn a_deviation_is_refused_where_it_has_no_place() {
     assert!(["85+-5", "85+/-5", "85±5", "1.02(3)", "(1+/-2)e-3"].into_iter().all(refused));
     assert_eq!(number("17/2", Context { unit: "m", names: &no_names }), Ok(8.5));
 }
+
+/// The derivatives of calculus, at x = 0.7.
+#[test]
+fn expressions_have_their_derivatives() {
+    let x = 0.7_f64;
+    for (text, unit, expected) in [
+        ("sin(x)*cos(x)", "1", (2.0 * x).cos()),
+        ("x^3/2 - 4*x", "1", 1.5 * x * x - 4.0),
+        ("1/x", "1", -1.0 / (x * x)),
+        ("2^x", "1", 2f64.powf(x) * 2f64.ln()),
+        ("x**x", "1", x.powf(x) * (x.ln() + 1.0)),
+        ("hypot(x, 1)", "1", x / 1f64.hypot(x)),
+        ("atan2(x, 2)", "rad", 2.0 / (4.0 + x * x)),
+        ("pow(x, 3)", "1", 3.0 * x * x),
+        ("exp(-x)", "1", -(-x).exp()),
+        ("abs(-x)", "1", 1.0),
+        ("degrees(x)", "1", 180.0 / std::f64::consts::PI),
+        ("radians(x)", "rad", std::f64::consts::PI / 180.0),
+        ("tan(x) + sqrt(x)", "1", 1.0 / x.cos().powi(2) + 0.5 / x.sqrt()),
+        ("asin(x)", "1", 1.0 / (1.0 - x * x).sqrt()),
+        ("acos(x)", "1", -1.0 / (1.0 - x * x).sqrt()),
+        ("atan(x)", "1", 1.0 / (1.0 + x * x)),
+        ("x*10 cm", "m", 0.1),
+        ("x*10 deg", "rad", std::f64::consts::PI / 18.0),
+    ] {
+        let names = |name: &str| (name == "x").then_some(Ok(crate::Dual { value: x, slope: 1.0 }));
+        let found = super::differentiated(text, unit, &names).unwrap_or_else(|_| panic!("{text}"));
+        assert!((found.slope - expected).abs() <= 4e-16 * expected.abs().max(1.0), "{text}: {found:?}, {expected}");
+        let plain: &Lookup = &|name| (name == "x").then_some(Ok(x));
+        assert_eq!(Ok(found.value), number(text, Context { unit, names: plain }), "{text}");
+    }
+}

@@ -6,6 +6,8 @@
 
 use std::f64::consts::PI;
 
+use super::arithmetic::Arithmetic;
+
 /// What numbers in one unit are multiplied with, to be in another: one rounding each, as the quotient may have none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale {
@@ -16,7 +18,12 @@ pub struct Scale {
 impl Scale {
     /// A number in the other unit.
     pub fn apply(self, value: f64) -> f64 {
-        value * self.numerator / self.denominator
+        self.of(value)
+    }
+
+    /// The same of numbers of any kind.
+    pub(crate) fn of<T: Arithmetic>(self, value: T) -> T {
+        value * self.numerator.into() / self.denominator.into()
     }
 
     /// The way back.

@@ -1,14 +1,15 @@
 //! A single value: an expression, and the unit that it is in.
 
-use super::context::Context;
+use super::arithmetic::Arithmetic;
+use super::context::{Context, Lookup};
 use super::expression::{self, Parsed};
 use super::mistake::Reason;
 use super::{function, literal, units};
 
 /// A value, and what else is known of its text.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Value {
-    pub value: f64,
+pub struct Value<T = f64> {
+    pub value: T,
     /// Whether a unit other than the declared one makes it.
     pub is_converted: bool,
     /// Whether it depends on what a name stands for.
@@ -20,6 +21,14 @@ pub struct Value {
 /// # Errors
 /// What is wrong.
 pub fn evaluate(text: &str, Context { unit, names }: Context) -> Result<Value, Reason> {
+    evaluate_in(text, unit, names)
+}
+
+/// The same of numbers of any kind.
+///
+/// # Errors
+/// What is wrong.
+pub fn evaluate_in<T: Arithmetic>(text: &str, unit: &str, names: &Lookup<T>) -> Result<Value<T>, Reason> {
     let Parsed { value, in_degrees, refers, rest } = expression::parse(text, names)?;
     if in_degrees && unit != "rad" {
         return Err(Reason::Unit("deg".to_owned()));
@@ -28,12 +37,14 @@ pub fn evaluate(text: &str, Context { unit, names }: Context) -> Result<Value, R
         (value, in_degrees)
     } else if starts_a_unit(rest) {
         let scale = units::scale(rest, unit).filter(|_| !in_degrees).ok_or_else(|| Reason::Unit(rest.to_owned()))?;
-        (literal::kept(scale.apply(value), value != 0.0)?, !scale.is_one())
+        let scaled = scale.of(value);
+        literal::kept(scaled.value(), value.value() != 0.0)?;
+        (scaled, !scale.is_one())
     } else {
         let found = rest.chars().next().unwrap_or_default();
         return Err(Reason::Other(format!("unexpected `{found}`")));
     };
-    if value.is_finite() {
+    if value.value().is_finite() {
         Ok(Value { value, is_converted, refers })
     } else {
         Err(Reason::Other("the value is not finite".to_owned()))

@@ -1,4 +1,5 @@
-//! Numbers with their derivative, so that each formula of a conversion also says what a deviation becomes.
+//! Numbers with their derivative, so that each formula also says how its value changes: what a deviation becomes in a
+//! conversion, and where an optimum lies.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -18,7 +19,7 @@ impl Dual {
     }
 
     /// A function of one number, from its value and its derivative there.
-    fn chain(self, value: f64, derivative: f64) -> Self {
+    pub fn chain(self, value: f64, derivative: f64) -> Self {
         // What does not vary stays so where the derivative is infinite, as that of a root at zero.
         Self { value, slope: if self.slope == 0.0 { 0.0 } else { derivative * self.slope } }
     }
@@ -50,6 +51,24 @@ impl Dual {
         let square = self.value * self.value + x.value * x.value;
         let slope = self.slope * x.value - x.slope * self.value;
         Self { value: self.value.atan2(x.value), slope: if slope == 0.0 { 0.0 } else { slope / square } }
+    }
+
+    /// The larger one.
+    pub fn max(self, other: Self) -> Self {
+        if self.value >= other.value { self } else { other }
+    }
+
+    /// Its distance from zero.
+    pub fn abs(self) -> Self {
+        if self.value < 0.0 { -self } else { self }
+    }
+
+    /// A power.
+    pub fn powf(self, exponent: Self) -> Self {
+        let value = self.value.powf(exponent.value);
+        let by_base = if self.slope == 0.0 { 0.0 } else { exponent.value * self.value.powf(exponent.value - 1.0) };
+        let by_exponent = if exponent.slope == 0.0 { 0.0 } else { value * self.value.ln() * exponent.slope };
+        Self { value, slope: by_base * self.slope + by_exponent }
     }
 
     /// The length of a vector with two components.
