@@ -1,6 +1,6 @@
 //! A compiled model as Python sees it: what it tells about itself, and designs by columns.
 
-use carvallo::{CoordinateInfo, MatrixName, ModelInfo, ParameterInfo, States};
+use carvallo::{CoordinateInfo, MatrixName, ModelInfo, Notation, ParameterInfo, States};
 use carvallo_design::{Shipped, feedback, input, nearest};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -88,6 +88,20 @@ impl Kernel {
     #[getter]
     fn depends_on_speed(&self) -> bool {
         self.model.depends_on_speed()
+    }
+
+    /// The equations of motion as `text`, `latex` or `typst`.
+    fn equations(&self, notation: &str) -> PyResult<String> {
+        let notation = match notation {
+            "text" => Notation::Text,
+            "latex" => Notation::Latex,
+            "typst" => Notation::Typst,
+            other => {
+                let message = format!("`notation` is `{other}`; expected text, latex or typst");
+                return Err(PyValueError::new_err(message));
+            }
+        };
+        Ok(self.info().equations(notation))
     }
 
     /// A design by the name of what ships, or by the path of a file.

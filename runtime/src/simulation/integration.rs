@@ -16,7 +16,7 @@ use ivp::status::Status;
 use super::chart::Chart;
 use super::error::SimulationError;
 use super::events::happened;
-use super::nonlinear::{End, Ride, Simulation};
+use super::nonlinear::{End, Happening, Ride, Simulation};
 use crate::motion::MotionError;
 
 /// More steps than these, and those of each second that was reached in a piece, are taken for a motion that does not go on. A
@@ -207,21 +207,22 @@ impl Steps<'_, '_> {
             let speeds = self.chart.speeds(simulation.machine(), positions, rates)?;
             Ok([positions, &speeds].concat())
         };
-        let happened = happened(simulation, (self.reached, time), &mut self.values, &at)?;
-        let last = happened.last().filter(|(_, event)| simulation.named(*event).1).map(|(moment, _)| *moment);
+        let (happened, ends) = happened(simulation, (self.reached, time), &mut self.values, &self.ride.events, &at)?;
+        let last = happened.last().filter(|_| ends).map(|(moment, _)| *moment);
         let end = last.unwrap_or(time);
         while let Some(&asked) = self.piece.asked.get(self.next).filter(|asked| **asked <= end) {
             self.ride.rows.push(simulation.row(asked, &at(asked)?)?);
             self.next += 1;
         }
         for (moment, event) in happened {
-            self.ride.events.push((moment, simulation.named(event).0.to_owned()));
+            let row = simulation.row(moment, &at(moment)?)?;
+            self.ride.events.push(Happening { name: simulation.watched(event).name.to_owned(), row });
         }
         *self.state = at(end)?;
         let length = time - self.reached;
         self.reached = end;
         if last.is_some() {
-            let name = self.ride.events.last().map(|(_, name)| name.clone()).unwrap_or_default();
+            let name = self.ride.events.last().map(|last| last.name.clone()).unwrap_or_default();
             self.end = Some(End::Event { name, time: end });
             return Ok(ControlFlag::Interrupt);
         }

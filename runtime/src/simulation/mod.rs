@@ -21,6 +21,8 @@
 #[cfg(feature = "simulation")]
 mod chart;
 #[cfg(feature = "simulation")]
+mod crossing;
+#[cfg(feature = "simulation")]
 mod drive;
 mod error;
 #[cfg(feature = "simulation")]
@@ -38,6 +40,8 @@ mod nonlinear;
 mod state;
 
 #[cfg(feature = "simulation")]
+pub use crossing::{Crossing, change_of_sign};
+#[cfg(feature = "simulation")]
 pub use drive::Drive;
 pub use error::SimulationError;
 pub use exponential::Propagator;
@@ -46,6 +50,6 @@ pub use linear::{LinearMotion, Snapshot};
 #[cfg(feature = "simulation")]
 pub use machine::{Machine, MachineLinearization};
 #[cfg(feature = "simulation")]
-pub use nonlinear::{End, Moment, Ride, RideRow, Simulation};
+pub use nonlinear::{End, Happening, Moment, Ride, RideRow, Simulation};
 #[cfg(feature = "simulation")]
 pub use state::State;

@@ -4,6 +4,7 @@ use std::cell::Cell;
 use std::ops::ControlFlow;
 
 use super::chart::Chart;
+use super::crossing::Crossing;
 use super::error::{SimulationError, require_ascending, require_length};
 use super::force::{Force, pieces};
 use super::integration::{Piece, integrate};
@@ -46,9 +47,11 @@ pub struct Moment<'a> {
 
 /// When something happens: where a function of the motion changes its sign.
 pub(super) struct Event<'a> {
-    name: &'a str,
+    pub(super) name: &'a str,
+    pub(super) crossing: Crossing,
+    /// The simulation ends when it has happened so often.
+    pub(super) ends: Option<usize>,
     function: Box<dyn Fn(&Moment) -> f64 + 'a>,
-    ends: bool,
 }
 
 /// A motion as it was simulated.
@@ -58,12 +61,21 @@ pub struct Ride {
     pub rows: Vec<RideRow>,
     /// How it ended.
     pub end: End,
-    /// What happened, in its order: the time in s and the name that was given.
-    pub events: Vec<(f64, String)>,
+    /// What happened, in its order.
+    pub events: Vec<Happening>,
     /// The most that a position was moved after a step so that every wheel touches the ground, in its unit.
     pub drift: f64,
     /// How often the equations were evaluated.
     pub evaluations: u64,
+}
+
+/// An event that happened.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Happening {
+    /// The name that was given.
+    pub name: String,
+    /// When, and the motion there.
+    pub row: RideRow,
 }
 
 /// The motion of a machine at one time.
@@ -155,17 +167,26 @@ impl<'a> Simulation<'a> {
     /// Ends the simulation where a function of the motion changes its sign.
     #[must_use]
     pub fn until(self, name: &'a str, function: impl Fn(&Moment) -> f64 + 'a) -> Self {
-        self.event(name, function, true)
+        self.watching(name, Crossing::Any, Some(1), function)
     }
 
     /// Tells where a function of the motion changes its sign.
     #[must_use]
     pub fn noting(self, name: &'a str, function: impl Fn(&Moment) -> f64 + 'a) -> Self {
-        self.event(name, function, false)
+        self.watching(name, Crossing::Any, None, function)
     }
 
-    fn event(mut self, name: &'a str, function: impl Fn(&Moment) -> f64 + 'a, ends: bool) -> Self {
-        self.events.push(Event { name, function: Box::new(function), ends });
+    /// Tells where a function of the motion changes its sign in some direction, and ends the simulation when it has done so a
+    /// number of times, if there is one. A function that is zero at the beginning does not change its sign there.
+    #[must_use]
+    pub fn watching(
+        mut self,
+        name: &'a str,
+        crossing: Crossing,
+        ends: Option<usize>,
+        function: impl Fn(&Moment) -> f64 + 'a,
+    ) -> Self {
+        self.events.push(Event { name, crossing, ends, function: Box::new(function) });
         self
     }
 
@@ -286,9 +307,9 @@ impl<'a> Simulation<'a> {
         Ok(self.events.iter().map(|event| (event.function)(&moment)).collect())
     }
 
-    /// The name of an event, and whether the simulation ends there.
-    pub(super) fn named(&self, event: usize) -> (&str, bool) {
-        (self.events[event].name, self.events[event].ends)
+    /// One of the events.
+    pub(super) fn watched(&self, event: usize) -> &Event<'a> {
+        &self.events[event]
     }
 
     /// Positions, and what stands behind them.

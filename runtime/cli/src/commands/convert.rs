@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use carvallo_design::conventions::{Convention, Form, convert, write};
+use carvallo_design::conventions::{Convention, Form, convert, left_out, write};
 use carvallo_design::{Failure, Place};
 use clap::{Args, ValueEnum};
 
@@ -104,21 +104,8 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     }
     let design = options.design.load()?;
     let converted = convert(&design, convention)?;
-    if !design.feedback.is_empty() {
-        note(WARNING, "note", &format!("{}: these parameters have no place for feedback: left out", converted.name));
-    }
-    for text in &converted.notes {
+    for text in left_out(&design, &converted, form) {
         note(WARNING, "note", &format!("{}: {text}", converted.name));
-    }
-    if !form.has_deviations() && converted.parameters.iter().any(|parameter| parameter.given.deviation.is_some()) {
-        note(WARNING, "note", &format!("{}: a script has no place for standard deviations: left out", converted.name));
-    }
-    if !form.has_correlations() && form.has_deviations() && converted.covariance.is_some() {
-        note(
-            WARNING,
-            "note",
-            &format!("{}: only toml and json have a place for correlations: left out", converted.name),
-        );
     }
     let text = write(&converted, form, &units, &output::faint);
     deliver(options.output.as_deref(), |output| output.write_all(text.as_bytes()))

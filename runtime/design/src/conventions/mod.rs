@@ -41,7 +41,7 @@ pub use self::naming::{Naming, Varying, folded, spelled};
 pub use self::read::Reading;
 pub(crate) use self::read::read;
 pub use self::varied::Varied;
-pub use self::write::{Form, write};
+pub use self::write::{Form, left_out, write};
 
 use self::name::Values;
 use crate::dual;

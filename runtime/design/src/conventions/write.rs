@@ -2,6 +2,7 @@
 
 use super::convert::{Converted, Parameter};
 use super::jbike6::{BODIES, JBIKE6};
+use crate::design::Design;
 use crate::display::DisplayUnit;
 use crate::file::{Row, entry, quoted, write_correlations, write_rows};
 use crate::model::WHIPPLE;
@@ -39,6 +40,22 @@ pub fn write(converted: &Converted, form: Form, units: &Units, comment: &dyn Fn(
         Form::Matlab => write_script(converted, "%", ";", comment),
         Form::Text => write_text(converted),
     }
+}
+
+/// What has no place in such a file, and what else is to be known of it.
+pub fn left_out(design: &Design, converted: &Converted, form: Form) -> Vec<String> {
+    let mut notes = Vec::new();
+    if !design.feedback.is_empty() {
+        notes.push("these parameters have no place for feedback: left out".to_owned());
+    }
+    notes.extend(converted.notes.iter().cloned());
+    if !form.has_deviations() && converted.parameters.iter().any(|parameter| parameter.given.deviation.is_some()) {
+        notes.push("a script has no place for standard deviations: left out".to_owned());
+    }
+    if !form.has_correlations() && form.has_deviations() && converted.covariance.is_some() {
+        notes.push("only toml and json have a place for correlations: left out".to_owned());
+    }
+    notes
 }
 
 impl Form {

@@ -254,6 +254,29 @@ class Design(Controlled, Mapping[str, Union[float, NDArray[np.float64]]]):
             return {name: float(value) for name, value in self.items()}
         return dict(self._one().parameterized(self._about, parameterization))
 
+    def to_text(self, form: str = "toml", parameterization: str = "paper", *, units: str = "si") -> str:
+        """One design as the contents of a file that :meth:`Model.__call__` and the command line read again, to the same doubles.
+
+        Parameters
+        ----------
+        form
+            ``toml``, with comments, deviations, correlations and feedback; of bicycles also ``json``, ``yaml``, ``csv``, a script of
+            ``python`` or ``matlab``, or ``text`` as BicycleParameters has it. What has no place in a form is told by a warning.
+        parameterization
+            As for :meth:`to_dict`.
+        units
+            What values are written in, where the form has units: ``"mm,deg,km/h"``, ``"imperial"``, or those of the SI.
+
+        Raises
+        ------
+        ValueError
+            If there is no such form, parameterization or unit, or the design cannot be expressed so.
+        """
+        text, notes = self._one().text(self._about, parameterization, form, units)
+        for note in notes:
+            warnings.warn(f"{self.name}: {note}", stacklevel=2)
+        return text
+
     def at(self, *index: int) -> Design:
         """One design out of an array of them, by its index along each axis."""
         values = [value if isinstance(value, float) else value[index] for value in self._values]

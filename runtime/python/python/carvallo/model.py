@@ -164,6 +164,17 @@ class Model:
         """Which matrices it has, such as ``M``, ``C1``, ``K0``, ``K2``; the others are zero."""
         return tuple(self._kernel.matrices)
 
+    def equations(self, notation: str = "text") -> str:
+        """The equations of motion, with the definitions in them and their units in kg, m and s: as ``text``, ``latex`` (with the
+        package amsmath) or ``typst``.
+
+        Raises
+        ------
+        ValueError
+            If there is no such notation.
+        """
+        return self._kernel.equations(notation)
+
     @property
     def depends_on_speed(self) -> bool:
         """Whether its equations of motion have the speed in them."""

@@ -1,7 +1,7 @@
 //! Integration of nonlinear equations, against closed forms.
 
 use carvallo::motion::MotionError;
-use carvallo::simulation::{End, Force, Simulation, SimulationError, State};
+use carvallo::simulation::{Crossing, End, Force, Happening, Simulation, SimulationError, State};
 
 use super::pendulums::{Bob, Swing};
 
@@ -28,9 +28,10 @@ fn a_pendulum_passes_its_lowest_point_when_the_elliptic_integral_says() {
     assert_eq!((ride.rows.len(), &ride.end, ride.drift), (601, &End::Reached, 0.0));
     let quarter = quarter(angle, 9.81);
     assert_eq!(ride.events.len(), (60.0 / quarter / 2.0 + 0.5) as usize);
-    for ((time, name), odd) in ride.events.iter().zip((1..).step_by(2)) {
-        let expected = f64::from(odd) * quarter;
+    for (Happening { name, row }, odd) in ride.events.iter().zip((1..).step_by(2)) {
+        let (time, expected) = (row.time, f64::from(odd) * quarter);
         assert!(name == "lowest" && (time - expected).abs() < 1e-8, "{time} is not {expected}");
+        assert!(row.positions[0].abs() < 1e-13, "{row:?}");
     }
     let energy = |row: usize| ride.rows[row].energy.kinetic + ride.rows[row].energy.potential;
     let worst = (0..601).map(|row| (energy(row) - energy(0)).abs()).fold(0.0, f64::max);
@@ -109,8 +110,31 @@ fn a_simulation_ends_where_it_should() {
     assert!((last.positions[0] - 0.5).abs() < 1e-14);
     let rate = -(2.0 * 9.81 * (0.5_f64.cos() - 1.5_f64.cos())).sqrt();
     assert!((last.rates[0] - rate).abs() < 1e-10, "{} is not {rate}", last.rates[0]);
-    assert_eq!(ride.events.iter().map(|(_, name)| name.as_str()).collect::<Vec<_>>(), ["at 1", "at 0.5"]);
+    assert_eq!(ride.events.iter().map(|event| event.name.as_str()).collect::<Vec<_>>(), ["at 1", "at 0.5"]);
     assert!(ride.rows[ride.rows.len() - 2].time < last.time);
+}
+
+/// It passes its lowest point backward after one quarter of its period, forward after three, and so on.
+#[test]
+fn a_simulation_ends_when_something_has_happened_so_often() {
+    let (swing, angle) = (Swing { gravity: 9.81 }, 1.0_f64);
+    let (start, quarter) = (State::new(&swing, &[("angle", angle)], &[]).expect("a state"), quarter(angle, 9.81));
+    for (crossing, ends, quarters) in [
+        (Crossing::Rising, 2, vec![3.0, 7.0]),
+        (Crossing::Falling, 3, vec![1.0, 5.0, 9.0]),
+        (Crossing::Any, 4, vec![1.0, 3.0, 5.0, 7.0]),
+    ] {
+        // A force that jumps does not make it count anew.
+        let jump = Force::through(&[(0.0, 0.0), (1.0, 0.0), (1.0, 0.0), (2.0, 0.0)]).expect("a force");
+        let simulation = Simulation::new(&swing).force("T", jump).expect("a force");
+        let simulation = simulation.watching("lowest", crossing, Some(ends), |moment| moment.positions[0]);
+        let ride = simulation.run(&start, &tenths(100)).expect("a motion");
+        let times: Vec<f64> = ride.events.iter().map(|event| event.row.time).collect();
+        let is_near = |(time, expected): (&f64, &f64)| (time - expected * quarter).abs() < 1e-8;
+        assert!(times.len() == ends && times.iter().zip(&quarters).all(is_near), "{crossing:?}: {times:?}");
+        assert_eq!(ride.end, End::Event { name: "lowest".to_owned(), time: times[ends - 1] });
+        assert_eq!(ride.rows.last().map(|row| row.time), times.last().copied());
+    }
 }
 
 /// A controller that has no value beyond an angle: the rows until then are there.

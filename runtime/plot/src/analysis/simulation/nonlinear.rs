@@ -185,7 +185,7 @@ fn told<'a>(
         End::Interrupted { time: end } => Some(format!("the motion ends at {} s: it was interrupted", time(*end))),
         _ => None,
     };
-    let stops: Vec<f64> = ride.events.iter().filter(|(_, name)| name == STOP).map(|(stop, _)| *stop).collect();
+    let stops: Vec<f64> = ride.events.iter().filter(|event| event.name == STOP).map(|event| event.row.time).collect();
     // By their times.
     let mut happened: Vec<(f64, String)> = Vec::new();
     let stop = |stop: &f64| (*stop, format!("at {} s it stops, and turns back", time(*stop)));
