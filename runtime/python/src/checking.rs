@@ -1,11 +1,25 @@
 //! Somebody's numbers, and the slip that makes them.
 
 use carvallo_check::read;
-use carvallo_design::Failure;
 use carvallo_design::input::Request;
+use carvallo_design::{Failure, Place};
 use pyo3::prelude::*;
 
 use crate::loaded::raise;
+
+/// What stands for the file of what is given as a dict.
+const GIVEN: &str = "given.json";
+
+/// What is wrong with a dict is at no line of a file.
+fn without_file(mut failure: Failure) -> Failure {
+    if let Failure::Input(problems) = &mut failure {
+        problems
+            .iter_mut()
+            .filter(|problem| problem.place.file() == GIVEN)
+            .for_each(|problem| problem.place = Place::Nowhere);
+    }
+    failure
+}
 
 /// What a file, or the JSON of numbers, comes to: the report as JSON, and as text for people.
 #[pyfunction]
@@ -16,15 +30,16 @@ pub fn check(
     bicycle: Option<String>,
     model: Option<String>,
 ) -> PyResult<(String, String)> {
+    let is_dict = path.is_none();
     let find = || {
         let file = match (path, json) {
             (Some(path), _) => read::load(&path)?,
-            (None, json) => read::read("given.json", json.unwrap_or_default().into_bytes())?,
+            (None, json) => read::read(GIVEN, json.unwrap_or_default().into_bytes())?,
         };
         let request = Request { model, parameters: bicycle, ..Request::default() };
         let design = file.design(&request)?;
         let report = carvallo_check::check(&file.given(&design)?, &design).map_err(Failure::usage)?;
         Ok((report.json(), report.to_string()))
     };
-    py.detach(find).map_err(raise)
+    py.detach(find).map_err(|failure| raise(if is_dict { without_file(failure) } else { failure }))
 }

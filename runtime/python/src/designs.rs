@@ -150,7 +150,7 @@ impl Designs {
     }
 
     /// Looks at the equations of motion of one design.
-    fn visit(
+    pub(crate) fn visit(
         &self,
         columns: &[Values],
         index: usize,

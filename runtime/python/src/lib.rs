@@ -12,8 +12,10 @@ mod control;
 mod controllability;
 mod critical;
 mod designs;
+mod events;
 mod kernel;
 mod loaded;
+mod map;
 mod measured;
 mod modes;
 mod motion;
@@ -53,6 +55,7 @@ fn _carvallo(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(loaded::read, module)?)?;
     module.add_function(wrap_pyfunction!(measured::measure, module)?)?;
     module.add_function(wrap_pyfunction!(measured::rider, module)?)?;
+    module.add_function(wrap_pyfunction!(measured::example, module)?)?;
     module.add_function(wrap_pyfunction!(checking::check, module)?)?;
     module.add_function(wrap_pyfunction!(comparing::compare, module)?)?;
     module.add_function(wrap_pyfunction!(comparing::compare_svg, module)?)?;

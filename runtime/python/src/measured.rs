@@ -20,6 +20,12 @@ pub fn rider(path: &str) -> PyResult<String> {
     Rider::load(path).map(|rider| rider.to_toml()).map_err(raise)
 }
 
+/// A file to start from: of what is measured of a `rider`, or else of a bicycle.
+#[pyfunction]
+pub fn example(of: &str) -> &'static str {
+    if of == "rider" { carvallo_measure::rider::EXAMPLE } else { carvallo_measure::EXAMPLE }
+}
+
 #[pymethods]
 impl Designs {
     /// The one design with bodies joined to it: files, or what is in them in one line.

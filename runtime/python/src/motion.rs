@@ -8,6 +8,7 @@ use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods as _};
 use pyo3::prelude::*;
 
 use crate::designs::Designs;
+use crate::events::Event;
 use crate::loaded::raise;
 use crate::one::About;
 use crate::signals::Signals;
@@ -32,6 +33,8 @@ pub struct Asked {
     #[pyo3(item)]
     varying: Vec<(String, Vec<(f64, f64)>)>,
     #[pyo3(item)]
+    events: Vec<Event>,
+    #[pyo3(item)]
     linear: bool,
 }
 
@@ -50,6 +53,7 @@ impl Asked {
         let zero = self.varying.iter().map(|(name, _)| format!("{name}=0"));
         let forces: Vec<String> = self.constant.iter().cloned().chain(zero).collect();
         let end = times.last().copied().unwrap_or(0.0);
+        let names: Vec<&'static str> = solver.givable().iter().map(|givable| givable.quantity.name).collect();
         let mut given: Given = read(solver, design, &self.initial, &forces, end).map_err(Failure::Input)?;
         for (name, points) in &self.varying {
             let is_called = |names: &[String]| names.iter().any(|own| own.eq_ignore_ascii_case(name.trim()));
@@ -59,6 +63,7 @@ impl Asked {
                 given.forces[channel] = force;
             }
         }
+        given.watches = self.events.iter().map(|event| event.watch(&names, signals)).collect();
         solver.run(design, &given, self.speed, times, &|_| signals.look())
     }
 
@@ -103,6 +108,16 @@ pub struct Told<'py> {
     energy: Option<Bound<'py, PyArray2<f64>>>,
     /// By time, wheel and axis.
     contact_forces: Bound<'py, PyArray3<f64>>,
+    /// By time and law.
+    feedback: Bound<'py, PyArray2<f64>>,
+    /// What the laws are on, with units.
+    laws: Vec<(String, &'static str)>,
+    /// What happened, by the place of the event; and the motion there, by event and quantity.
+    happened: Vec<usize>,
+    happened_t: Bound<'py, PyArray1<f64>>,
+    happened_positions: Bound<'py, PyArray2<f64>>,
+    happened_rates: Bound<'py, PyArray2<f64>>,
+    happened_accelerations: Bound<'py, PyArray2<f64>>,
     end: Option<String>,
     notes: Vec<String>,
 }
@@ -113,17 +128,24 @@ struct Rows {
     quantities: Vec<(&'static str, &'static str, &'static str)>,
     wheels: Vec<&'static str>,
     rows: Vec<Row>,
+    laws: Vec<(String, &'static str)>,
+    happened: Vec<usize>,
+    happened_rows: Vec<Row>,
     end: Option<String>,
     notes: Vec<String>,
 }
 
 impl Rows {
     fn of(motion: Motion) -> Self {
+        let laws = motion.feedback();
         let quantities = motion.quantities.iter().map(|quantity| (quantity.name, quantity.label, quantity.unit));
         Self {
             is_linear: motion.is_linear,
             quantities: quantities.collect(),
             wheels: motion.wheels,
+            laws,
+            happened: motion.events.iter().map(|event| event.watch).collect(),
+            happened_rows: motion.events.into_iter().map(|event| event.row).collect(),
             rows: motion.rows,
             end: motion.end.as_deref().map(in_python),
             notes: motion.notes.iter().map(|note| in_python(note)).collect(),
@@ -131,21 +153,29 @@ impl Rows {
     }
 
     fn told<'py>(self, py: Python<'py>) -> PyResult<Told<'py>> {
-        let Self { rows, quantities, wheels, .. } = &self;
+        let Self { rows, quantities, wheels, happened_rows, .. } = &self;
         let (count, width, wheel_count) = (rows.len(), quantities.len(), wheels.len());
-        let by_quantity = |of: fn(&Row) -> &[f64]| {
-            PyArray1::from_vec(py, rows.iter().flat_map(of).copied().collect()).reshape([count, width])
+        let by_row = |rows: &[Row], width: usize, of: fn(&Row) -> &[f64]| {
+            PyArray1::from_vec(py, rows.iter().flat_map(of).copied().collect()).reshape([rows.len(), width])
         };
+        let times = |rows: &[Row]| PyArray1::from_vec(py, rows.iter().map(|row| row.t).collect());
         let energy: Option<Vec<[f64; 2]>> = rows.iter().map(|row| row.energy).collect();
         let energy = energy
             .filter(|_| count > 0)
             .map(|energy| PyArray1::from_vec(py, energy.into_iter().flatten().collect()).reshape([count, 2]));
         let forces: Vec<f64> = rows.iter().flat_map(|row| row.contact_forces.iter().flatten()).copied().collect();
         Ok(Told {
-            t: PyArray1::from_vec(py, rows.iter().map(|row| row.t).collect()),
-            positions: by_quantity(|row| &row.positions)?,
-            rates: by_quantity(|row| &row.rates)?,
-            accelerations: by_quantity(|row| &row.accelerations)?,
+            t: times(rows),
+            positions: by_row(rows, width, |row| &row.positions)?,
+            rates: by_row(rows, width, |row| &row.rates)?,
+            accelerations: by_row(rows, width, |row| &row.accelerations)?,
+            feedback: by_row(rows, self.laws.len(), |row| &row.feedback)?,
+            happened_t: times(happened_rows),
+            happened_positions: by_row(happened_rows, width, |row| &row.positions)?,
+            happened_rates: by_row(happened_rows, width, |row| &row.rates)?,
+            happened_accelerations: by_row(happened_rows, width, |row| &row.accelerations)?,
+            laws: self.laws,
+            happened: self.happened,
             energy: energy.transpose()?,
             contact_forces: PyArray1::from_vec(py, forces).reshape([count, wheel_count, 3])?,
             is_linear: self.is_linear,

@@ -1,4 +1,4 @@
-//! Ctrl-C, while Rust computes.
+//! Ctrl-C, and what functions of the user's raise, while Rust computes.
 
 use std::cell::{Cell, RefCell};
 use std::ops::ControlFlow;
@@ -6,10 +6,10 @@ use std::time::{Duration, Instant};
 
 use pyo3::prelude::*;
 
-/// Between two looks at whether the user pressed it.
+/// Between two looks at whether the user pressed Ctrl-C.
 const PATIENCE: Duration = Duration::from_millis(50);
 
-/// Looks now and then whether the user pressed it.
+/// Looks now and then whether the user pressed Ctrl-C.
 pub struct Signals {
     seen: Cell<Instant>,
     raised: RefCell<Option<PyErr>>,
@@ -20,8 +20,21 @@ impl Signals {
         Self { seen: Cell::new(Instant::now()), raised: RefCell::new(None) }
     }
 
+    /// Ends the computation for what a function of the user's raised; the first of them counts.
+    pub fn raise(&self, error: PyErr) {
+        self.raised.borrow_mut().get_or_insert(error);
+    }
+
+    /// Whether something was raised.
+    pub fn is_raised(&self) -> bool {
+        self.raised.borrow().is_some()
+    }
+
     /// Whether to go on.
     pub fn look(&self) -> ControlFlow<()> {
+        if self.is_raised() {
+            return ControlFlow::Break(());
+        }
         if self.seen.get().elapsed() <= PATIENCE {
             return ControlFlow::Continue(());
         }
@@ -35,7 +48,7 @@ impl Signals {
         }
     }
 
-    /// What Ctrl-C raised, if it was pressed.
+    /// What was raised, as KeyboardInterrupt by Ctrl-C.
     pub fn finish(self) -> PyResult<()> {
         self.raised.into_inner().map_or(Ok(()), Err)
     }

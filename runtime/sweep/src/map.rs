@@ -1,6 +1,6 @@
 //! The stable range over two parameters that vary.
 
-use carvallo::{ParameterInfo, StableRange};
+use carvallo::StableRange;
 use carvallo_design::Design;
 use carvallo_plot::picture::{self, MapAxis, MapCell, Scene};
 
@@ -36,24 +36,11 @@ impl Map {
             .iter()
             .enumerate()
             .map(|(column, axis)| {
-                let info = &axis.parameter.info;
                 let own = axis.parameter.position().map(|at| values[at]);
-                let own = own.or_else(|| plan.task.varied.start(column)).unwrap_or(f64::NAN);
-                MapAxis::new(label(info), info.unit, &axis.values, own)
+                let own = own.or_else(|| plan.task.varied.start(column));
+                MapAxis::new(&axis.parameter.info, &axis.values, own)
             })
             .collect();
         picture::draw_map(&design.title(), &axes, &self.cells)
-    }
-}
-
-/// What the parameter is, as far as its documentation says so in a few words, and its symbol.
-fn label(info: &ParameterInfo) -> String {
-    let docs = info.docs.trim().split([':', '.', ',', ';', '\n']).next().unwrap_or_default();
-    let mut chars = docs.chars();
-    match chars.next() {
-        Some(first) if docs.chars().count() <= 50 => {
-            format!("{}{} {}", first.to_lowercase(), chars.as_str(), info.symbol)
-        }
-        _ => info.symbol.to_owned(),
     }
 }

@@ -58,7 +58,7 @@ pub use self::controllability::draw_controllability;
 pub use self::curves::{Curve, extent, samples};
 #[cfg(feature = "control")]
 pub use self::locus::draw_locus;
-pub use self::map::{MapAxis, MapCell, draw_map};
+pub use self::map::{MOST_CELLS, MapAxis, MapCell, draw_map};
 pub use self::motion::draw_motion;
 #[cfg(feature = "control")]
 pub use self::nyquist::draw_nyquist;

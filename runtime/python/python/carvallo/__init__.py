@@ -21,7 +21,7 @@ from .checking import Comparison, Explanation, Report, check
 from .comparing import Differences, Optimum, SpeedChange, compare, optimize
 from .control import InputOutput, Margins, Response, TransferFunction
 from .controllability import Controllability, LostMode
-from .design import Design, Eigenvectors, Modes, StateSpace, System, measure, read, rider
+from .design import Design, Eigenvectors, Modes, StateSpace, System, example, measure, read, rider
 from .model import Coordinate, Model, Parameter, models
 from .motion import Motion
 from .pictures import Picture
@@ -76,6 +76,7 @@ __all__ = [
     "__version__",
     "check",
     "compare",
+    "example",
     "measure",
     "models",
     "optimize",

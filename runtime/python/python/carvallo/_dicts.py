@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, TypedDict
 
 import numpy as np
@@ -130,6 +131,15 @@ class Regulated(TypedDict):
     unstable: list[list[float]]
 
 
+class AskedEvent(TypedDict):
+    """A function of the time and the state, which ends the motion when it has changed its sign so often."""
+
+    name: str
+    function: Callable[[float, dict[str, float]], float]
+    ends: int | None
+    direction: float
+
+
 class Asked(TypedDict):
     """What a motion begins with, what acts on it, and by which equations it goes."""
 
@@ -138,6 +148,7 @@ class Asked(TypedDict):
     initial: list[str]
     constant: list[str]
     varying: list[tuple[str, list[tuple[float, float]]]]
+    events: list[AskedEvent]
     linear: bool
 
 
@@ -153,6 +164,13 @@ class Told(TypedDict):
     accelerations: NDArray[np.float64]
     energy: NDArray[np.float64] | None
     contact_forces: NDArray[np.float64]
+    feedback: NDArray[np.float64]
+    laws: list[tuple[str, str]]
+    happened: list[int]
+    happened_t: NDArray[np.float64]
+    happened_positions: NDArray[np.float64]
+    happened_rates: NDArray[np.float64]
+    happened_accelerations: NDArray[np.float64]
     end: str | None
     notes: list[str]
 

@@ -130,6 +130,9 @@ def optimize(
     """
     if (maximize is None) == (minimize is None):
         raise ValueError("expected one measure, to maximize or to minimize")
+    for name, whole in (("starts", starts), ("seed", seed)):
+        if whole != int(whole) or not 0 <= whole < 2**32:
+            raise ValueError(f"`{name}` is {whole}; it must be a whole number from 0 on, below 2^32")
     written = [f"{name}={_text(low)}:{_text(high)}" for name, (low, high) in vary.items()]
     search: dict[str, Any] = {
         "vary": written,

@@ -16,8 +16,9 @@ from ._dicts import About, Loaded
 from .along import Along, along_of
 from .control import InputOutput, state_space_of
 from .controlled import Controlled
-from .motion import Force, Motion, simulate
+from .motion import Event, Force, Motion, simulate
 from .pictures import Picture
+from .samples import samples_of, varied_of
 from .sensitivity import Sensitivity
 from .stability import CriticalSpeed, Range, Stability, stability_of
 from .turns import SteadyTurns, turns_of
@@ -450,6 +451,35 @@ class Design(Controlled, Mapping[str, Union[float, NDArray[np.float64]]]):
         """
         return along_of(self, parameter, low, high, v, count)
 
+    def map(self, base: Design | None = None, *, threads: int | None = None) -> Picture:
+        """Where the stable range of designs begins, and how wide it is, over two parameters: of an array of designs with two axes, of
+        which the first varies one parameter, upward in the picture, and the second another, to the right::
+
+            >>> pista.replace(w=np.linspace(0.9, 1.2, 61)[:, np.newaxis], c=np.linspace(0.0, 0.1, 51)).map(pista)
+
+        ``base`` is a design that is marked in it.
+
+        Raises
+        ------
+        ValueError
+            If there are not two such parameters, or more than a million designs.
+        """
+        if base is not None and base.model != self.model:
+            raise ValueError(f"the base is of the model {base.model.name}; the designs are of {self.model.name}")
+        return Picture(self._designs.map_svg(self.name, varied_of(self._values, self.shape, base), threads))
+
+    def samples(self, count: int, seed: int | np.random.Generator | None = None) -> Design:
+        """Designs that could be this one: ``count`` of them, drawn from the normal distributions of its :attr:`deviations` with their
+        :attr:`correlations`, by numpy's generator with a seed. Of wide deviations a draw may be none that a design can have, as
+        a negative mass: ``carvallo.stability(dict(samples))`` tells which they are and computes the others.
+
+        Raises
+        ------
+        ValueError
+            If no parameter has a deviation.
+        """
+        return samples_of(self, count, seed)
+
     def side_view(self) -> Picture:
         """The side view of a bicycle, to scale.
 
@@ -468,7 +498,7 @@ class Design(Controlled, Mapping[str, Union[float, NDArray[np.float64]]]):
 
     def simulate(self, v: float = 0.0, duration: float | None = None, *, times: ArrayLike | None = None,
                  initial: Mapping[str, float | str] | None = None, forces: Mapping[str, Force] | None = None,
-                 linear: bool = False) -> Motion:
+                 events: Event | Sequence[Event] = (), linear: bool = False) -> Motion:
         """The motion of one design in time, by the nonlinear equations if the model has any, or the linear ones.
 
         Parameters
@@ -482,6 +512,13 @@ class Design(Controlled, Mapping[str, Union[float, NDArray[np.float64]]]):
         forces
             Forces and torques by their names, such as ``{"delta": 2.0}`` in N m: constant, or times with values,
             ``{"delta": ([0, 1, 1, 2], [0, 2, 0, 0])}``, linear between them; two at one time are a jump.
+        events
+            Functions ``event(t, state)`` of the time in s and of a dict of all positions and rates, which happen where they change
+            their sign, as ``scipy.integrate.solve_ivp`` has them: ``event.terminal = True`` ends the motion there, or a number when
+            it has happened so often; ``event.direction`` above zero counts changes from below zero to above, below zero the
+            others. They are found to rounding, if there is one at most between two of the times at which it is looked: several in
+            each step of the nonlinear equations, and of the linear ones 4 or more between two rows. What a function raises
+            ends the simulation and comes out of it.
         linear
             Solve the linear equations, exactly, also where there are nonlinear ones.
 
@@ -496,7 +533,7 @@ class Design(Controlled, Mapping[str, Union[float, NDArray[np.float64]]]):
         ValueError
             With everything that is wrong, in the words of the command line; or if there is no motion.
         """
-        return simulate(self, v, duration, times, initial or {}, forces or {}, linear)
+        return simulate(self, v, duration, times, initial or {}, forces or {}, events, linear)
 
     def _one(self) -> _carvallo.Designs:
         """For what there is of one design alone."""
@@ -574,4 +611,17 @@ def rider(path: str | os.PathLike[str]) -> str:
     return _carvallo.rider(os.fspath(path))
 
 
-__all__ = ["Design", "Eigenvectors", "Modes", "StateSpace", "System", "Value", "measure", "read", "rider"]
+def example(of: str) -> str:
+    """A file to start from, as text: of ``"measure"`` for :func:`measure`, or of ``"rider"`` for :func:`rider`.
+
+    Raises
+    ------
+    ValueError
+        If there is no such example.
+    """
+    if of not in ("measure", "rider"):
+        raise ValueError(f"there is no example of {of!r}; expected 'measure' or 'rider'")
+    return _carvallo.example(of)
+
+
+__all__ = ["Design", "Eigenvectors", "Modes", "StateSpace", "System", "Value", "example", "measure", "read", "rider"]

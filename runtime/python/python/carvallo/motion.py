@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._dicts import Asked
+from ._dicts import Asked, AskedEvent
 
 if TYPE_CHECKING:
     from .design import Design
 
 Force = Union[float, str, "tuple[ArrayLike, ArrayLike]"]
 """A constant in SI units, a text with a unit, or times in s with a force at each, linear between them."""
+
+Event = Callable[[float, "dict[str, float]"], float]
+"""A function ``event(t, state)`` of the time in s and of a dict with all positions and rates, which is zero where something happens; as
+``scipy.integrate.solve_ivp`` takes it, with the attributes ``terminal`` and ``direction``."""
 
 ROWS = 100
 """Steps of a motion, unless it is said how many."""
@@ -34,8 +38,14 @@ class Motion(Mapping[str, NDArray[np.float64]]):
     """Kinetic and potential energy in J, of shape (times, 2); None of linear motions."""
     contact_forces: dict[str, NDArray[np.float64]]
     """The force of the ground in N on each wheel that touches it, of shape (times, 3), z downward; none of linear motions."""
+    feedback_forces: dict[str, NDArray[np.float64]]
+    """The forces of the laws of :attr:`Design.feedback` over :attr:`t`, by what they are on, in N m or N."""
     end: str | None
     """Why it ended before its time, as by a fall; None if it did not. Rows end there."""
+    t_events: tuple[NDArray[np.float64], ...]
+    """Of each event that was watched, the times in s at which it happened, to rounding."""
+    y_events: tuple[dict[str, NDArray[np.float64]], ...]
+    """Of each event the motion there: arrays over its :attr:`t_events`, by the same names as those of the motion."""
     notes: tuple[str, ...]
     """What happened on the way: a stop, or a wheel that would lift off."""
 
@@ -46,8 +56,17 @@ class Motion(Mapping[str, NDArray[np.float64]]):
         self.notes = tuple(told["notes"])
         self.units = {name: unit for name, _, unit in told["quantities"]}
         self.contact_forces = {name: told["contact_forces"][:, place] for place, name in enumerate(told["wheels"])}
-        kinds = (("", told["positions"]), ("_rate", told["rates"]), ("_acceleration", told["accelerations"]))
-        self._columns = {f"{name}{suffix}": rows[:, place] for suffix, rows in kinds for place, name in enumerate(self.units)}
+        self.feedback_forces = {name: told["feedback"][:, place] for place, (name, _) in enumerate(told["laws"])}
+        self._columns = self._named(told["positions"], told["rates"], told["accelerations"])
+        happened = self._named(told["happened_positions"], told["happened_rates"], told["happened_accelerations"])
+        own = [np.array(told["happened"], dtype=np.intp) == place for place in range(len(asked["events"]))]
+        self.t_events = tuple(told["happened_t"][is_own] for is_own in own)
+        self.y_events = tuple({name: values[is_own] for name, values in happened.items()} for is_own in own)
+
+    def _named(self, *kinds: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
+        """Positions, rates and accelerations by their names."""
+        suffixes = zip(("", "_rate", "_acceleration"), kinds)
+        return {f"{name}{suffix}": rows[:, place] for suffix, rows in suffixes for place, name in enumerate(self.units)}
 
     def __getitem__(self, name: str) -> NDArray[np.float64]:
         return self._columns[name]
@@ -60,7 +79,9 @@ class Motion(Mapping[str, NDArray[np.float64]]):
 
     def svg(self) -> str:
         """The motion against time, with the linear one beside a nonlinear one and the paths of wheels, as SVG."""
-        return self._designs.motion_svg(self._design._about, self._asked)
+        # As far as it went: nothing has to be watched again.
+        asked: Asked = {**self._asked, "times": self.t.tolist(), "events": []}
+        return self._designs.motion_svg(self._design._about, asked)
 
     def _repr_svg_(self) -> str | None:
         return self.svg() if self.t[-1] > 0.0 else None
@@ -71,7 +92,7 @@ class Motion(Mapping[str, NDArray[np.float64]]):
 
 
 def simulate(design: Design, v: float, duration: float | None, times: ArrayLike | None, initial: Mapping[str, float | str],
-             forces: Mapping[str, Force], linear: bool) -> Motion:
+             forces: Mapping[str, Force], events: Event | Sequence[Event], linear: bool) -> Motion:
     """The motion of one design; what :meth:`Design.simulate` does."""
     constant, varying = [], []
     for name, force in forces.items():
@@ -88,9 +109,22 @@ def simulate(design: Design, v: float, duration: float | None, times: ArrayLike 
         "initial": [f"{name}={as_quantity(value)}" for name, value in initial.items()],
         "constant": constant,
         "varying": varying,
+        "events": [_event(event) for event in (events if isinstance(events, Sequence) else [events])],
         "linear": linear,
     }
     return Motion(design, asked)
+
+
+def _event(event: Event) -> AskedEvent:
+    """With what SciPy has as attributes of the function."""
+    if not callable(event):
+        raise TypeError(f"the event is {event!r}; expected a function of the time and the state")
+    terminal = getattr(event, "terminal", False)
+    ends = int(terminal) if terminal else None
+    if ends is not None and (ends != terminal or ends < 1):
+        raise ValueError(f"`terminal` of an event is {terminal!r}; expected True, False or a number of times")
+    name = getattr(event, "__name__", type(event).__name__)
+    return {"name": name, "function": event, "ends": ends, "direction": float(getattr(event, "direction", 0.0))}
 
 
 def times_of(duration: float | None, times: ArrayLike | None) -> list[float]:

@@ -7,6 +7,7 @@ use carvallo_design::conventions::{Naming, Varying};
 use carvallo_design::input::is_same_file;
 use carvallo_design::number::shortest;
 use carvallo_design::{Capacity, Failure, Place, Problem, Shipped, speeds};
+use carvallo_plot::picture::MOST_CELLS;
 
 use crate::generate::{Axis, MEASURED, Random};
 use crate::request::Request;
@@ -14,9 +15,6 @@ use crate::table::Format;
 
 /// More speeds than this would make tables that nobody reads.
 const MAX_SPEEDS: usize = 100;
-
-/// More designs than this show nothing in a map that fewer would not.
-const MAX_CELLS: usize = 1_000_000;
 
 /// What was asked for, with everything in it that can be validated without reading a file.
 pub struct Validated {
@@ -195,8 +193,8 @@ impl Problems {
         } else if let [x, y] = vary {
             if [x, y].iter().any(|axis| axis.values.iter().all(|value| *value == axis.values[0])) {
                 self.option("--map", &path, "a map needs at least two values of each parameter");
-            } else if x.values.len() * y.values.len() > MAX_CELLS {
-                self.option("--map", &path, format!("a map shows at most {MAX_CELLS} designs"));
+            } else if x.values.len() * y.values.len() > MOST_CELLS {
+                self.option("--map", &path, format!("a map shows at most {MOST_CELLS} designs"));
             }
         }
     }

@@ -2,15 +2,16 @@
 
 use std::ops::ControlFlow;
 
-use carvallo::simulation::{LinearMotion, SimulationError};
+use carvallo::simulation::{LinearMotion, SimulationError, Snapshot};
 use carvallo::{Rate, States};
 use carvallo_design::number::shortest;
 use carvallo_design::{Design, Failure};
 
 use super::force::Channel;
 use super::initial::Givable;
-use super::motion::{Motion, Quantity, Row, fed_back, order};
+use super::motion::{Motion, Quantity, Row, fed_back, order, time};
 use super::solver::{Given, Solver};
+use super::watch::{Happened, happened, looked_at};
 use crate::analysis::extremes;
 
 /// What the path of a bicycle is told by, behind its lean and steer; the first is its yaw.
@@ -76,9 +77,9 @@ impl Solver for Linear {
         given: &Given,
         speed: f64,
         times: &[f64],
-        _: &dyn Fn(f64) -> ControlFlow<()>,
+        reach: &dyn Fn(f64) -> ControlFlow<()>,
     ) -> Result<Motion<'a>, Failure> {
-        let Given { initial, forces } = given;
+        let Given { initial, forces, watches } = given;
         let title = design.title();
         let fail = |message: String| Failure::Run(format!("{title}: {message}{}", extremes(design)));
         let motion = design.equations.motion(speed, design.gravity().unwrap_or(0.0));
@@ -93,7 +94,7 @@ impl Solver for Linear {
         let run = |motion: &LinearMotion, times: &[f64]| {
             motion.run(&initial.positions, &initial.rates[..count], forces, times)
         };
-        let (snapshots, end) = match run(&motion, times) {
+        let (mut snapshots, mut end) = match run(&motion, times) {
             Ok(snapshots) => (snapshots, None),
             // What there is until then.
             Err(SimulationError::OutOfRange { time }) => {
@@ -104,10 +105,29 @@ impl Solver for Linear {
             }
             Err(error) => return Err(fail(error.to_string())),
         };
+        let mut events = Vec::new();
+        if cfg!(feature = "events") && !watches.is_empty() {
+            let fastest = design.equations.eigenvalues(speed, design.gravity().unwrap_or(0.0));
+            let fastest = fastest.map_err(|error| fail(error.to_string()))?;
+            let fastest = fastest.iter().fold(0.0, |most: f64, value| most.max(value.im));
+            let moments = looked_at(&times[..snapshots.len()], fastest);
+            let after = |before: &Snapshot, time: f64| {
+                let mut both = motion.run(&before.positions, &before.rates[..count], forces, &[before.time, time])?;
+                both.pop().ok_or(SimulationError::OutOfRange { time })
+            };
+            let found = run(&motion, &moments).and_then(|moments| happened(&moments, watches, &after, reach));
+            let (found, ends) = found.map_err(|error| fail(error.to_string()))?;
+            if let Some((place, last)) = found.last().filter(|_| ends) {
+                snapshots.retain(|snapshot| snapshot.time < last.time);
+                snapshots.push(last.clone());
+                end = Some(format!("the motion ends at {} s: {}", time(last.time), watches[*place].end()));
+            }
+            events = found;
+        }
         let quantities: Vec<Quantity> = self.givable.iter().map(|givable| givable.quantity).collect();
         let order = order(&quantities);
         let arranged = |values: &[f64]| order.iter().map(|&place| values[place] + 0.0).collect();
-        let rows = snapshots.iter().map(|snapshot| Row {
+        let told = |snapshot: &Snapshot| Row {
             t: snapshot.time,
             positions: arranged(&snapshot.positions),
             rates: arranged(&snapshot.rates),
@@ -115,12 +135,14 @@ impl Solver for Linear {
             energy: None,
             contact_forces: Vec::new(),
             feedback: fed_back(design, speed, &quantities, &snapshot.positions, &snapshot.rates),
-        });
+        };
+        let events = events.iter().map(|(watch, snapshot)| Happened { watch: *watch, row: told(snapshot) });
         Ok(Motion {
             is_linear: true,
             quantities: order.iter().map(|&place| quantities[place]).collect(),
             wheels: Vec::new(),
-            rows: rows.collect(),
+            rows: snapshots.iter().map(told).collect(),
+            events: events.collect(),
             end,
             notes: Vec::new(),
             design,

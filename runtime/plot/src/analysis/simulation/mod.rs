@@ -7,6 +7,7 @@ mod linear;
 mod motion;
 mod nonlinear;
 mod solver;
+mod watch;
 
 pub use self::contacts::paths;
 pub use self::force::Channel;
@@ -15,3 +16,4 @@ pub use self::linear::Linear;
 pub use self::motion::{Motion, Quantity, Row};
 pub use self::nonlinear::Nonlinear;
 pub use self::solver::{Given, Solver, read};
+pub use self::watch::{Happened, Watch};

@@ -3,6 +3,8 @@
 use carvallo_design::Design;
 use carvallo_design::feedback::forces;
 
+use super::watch::Happened;
+
 /// The order in which quantities of bicycles are told: that of the paper.
 const ORDER: [&str; 8] = ["x", "y", "psi", "phi", "pitch", "delta", "thetaR", "thetaF"];
 
@@ -53,6 +55,8 @@ pub struct Motion<'a> {
     pub wheels: Vec<&'static str>,
     /// Ascending in time.
     pub rows: Vec<Row>,
+    /// What was watched for and happened, in its order.
+    pub events: Vec<Happened>,
     /// Why it ended before its time, if it did.
     pub end: Option<String>,
     /// What else is to be known of it.
@@ -94,6 +98,14 @@ impl Motion<'_> {
     pub fn speed(&self, row: &Row) -> Option<f64> {
         let (radius, wheel) = (self.design.value("rR")?, self.position("thetaR")?);
         Some(-radius * row.rates[wheel])
+    }
+}
+
+/// A time in s as it is told in words.
+pub(super) fn time(time: f64) -> String {
+    match time {
+        time if 0.0 < time && time < 1e-4 => format!("{time:.3e}"),
+        time => format!("{time:.6}").trim_end_matches('0').trim_end_matches('.').to_owned(),
     }
 }
 

@@ -10,8 +10,9 @@ use carvallo_design::{Design, Failure};
 use super::force::Channel;
 use super::initial::Givable;
 use super::linear::OF_SPEED;
-use super::motion::{Motion, Quantity, Row, fed_back, order};
+use super::motion::{Motion, Quantity, Row, fed_back, order, time};
 use super::solver::{Given, Solver};
+use super::watch::{Happened, Watch};
 
 /// A machine whose lean has a cosine below this lies on the ground.
 const FLAT: f64 = 1e-6;
@@ -28,6 +29,8 @@ const TURN: Ending = Ending {
     beyond: "with its front turned around: it is steered",
 };
 const STOP: &str = "stop";
+/// Before the place of what is watched for.
+const WATCHED: &str = "watched ";
 
 /// More stops than these are told by their number.
 const MOST_STOPS: usize = 3;
@@ -123,6 +126,7 @@ impl Solver for Nonlinear<'_> {
         }
         let start = self.state(given, speed).map_err(fail)?;
         let mut notes = Vec::new();
+        let names: Vec<String> = (0..given.watches.len()).map(|place| format!("{WATCHED}{place}")).collect();
         let mut simulation = Simulation::new(self.machine);
         for (force, given) in info.forces.iter().zip(&given.forces) {
             simulation = simulation.force(force.name, given.clone()).map_err(|error| fail(error.to_string()))?;
@@ -144,10 +148,18 @@ impl Solver for Nonlinear<'_> {
         if let Some(drive) = self.drive {
             simulation = simulation.noting(STOP, move |moment: &Moment| drive.speed(moment.rates));
         }
+        for (name, watch) in names.iter().zip(&given.watches) {
+            simulation = simulation.watching(name, watch.crossing, watch.ends, &watch.function);
+        }
         let simulation = simulation.observed_by(reach);
         let ride = simulation.run(&start, times).map_err(|error| fail(error.to_string()))?;
-        Ok(told(design, info, self.drive, ride, notes))
+        Ok(told(design, info, self.drive, ride, &given.watches, notes))
     }
+}
+
+/// The place of what is watched for, by its name in the simulation.
+fn watched(name: &str) -> Option<usize> {
+    name.strip_prefix(WATCHED)?.parse().ok()
 }
 
 /// The motion as it is told.
@@ -156,23 +168,22 @@ fn told<'a>(
     info: &MotionInfo,
     drive: Option<Drive>,
     ride: Ride,
+    watches: &[Watch],
     mut notes: Vec<String>,
 ) -> Motion<'a> {
     let quantities: Vec<Quantity> =
         info.positions.iter().map(|position| Quantity::new(position.name, position.label, position.unit)).collect();
     let order = order(&quantities);
     let arranged = |values: &[f64]| order.iter().map(|&place| values[place]).collect();
-    let time = |time: f64| match time {
-        time if 0.0 < time && time < 1e-4 => format!("{time:.3e}"),
-        time => format!("{time:.6}").trim_end_matches('0').trim_end_matches('.').to_owned(),
-    };
     let most = ride.rows.last().map_or(0.0, |row| row.accelerations.iter().fold(0.0_f64, |most, a| most.max(a.abs())));
     let enormous =
         if most > ENORMOUS { format!("; accelerations are up to {most:.1e}: see the forces") } else { String::new() };
     let end = match &ride.end {
         End::Event { time: end, name } => {
             let degrees = if name == FALL.name { FALL.degrees } else { TURN.degrees };
-            Some(format!("the motion ends at {} s: {name} by {degrees} degrees", time(*end)))
+            let watched = watched(name).map(|place| watches[place].end());
+            let what = watched.unwrap_or_else(|| format!("{name} by {degrees} degrees"));
+            Some(format!("the motion ends at {} s: {what}", time(*end)))
         }
         End::Singular { time: end, error } => Some(format!("the motion ends at {} s: {error}{enormous}", time(*end))),
         End::Stalled { time: end, steps } => {
@@ -209,7 +220,7 @@ fn told<'a>(
     happened.sort_by(|a, b| a.0.total_cmp(&b.0));
     notes.extend(happened.into_iter().map(|(_, note)| note));
     let forward = |row: &RideRow| drive.map_or(0.0, |drive| drive.speed(&row.rates));
-    let rows = ride.rows.into_iter().map(|row| Row {
+    let told = |row: RideRow| Row {
         t: row.time,
         feedback: fed_back(design, forward(&row), &quantities, &row.positions, &row.rates),
         positions: arranged(&row.positions),
@@ -217,13 +228,16 @@ fn told<'a>(
         accelerations: arranged(&row.accelerations),
         energy: Some([row.energy.kinetic, row.energy.potential]),
         contact_forces: row.contact_forces,
-    });
+    };
+    let events = ride.events.into_iter();
+    let events = events.filter_map(|event| Some(Happened { watch: watched(&event.name)?, row: told(event.row) }));
     Motion {
         design,
         is_linear: false,
         quantities: order.iter().map(|&place| quantities[place]).collect(),
         wheels: info.wheels.iter().map(|wheel| wheel.name).collect(),
-        rows: rows.collect(),
+        events: events.collect(),
+        rows: ride.rows.into_iter().map(told).collect(),
         end,
         notes,
     }

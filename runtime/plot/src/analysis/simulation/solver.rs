@@ -8,6 +8,7 @@ use carvallo_design::{Design, Failure, Problem};
 use super::force::{Channel, forces};
 use super::initial::{Givable, Initial};
 use super::motion::Motion;
+use super::watch::Watch;
 
 /// The equations of motion of a design, at a speed.
 pub trait Solver {
@@ -38,11 +39,13 @@ pub trait Solver {
 }
 
 /// What a motion begins with, and what acts on it, in the orders of a [`Solver`].
-pub struct Given {
+pub struct Given<'a> {
     /// The state at the beginning.
     pub initial: Initial,
     /// One for each channel.
     pub forces: Vec<Force>,
+    /// What is watched for on the way; nothing, unless it is added.
+    pub watches: Vec<Watch<'a>>,
 }
 
 /// What is given: the initial state, and the forces until the end of the motion.
@@ -55,11 +58,11 @@ pub fn read(
     initial: &[String],
     force: &[String],
     duration: f64,
-) -> Result<Given, Vec<Problem>> {
+) -> Result<Given<'static>, Vec<Problem>> {
     let model = design.info().name;
     let state = super::initial::initial(initial, solver.givable(), model);
     match (state, forces(force, solver.channels(), duration, model)) {
-        (Ok(initial), Ok(forces)) => Ok(Given { initial, forces }),
+        (Ok(initial), Ok(forces)) => Ok(Given { initial, forces, watches: Vec::new() }),
         (state, forces) => Err(state.err().into_iter().chain(forces.err()).flatten().collect()),
     }
 }

@@ -4,7 +4,7 @@ mod scale;
 
 use std::ops::Range;
 
-use carvallo::StableRange;
+use carvallo::{ParameterInfo, StableRange};
 use carvallo_design::number;
 
 use self::scale::{ENDLESS, ERROR, Scale, Shade, UNSTABLE};
@@ -19,13 +19,16 @@ const TEXT: f32 = 13.0;
 /// From there to the next panel.
 const BETWEEN: f32 = 24.0;
 
+/// The most designs that a map shows: more show nothing that fewer would not.
+pub const MOST_CELLS: usize = 1_000_000;
+
 /// One parameter of a map.
 pub struct MapAxis {
     label: String,
     /// In the unit of the label.
     values: Vec<f64>,
-    /// Where the design is that was varied.
-    base: f64,
+    /// Where the design is that was varied, if there is one.
+    base: Option<f64>,
 }
 
 /// What there is of one design.
@@ -40,14 +43,20 @@ pub enum MapCell {
 }
 
 impl MapAxis {
-    /// Angles are shown in degrees.
-    pub fn new(label: String, unit: &str, values: &[f64], base: f64) -> Self {
-        let (factor, unit) = match unit {
+    /// Of a parameter with values in its unit; `base` is that of the design that was varied, if there is one. Angles are shown in
+    /// degrees.
+    pub fn new(info: &ParameterInfo, values: &[f64], base: Option<f64>) -> Self {
+        let label = label(info);
+        let (factor, unit) = match info.unit {
             "rad" => (180.0 / std::f64::consts::PI, "°".to_owned()),
             unit => (1.0, number::unit(unit)),
         };
         let label = if unit.is_empty() { label } else { format!("{label} ({unit})") };
-        Self { label, values: values.iter().map(|value| value * factor).collect(), base: base * factor }
+        Self {
+            label,
+            values: values.iter().map(|value| value * factor).collect(),
+            base: base.map(|base| base * factor),
+        }
     }
 
     /// Where the cells of the values end: in the middle between neighbours.
@@ -71,6 +80,18 @@ impl MapAxis {
         edges
             .iter()
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), edge| (low.min(edge.start), high.max(edge.end)))
+    }
+}
+
+/// What the parameter is, as far as its documentation says so in a few words, and its symbol.
+fn label(info: &ParameterInfo) -> String {
+    let docs = info.docs.trim().split([':', '.', ',', ';', '\n']).next().unwrap_or_default();
+    let mut chars = docs.chars();
+    match chars.next() {
+        Some(first) if docs.chars().count() <= 50 => {
+            format!("{}{} {}", first.to_lowercase(), chars.as_str(), info.symbol)
+        }
+        _ => info.symbol.to_owned(),
     }
 }
 
@@ -108,12 +129,15 @@ pub fn draw_map(name: &str, axes: &[MapAxis], cells: &[MapCell]) -> Scene {
             MapCell::Unstable => Shade::Unstable,
             MapCell::Error => Shade::Error,
         });
-        mark_base(&mut scene, &axes, (x_axis.base, y_axis.base));
+        if let (Some(x), Some(y)) = (x_axis.base, y_axis.base) {
+            mark_base(&mut scene, &axes, (x, y));
+        }
         axes.draw_frame(&mut scene, Some(&x_axis.label), &y_axis.label);
         scale.draw(&mut scene, area);
     }
     let x = draw_legend(&mut scene, cells, left);
-    let is_marked = |axis: &MapAxis, (low, high): (f64, f64)| (low..=high).contains(&axis.base);
+    let is_marked =
+        |axis: &MapAxis, (low, high): (f64, f64)| axis.base.is_some_and(|base| (low..=high).contains(&base));
     if is_marked(x_axis, x_range) && is_marked(y_axis, y_range) {
         let y = HEIGHT - 34.0;
         draw_cross(&mut scene, (x + 8.0, y));
