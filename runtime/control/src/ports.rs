@@ -116,6 +116,9 @@ impl Ports {
     }
 
     fn unknown(&self, name: &str, what: &str, names: Vec<String>) -> String {
+        if name.is_empty() {
+            return format!("there is no name; expected an {what} such as {}\nthey are {}", names[0], names.join(", "));
+        }
         let hint = nearest(name, names.iter().map(String::as_str));
         let hint = hint.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default();
         format!("`{name}` is no {what} of {}{hint}\nthey are {}", self.model, names.join(", "))

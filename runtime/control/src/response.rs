@@ -89,7 +89,7 @@ impl StateSpace {
                 let is_last = |last: &f64| (last - step).abs() <= 4.0 * f64::EPSILON * time;
                 let taken = match last.take() {
                     Some((of, propagator)) if is_last(&of) => (of, propagator),
-                    _ => (step, Propagator::new(&self.a, step).ok_or_else(out_of_range)?),
+                    _ => (step, Propagator::new(&self.a, step).map_err(|error| error.at(time))?),
                 };
                 state = taken.1.advance(&state, &driven, &without_growth);
                 last = Some(taken);

@@ -52,6 +52,11 @@ pub enum SimulationError {
         /// The time in s that is not reached.
         time: f64,
     },
+    /// The step to a time is too long beside what moves fastest.
+    TooLong {
+        /// The time in s that is not reached.
+        time: f64,
+    },
 }
 
 impl fmt::Display for SimulationError {
@@ -68,6 +73,11 @@ impl fmt::Display for SimulationError {
             Self::OutOfRange { time } => {
                 write!(f, "the motion leaves the range of floating-point numbers before {time} s")
             }
+            Self::TooLong { time } => write!(
+                f,
+                "the step to {time} s is too long: floating-point numbers do not tell what moves fastest for so many times its own \
+                 time"
+            ),
         }
     }
 }

@@ -3,6 +3,8 @@
 use nalgebra::linalg::balancing::balance_parlett_reinsch;
 use nalgebra::{DMatrix, DVector};
 
+use super::error::SimulationError;
+
 /// Beyond this many halvings a step is too long for what moves fastest.
 const MOST_HALVINGS: i32 = 64;
 
@@ -35,8 +37,28 @@ pub struct Propagator {
     from_growth: DMatrix<f64>,
 }
 
+/// Why there is no solution after a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PropagatorError {
+    /// It leaves the range of doubles, as a motion that grows does.
+    OutOfRange,
+    /// The step is so many times as long as what moves fastest takes, some 1e19, that doubles do not tell what that does.
+    TooLong,
+}
+
+impl PropagatorError {
+    /// Of a motion that is asked for at a time in s.
+    #[must_use]
+    pub fn at(self, time: f64) -> SimulationError {
+        match self {
+            Self::OutOfRange => SimulationError::OutOfRange { time },
+            Self::TooLong => SimulationError::TooLong { time },
+        }
+    }
+}
+
 impl Propagator {
-    /// For a state matrix A and a step; `None` if it leaves the range of doubles.
+    /// For a state matrix A and a step.
     ///
     /// All three are blocks of one exponential,
     ///
@@ -48,12 +70,15 @@ impl Propagator {
     ///
     /// (Van Loan 1978), which asks for no eigenvector, so that double eigenvalues are as good as others, and divides by
     /// no eigenvalue, so that zero is.
-    pub fn new(a: &DMatrix<f64>, step: f64) -> Option<Self> {
+    ///
+    /// # Errors
+    /// If it leaves the range of doubles, or if the step is too long beside what moves fastest.
+    pub fn new(a: &DMatrix<f64>, step: f64) -> Result<Self, PropagatorError> {
         let states = a.nrows();
         let mut scaled = a * step;
         // Balancing squares the entries, and does not end where a square is infinite.
         if !is_finite(&scaled) || scaled.amax() > LARGEST_ENTRY {
-            return None;
+            return Err(PropagatorError::TooLong);
         }
         // Coordinates in units that are alike, by powers of two: else the exponential errs relative to the largest entry.
         let units = balance_parlett_reinsch(&mut scaled);
@@ -68,7 +93,8 @@ impl Propagator {
         };
         let [from_state, from_first, from_growth] = [block(0, 1.0), block(1, step), block(2, step)];
         let all_finite = [&from_state, &from_first, &from_growth].into_iter().all(is_finite);
-        all_finite.then_some(Self { step, from_state, from_first, from_growth })
+        let propagator = Self { step, from_state, from_first, from_growth };
+        if all_finite { Ok(propagator) } else { Err(PropagatorError::OutOfRange) }
     }
 
     /// The state after the step, with u at its beginning and by how much that grows until its end.
@@ -81,12 +107,12 @@ impl Propagator {
 ///
 /// Of a motion that is slow beside others, exp(X) of a small part of the step differs from 1 in its last digits alone, and
 /// squaring it again and again keeps no more of it than these (`exp` of nalgebra is off by 1e-11 where the fastest motion is
-/// 1e5 times as fast); of the difference itself all digits are there. `None` if a result leaves the range of doubles.
-fn growth(mut x: DMatrix<f64>) -> Option<DMatrix<f64>> {
+/// 1e5 times as fast); of the difference itself all digits are there.
+fn growth(mut x: DMatrix<f64>) -> Result<DMatrix<f64>, PropagatorError> {
     let norm = x.column_iter().map(|column| column.iter().map(|entry| entry.abs()).sum()).fold(0.0, f64::max);
     let halvings = if norm > 0.5 { (norm.log2() + 1.0).ceil() as i32 } else { 0 };
     if halvings > MOST_HALVINGS {
-        return None;
+        return Err(PropagatorError::TooLong);
     }
     x *= 0.5_f64.powi(halvings);
     // X (1 + X/2 (1 + X/3 (…))).
@@ -97,7 +123,7 @@ fn growth(mut x: DMatrix<f64>) -> Option<DMatrix<f64>> {
     for _ in 0..halvings {
         sum = &sum * &sum + &sum * 2.0;
     }
-    is_finite(&sum).then_some(sum)
+    if is_finite(&sum) { Ok(sum) } else { Err(PropagatorError::OutOfRange) }
 }
 
 fn is_finite(matrix: &DMatrix<f64>) -> bool {

@@ -164,7 +164,7 @@ impl LinearMotion {
                 if step > rounding {
                     let taken = match propagator.take() {
                         Some(last) if (last.step - step).abs() <= rounding => last,
-                        _ => Propagator::new(&self.a, step).ok_or_else(out_of_range)?,
+                        _ => Propagator::new(&self.a, step).map_err(|error| error.at(time))?,
                     };
                     let first = self.driven(forces.iter().map(|force| force.at(reached)));
                     let growth = self.driven(forces.iter().map(|force| force.until(end))) - &first;

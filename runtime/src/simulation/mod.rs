@@ -44,7 +44,7 @@ pub use crossing::{Crossing, change_of_sign};
 #[cfg(feature = "simulation")]
 pub use drive::Drive;
 pub use error::SimulationError;
-pub use exponential::Propagator;
+pub use exponential::{Propagator, PropagatorError};
 pub use force::{Force, ForceError};
 pub use linear::{LinearMotion, Snapshot};
 #[cfg(feature = "simulation")]

@@ -143,6 +143,13 @@ fn mistakes_in_laws_are_told_together() {
                 "it is not linear: no power of a position or rate, and no negative one of a sum, is fed back{example}"
             ),
         ),
+        ("Tdelta = sqrt(phi)", format!("it is not linear: the argument of `sqrt` is not a number{example}")),
+        (
+            "Tdelta = sqrt(v - 6)*phi_rate",
+            format!(
+                "`sqrt` is of the speed, of which the equations of motion have whole powers alone: expected such as `v^2`{example}"
+            ),
+        ),
         ("Tdelta = 10*(phi", format!("a closing parenthesis is missing{example}")),
     ] {
         let message = format!("error: --feedback '{law}': {message}\n");

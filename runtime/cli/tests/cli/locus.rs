@@ -28,3 +28,14 @@ fn a_root_locus_needs_a_range_of_speeds() {
     let message = "error: --locus l.svg: nothing in the model Pendulum depends on the speed, so there is no root locus along it\n";
     directory.run(&["analyze", "--model", "Pendulum", "--locus", "l.svg"]).fails(2, message);
 }
+
+/// A speed stands beside its dot or nowhere: 80 m/s at the top of the wobble, and no 40 among the dots of the weave that touch.
+#[test]
+fn speeds_stand_clear_of_each_other() {
+    let directory = Directory::of_this_test();
+    directory.run(&["analyze", "--model", "Motorcycle", "--locus", "m.svg", "--format", "csv"]);
+    let svg = std::fs::read_to_string(directory.0.join("m.svg")).expect("a picture");
+    let labels = |text: &str| svg.matches(&format!("aria-label=\"{text}\"")).count();
+    // The axis has 60 and 70, too.
+    assert_eq!((labels("80"), labels("70"), labels("60")), (1, 2, 1));
+}

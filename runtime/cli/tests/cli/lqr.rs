@@ -278,3 +278,11 @@ fn gains_without_units_have_no_brackets() {
         "{table}"
     );
 }
+
+#[test]
+fn weights_beyond_all_numbers_are_to_blame_themselves() {
+    let directory = Directory::of_this_test();
+    let message = "error: benchmark at 4 m/s: weights of these sizes lead beyond the range of floating-point numbers; expected ones \
+                   that are nearer to 1\n";
+    directory.run(&["lqr", "--inputs", "Tdelta", "--speeds", "4", "--weight", "phi=1e300"]).fails(1, message);
+}

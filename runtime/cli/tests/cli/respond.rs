@@ -112,7 +112,35 @@ fn the_longest_duration_ends() {
     let directory = Directory::of_this_test();
     for duration in ["1e200", "1e300"] {
         let run = directory.run(&["respond", "--speed", "5", "--input", "Tdelta", "--step", "--duration", duration]);
-        let is_told = run.stderr.contains("the response then leaves the range of floating-point numbers");
+        let is_told = run.stderr.contains("the steps to it are too long for floating-point numbers");
         assert!(run.code == Some(0) && is_told, "{}", run.stderr);
     }
+}
+
+/// At a step of so many times what the fastest motion takes, which is no growth of a motion that dies away.
+#[test]
+fn times_that_doubles_do_not_tell_end_a_response_for_their_own_reason() {
+    let directory = Directory::of_this_test();
+    let run = directory.run(&["respond", "--speed", "5", "--input", "Tdelta", "--step", "--duration", "1e20"]);
+    let note = "note: it ends before 5e18 s: the steps to it are too long for floating-point numbers to tell what moves fastest in \
+                them\n";
+    assert_eq!((run.code, run.stderr.as_str()), (Some(0), note));
+    let grown = directory.run(&["respond", "--speed", "7", "--input", "Tdelta", "--step", "--duration", "1e8"]);
+    assert!(grown.stderr.contains("the response then leaves the range of floating-point numbers"), "{}", grown.stderr);
+}
+
+/// What is zero throughout has an axis of plain numbers.
+#[test]
+fn a_response_that_is_zero_is_drawn() {
+    let directory = Directory::of_this_test();
+    directory.run(&["respond", "--model", "Pendulum", "--initial", "theta=0", "--duration", "2", "--plot", "zero.svg"]);
+    let svg = std::fs::read_to_string(directory.0.join("zero.svg")).expect("a picture");
+    assert!(svg.contains("aria-label=\"−1.0\"") && !svg.contains("e−"));
+}
+
+#[test]
+fn a_missing_name_is_told() {
+    let directory = Directory::of_this_test();
+    let message = "error: --inputs : there is no name; expected an input such as Tphi\nthey are Tphi, Tdelta\n";
+    directory.run(&["transfer", "--speed", "5", "--inputs", ""]).fails(2, message);
 }

@@ -33,6 +33,8 @@ pub enum RiccatiError {
     OnAxis,
     /// What was found does not stabilize, or does not solve the equation.
     NotStabilizing,
+    /// Squares of entries leave the range of doubles.
+    OutOfRange,
 }
 
 impl fmt::Display for RiccatiError {
@@ -40,6 +42,9 @@ impl fmt::Display for RiccatiError {
         f.write_str(match self {
             Self::OnAxis => "the Hamiltonian matrix has eigenvalues on the imaginary axis",
             Self::NotStabilizing => "no solution of the Riccati equation was found that stabilizes",
+            Self::OutOfRange => {
+                "weights of these sizes lead beyond the range of floating-point numbers; expected ones that are nearer to 1"
+            }
         })
     }
 }
@@ -61,7 +66,7 @@ impl Riccati {
         if *q == zero && is_stable(&zero) {
             return Ok(Self { solution: zero, residual: 0.0 });
         }
-        let mut solution = symmetric(by_sign(a, g, q).ok_or(RiccatiError::OnAxis)?);
+        let mut solution = symmetric(by_sign(a, g, q)?);
         let mut residual = residual(a, g, q, &solution);
         if !is_stable(&solution) {
             return Err(RiccatiError::NotStabilizing);
@@ -87,7 +92,7 @@ impl Riccati {
 }
 
 /// The solution from the sign S of the Hamiltonian matrix: `S [I; X] = -[I; X]`.
-fn by_sign(a: &DMatrix<f64>, g: &DMatrix<f64>, q: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+fn by_sign(a: &DMatrix<f64>, g: &DMatrix<f64>, q: &DMatrix<f64>) -> Result<DMatrix<f64>, RiccatiError> {
     let n = a.nrows();
     let mut hamiltonian = DMatrix::zeros(2 * n, 2 * n);
     for (at, block) in [((0, 0), a.clone()), ((0, n), -g), ((n, 0), -q), ((n, n), -a.transpose())] {
@@ -102,12 +107,15 @@ fn by_sign(a: &DMatrix<f64>, g: &DMatrix<f64>, q: &DMatrix<f64>) -> Option<DMatr
     right.rows_mut(0, n).copy_from(&-(block(0, 0) + &identity));
     right.rows_mut(n, n).copy_from(&-block(1, 0));
     let orthogonal = left.qr();
-    orthogonal.r().solve_upper_triangular(&(orthogonal.q().transpose() * right))
+    orthogonal.r().solve_upper_triangular(&(orthogonal.q().transpose() * right)).ok_or(RiccatiError::OnAxis)
 }
 
-/// The matrix sign function by Newton's method, each step scaled by the determinant; `None` where an eigenvalue is on the
+/// The matrix sign function by Newton's method, each step scaled by the determinant; there is none where an eigenvalue is on the
 /// imaginary axis, as far as rounding tells.
-fn sign(mut z: DMatrix<f64>) -> Option<DMatrix<f64>> {
+fn sign(mut z: DMatrix<f64>) -> Result<DMatrix<f64>, RiccatiError> {
+    if !z.norm_squared().is_finite() {
+        return Err(RiccatiError::OutOfRange);
+    }
     let size = z.nrows() as f64;
     let mut is_near = false;
     for _ in 0..STEPS {
@@ -115,18 +123,18 @@ fn sign(mut z: DMatrix<f64>) -> Option<DMatrix<f64>> {
         let logarithm: f64 = decomposed.u().diagonal().iter().map(|pivot| pivot.abs().ln()).sum();
         // Near the limit, scaling would keep from it.
         let scale = if is_near { 1.0 } else { (-logarithm / size).exp() };
-        let next = 0.5 * (scale * &z + decomposed.try_inverse()? / scale);
+        let next = 0.5 * (scale * &z + decomposed.try_inverse().ok_or(RiccatiError::OnAxis)? / scale);
         let change = (&next - &z).norm() / next.norm();
         z = next;
         if !change.is_finite() {
-            return None;
+            return Err(RiccatiError::OutOfRange);
         }
         if is_near && change < 1e-10 {
-            return Some(z);
+            return Ok(z);
         }
         is_near |= change < 1e-3;
     }
-    None
+    Err(RiccatiError::OnAxis)
 }
 
 /// The symmetric X with `A' X + X A + W = 0`, for a symmetric W, as a system of linear equations for its entries on and above the

@@ -175,7 +175,13 @@ impl<'a> Parser<'a, '_> {
         if !self.take("(") {
             return Err(format!("`{function}` needs its argument in parentheses"));
         }
-        number(&self.closed()?).ok_or_else(|| format!("it is not linear: the argument of `{function}` is not a number"))
+        let argument = self.closed()?;
+        number(&argument).ok_or_else(|| match argument.iter().any(|term| term.motion.is_some()) {
+            true => format!("it is not linear: the argument of `{function}` is not a number"),
+            false => format!(
+                "`{function}` is of the speed, of which the equations of motion have whole powers alone: expected such as `v^2`"
+            ),
+        })
     }
 
     /// The rest of what stands in parentheses, and the closing one.

@@ -247,6 +247,9 @@ pub fn largest(values: impl Iterator<Item = Complex<f64>>) -> f64 {
     values.map(|value| value.norm()).fold(0.0, f64::max)
 }
 
+/// Why a motion that stays within the range of doubles is told no further.
+const TOO_LONG: &str = "the steps to it are too long for floating-point numbers to tell what moves fastest in them";
+
 /// The parameters that are probably to blame where there is no answer, as the end of a sentence.
 pub fn extremes(design: &Design) -> String {
     let parameters = design.info().parameters.iter().zip(&design.parameters);

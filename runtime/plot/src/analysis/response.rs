@@ -6,7 +6,7 @@ use carvallo_design::number::{shortest, unit};
 use carvallo_design::{Design, Failure};
 
 use crate::analysis::excitation::Excitation;
-use crate::analysis::extremes;
+use crate::analysis::{TOO_LONG, extremes};
 
 /// A response of a design at a speed.
 pub struct Responses<'a> {
@@ -42,9 +42,12 @@ impl<'a> Responses<'a> {
         let (response, end) = match run(times) {
             Ok(response) => (response, None),
             // What there is until then.
-            Err(SimulationError::OutOfRange { time }) => {
+            Err(error @ (SimulationError::OutOfRange { time } | SimulationError::TooLong { time })) => {
                 let reached = times.partition_point(|before| *before < time);
-                let reason = "the response then leaves the range of floating-point numbers";
+                let reason = match error {
+                    SimulationError::TooLong { .. } => TOO_LONG,
+                    _ => "the response then leaves the range of floating-point numbers",
+                };
                 let end = format!("it ends before {} s: {reason}", shortest(time));
                 (run(&times[..reached]).map_err(fail)?, Some(end))
             }

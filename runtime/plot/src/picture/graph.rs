@@ -72,6 +72,9 @@ pub fn write_names<'a>(
 
 /// A range with some room at both ends; what hardly changes is shown as that.
 pub fn roomy((low, high): (f64, f64)) -> (f64, f64) {
+    if low == 0.0 && high == 0.0 {
+        return (-1.0, 1.0);
+    }
     let least = 0.1 * high.abs().max(low.abs()).max(1e-5);
     let missing = (least - (high - low)).max(0.0) / 2.0;
     let room = 0.06 * (high - low).max(least);

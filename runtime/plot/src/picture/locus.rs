@@ -10,6 +10,7 @@ use super::colors::color;
 use super::curves::{extend, samples};
 use super::font;
 use super::graph::{range, write_names};
+use super::labels::{LINE, Labels, THIN};
 use super::scene::{Anchor, Color, Paint, Scene, line};
 use crate::analysis::{Analysis, Rows, reach};
 
@@ -22,6 +23,10 @@ const TEXT_SIZE: f32 = 12.0;
 const STABLE: Color = Color(0xee, 0xf8, 0xee);
 const WHITE: Color = Color(0xff, 0xff, 0xff);
 const DOT: f32 = 3.2;
+/// What a dot under a label weighs.
+const ON_DOT: f32 = 200.0;
+/// A label is no farther from its dot, in pixels.
+const NEAR: f32 = 10.0;
 /// Eigenvalues so many times farther to the left than the others are to the right or upward are beyond the picture.
 const FAR: f64 = 2.5;
 
@@ -57,10 +62,15 @@ pub fn draw_locus(analysis: &Analysis, (low, high): (f64, f64)) -> Result<Scene,
     scene.rectangle([left, top, zero, bottom], Paint::Fill, STABLE);
     axes.draw_grid(&mut scene);
     scene.polyline(&[(zero, top), (zero, bottom)], line(1.2), INK);
+    let mut labels = Labels::new(axes.area);
     for mode in &modes {
-        draw_curves(&values, *mode, &axes, &mut scene);
+        for curve in curves(&values, *mode, &axes) {
+            labels.avoid_line(&curve, LINE);
+            scene.polyline(&curve, line(2.2), color(*mode));
+        }
     }
-    draw_dots(&marked.values(), &axes, &shown, &mut scene);
+    labels.avoid_line(&[(zero, top), (zero, bottom)], THIN);
+    draw_dots(&marked.values(), &shown, labels, &axes, &mut scene);
     if let Some((_, first)) = values.first() {
         for value in first.iter().filter(|value| value.value.im >= 0.0 && is_inside(value, &axes)) {
             let (x, y) = axes.place(value.value.re, value.value.im);
@@ -104,9 +114,10 @@ fn modes(rows: &[(f64, &[ModeValue])]) -> Vec<Mode> {
     modes
 }
 
-/// The curves of a mode, in which one of the eigenvalues goes on from row to row; where it had another name or was the lower half
+/// The curves of a mode on the page, in which one of the eigenvalues goes on from row to row; where it had another name or was the lower half
 /// of a pair just before, the curve begins there.
-fn draw_curves(rows: &[(f64, &[ModeValue])], mode: Mode, axes: &Axes, scene: &mut Scene) {
+fn curves(rows: &[(f64, &[ModeValue])], mode: Mode, axes: &Axes) -> Vec<Vec<(f32, f32)>> {
+    let mut all = Vec::new();
     let count = rows.iter().map(|(_, values)| values.len()).max().unwrap_or(0);
     for place in 0..count {
         let mut curves = Vec::new();
@@ -123,30 +134,42 @@ fn draw_curves(rows: &[(f64, &[ModeValue])], mode: Mode, axes: &Axes, scene: &mu
             extend(&mut curves, shown.map(point));
             before = value;
         }
-        for curve in curves.iter().filter(|curve| curve.len() > 1) {
-            let points: Vec<(f32, f32)> = curve.iter().map(|&(re, im)| axes.place(re, im)).collect();
-            scene.polyline(&points, line(2.2), color(mode));
-        }
+        let curves = curves.iter().filter(|curve| curve.len() > 1);
+        all.extend(curves.map(|curve| curve.iter().map(|&(re, im)| axes.place(re, im)).collect()));
     }
+    all
 }
 
-/// Dots at round speeds, with their speeds as far as there is room.
-fn draw_dots(rows: &[(f64, &[ModeValue])], axes: &Axes, shown: &dyn Fn(f64) -> String, scene: &mut Scene) {
-    let mut taken: Vec<[f32; 4]> = Vec::new();
+/// Dots at round speeds, with their speeds beside them as far as there is room.
+fn draw_dots(
+    rows: &[(f64, &[ModeValue])],
+    shown: &dyn Fn(f64) -> String,
+    mut labels: Labels,
+    axes: &Axes,
+    scene: &mut Scene,
+) {
+    let mut dots = Vec::new();
     for (speed, values) in rows {
         for value in values.iter().filter(|value| value.value.im >= 0.0 && is_inside(value, axes)) {
             let (x, y) = axes.place(value.value.re, value.value.im);
             scene.circle((x, y), DOT, Paint::Fill, color(value.mode));
-            let text = shown(*speed);
-            let (from, base) = (x + 6.0, y - 5.0);
-            let bounds = [from - 2.0, base - TEXT_SIZE, from + font::width(&text, TEXT_SIZE) + 2.0, base + 2.0];
-            let is_free = taken.iter().all(|other| {
-                bounds[2] < other[0] || other[2] < bounds[0] || bounds[3] < other[1] || other[3] < bounds[1]
-            });
-            if is_free && bounds[2] < axes.area[2] {
-                scene.text((from, base), Anchor::Start, TEXT_SIZE, INK, &text);
-                taken.push(bounds);
-            }
+            labels.avoid_line(&[(x, y); 2], ON_DOT);
+            dots.push(((x, y), shown(*speed)));
+        }
+    }
+    let mut taken: Vec<((f32, f32), String)> = Vec::new();
+    for ((x, y), text) in dots {
+        // Several curves that begin or end at one point, and dots that touch.
+        if taken.iter().any(|((other, above), own)| *own == text && (x - other).hypot(y - above) < NEAR) {
+            continue;
+        }
+        let Some((left, base)) = labels.beside(&[(x, y); 2], &text, TEXT_SIZE) else { continue };
+        let (right, top) = (left + font::width(&text, TEXT_SIZE), base - TEXT_SIZE);
+        let [off_x, off_y] = [(left - x).max(x - right), (top - y).max(y - base)].map(|off| off.max(0.0));
+        // One that is farther away could be that of another dot.
+        if off_x.hypot(off_y) < NEAR {
+            scene.text((left, base), Anchor::Start, TEXT_SIZE, INK, &text);
+            taken.push(((x, y), text));
         }
     }
 }

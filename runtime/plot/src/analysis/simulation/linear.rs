@@ -12,7 +12,7 @@ use super::initial::Givable;
 use super::motion::{Motion, Quantity, Row, fed_back, order, time};
 use super::solver::{Given, Solver};
 use super::watch::{Happened, happened, looked_at};
-use crate::analysis::extremes;
+use crate::analysis::{TOO_LONG, extremes};
 
 /// What the path of a bicycle is told by, behind its lean and steer; the first is its yaw.
 const PATH: [Quantity; 5] = [
@@ -97,10 +97,13 @@ impl Solver for Linear {
         let (mut snapshots, mut end) = match run(&motion, times) {
             Ok(snapshots) => (snapshots, None),
             // What there is until then.
-            Err(SimulationError::OutOfRange { time }) => {
+            Err(error @ (SimulationError::OutOfRange { time } | SimulationError::TooLong { time })) => {
                 let reached = times.partition_point(|before| *before < time);
                 let snapshots = run(&motion, &times[..reached]).map_err(|error| fail(error.to_string()))?;
-                let reason = "the motion then leaves the range of floating-point numbers";
+                let reason = match error {
+                    SimulationError::TooLong { .. } => TOO_LONG,
+                    _ => "the motion then leaves the range of floating-point numbers",
+                };
                 (snapshots, Some(format!("the motion ends before {} s: {reason}", shortest(time))))
             }
             Err(error) => return Err(fail(error.to_string())),
