@@ -3,6 +3,7 @@
 mod bicycle;
 mod geometry;
 mod names;
+pub mod oscillation;
 mod part;
 mod pendulum;
 pub mod rider;

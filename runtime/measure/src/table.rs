@@ -10,6 +10,10 @@ use carvallo_design::quantity::{Context, Measured, measured, no_names};
 use carvallo_design::{Deviation, Failure, Given, Place, Problem, WHIPPLE, nearest};
 
 use crate::names::{OTHERS, all, known};
+use crate::oscillation::{Oscillation, Recording};
+
+/// A fit that explains less of a signal is told to be doubtful.
+const DOUBTFUL: f64 = 0.9;
 
 /// What is in a file of measurements.
 pub struct Table<'a> {
@@ -18,6 +22,8 @@ pub struct Table<'a> {
     sources: &'a Sources,
     numbers: BTreeMap<&'static str, Uncertain<'a>>,
     unused: Vec<String>,
+    /// What was fitted to recordings.
+    fitted: Vec<String>,
     missing: RefCell<Vec<String>>,
     problems: RefCell<Vec<Problem>>,
     warnings: RefCell<Vec<String>>,
@@ -33,6 +39,7 @@ impl<'a> Table<'a> {
             sources,
             numbers: BTreeMap::new(),
             unused: Vec::new(),
+            fitted: Vec::new(),
             missing: RefCell::default(),
             problems: RefCell::default(),
             warnings: RefCell::default(),
@@ -62,6 +69,16 @@ impl<'a> Table<'a> {
                         table.problems.get_mut().push(Problem { place, message });
                         continue;
                     }
+                    let member = match with_periods(member, &table.label) {
+                        Ok((member, fitted)) => {
+                            table.fitted.extend(fitted);
+                            member
+                        }
+                        Err(problem) => {
+                            table.problems.get_mut().push(problem);
+                            continue;
+                        }
+                    };
                     match mean(member, info, sources) {
                         Ok(number) => drop(table.numbers.insert(info.name, number)),
                         Err(found) => table.problems.get_mut().extend(found),
@@ -141,6 +158,7 @@ impl<'a> Table<'a> {
             let names = self.unused.join(", ");
             design.notes.push(format!("{}: no parameters depend on them, and not used: {names}", self.label));
         }
+        design.notes.extend(self.fitted);
         design.warnings.extend(self.warnings.take());
         Ok(design)
     }
@@ -151,6 +169,31 @@ fn name_of(label: &str) -> String {
     let file = label.rsplit(['/', '\\']).next().unwrap_or(label);
     let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem);
     stem.strip_suffix("Measured").filter(|name| !name.is_empty()).unwrap_or(stem).to_owned()
+}
+
+/// A measurement with the periods of recordings in their places, and what is said of each.
+fn with_periods(Named { name, node }: Named, label: &str) -> Result<(Named, Vec<String>), Problem> {
+    let mut fitted = Vec::new();
+    let is_period = known(&name).is_some_and(|info| info.unit == "s");
+    let mut fit = |Node { place, value }: Node| {
+        let Some(recording) = Recording::of(&value).filter(|_| is_period) else { return Ok(Node { place, value }) };
+        match recording.and_then(|recording| recording.period(label)) {
+            Ok((Oscillation { period, deviation, r_squared, .. }, said)) => {
+                let doubt = if r_squared < DOUBTFUL { "; it is hardly a decaying sine" } else { "" };
+                fitted.push(format!("`{name}` is {said}{doubt}"));
+                let text = format!("{}+/-{}", shortest(period), shortest(deviation));
+                Ok(Node { place, value: Value::Text(text) })
+            }
+            Err(message) => Err(Problem { place, message: format!("`{name}`: {message}") }),
+        }
+    };
+    let node = match node {
+        Node { place, value: Value::List(nodes) } => {
+            Node { place, value: Value::List(nodes.into_iter().map(fit).collect::<Result<_, _>>()?) }
+        }
+        node => fit(node)?,
+    };
+    Ok((Named { name, node }, fitted))
 }
 
 /// A measurement, or the mean of several, which are independent of each other.

@@ -15,7 +15,8 @@ standard deviations and correlations of all parameters, which `carvallo sensitiv
 speeds.
 
 FILE is a NAMEMeasured.txt of BicycleParameters, or TOML or JSON with the same names; - reads stdin. What is printed is a file
-of parameters, for `carvallo analyze` and all others. All names are in docs/measure.md, beside the source of this program.
+of parameters, for `carvallo analyze` and all others. In the place of a period may stand a file with the recorded oscillation:
+TtB1 = 'frame.csv', with a time and a value in each line. All names are in docs/measure.md, beside the source of this program.
 
 Examples:
   carvallo measure --example > mine.toml        What was measured of a Batavus Browser: edit it, and
