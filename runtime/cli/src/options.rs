@@ -89,6 +89,15 @@ impl UnitOptions {
         self.units.as_ref().map_or_else(|| Ok(Units::default()), |text| Units::parse(text))
     }
 
+    /// What quantities are shown in, by the units that they are declared in.
+    ///
+    /// # Errors
+    /// What is no unit.
+    pub fn shown(&self) -> Result<impl Fn(&str) -> DisplayUnit, Failure> {
+        let units = self.units()?;
+        Ok(move |declared: &str| units.of(declared))
+    }
+
     /// What speeds are shown in.
     ///
     /// # Errors

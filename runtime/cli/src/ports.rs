@@ -4,7 +4,7 @@ use carvallo_control::{Output, Ports, StateSpace};
 use carvallo_design::{Design, Failure, Place, Problem};
 use clap::Args;
 
-use crate::options::{DesignOptions, Speed};
+use crate::options::{DesignOptions, Speed, UnitOptions};
 use crate::terminal::{WARNING, note};
 
 /// A design at a speed, with inputs and outputs.
@@ -17,6 +17,8 @@ pub struct PortOptions {
     pub speed: Option<Speed>,
     #[command(flatten)]
     pub names: PortNames,
+    #[command(flatten)]
+    pub units: UnitOptions,
 }
 
 /// Inputs and outputs by their names.

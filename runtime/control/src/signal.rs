@@ -64,6 +64,7 @@ impl Signal {
         match (self.unit.as_str(), time, of) {
             ("1", "*s", "1") => "s".to_owned(),
             (unit, time, "1") => format!("{unit}{time}"),
+            (unit, time, of) if of.contains(['*', '/']) => format!("{unit}{time}/({of})"),
             (unit, time, of) => format!("{unit}{time}/{of}"),
         }
     }

@@ -2,7 +2,7 @@
 
 use carvallo::States;
 use carvallo_design::number::shortest;
-use carvallo_design::{Design, Failure};
+use carvallo_design::{Design, DisplayUnit, Failure};
 use nalgebra::{DMatrix, RowDVector};
 
 use crate::ports::{Output, Ports};
@@ -48,6 +48,8 @@ pub struct StateSpace {
     pub outputs: Vec<Signal>,
     /// The forward speed in m/s; nothing where the equations do not depend on it.
     pub speed: Option<f64>,
+    /// What the speed is shown in.
+    pub speed_unit: DisplayUnit,
 }
 
 impl StateSpace {
@@ -89,6 +91,7 @@ impl StateSpace {
             inputs: inputs.iter().map(|&input| ports.inputs[input].clone()).collect(),
             outputs: outputs.iter().map(|&output| ports.signal(output)).collect(),
             speed: design.model.depends_on_speed().then_some(speed),
+            speed_unit: DisplayUnit::declared("m/s"),
         };
         if [&space.a, &space.b, &space.c, &space.d].into_iter().flatten().any(|entry| !entry.is_finite()) {
             return Err(fail("the state space leaves the range of floating-point numbers".to_owned()));
@@ -110,6 +113,7 @@ impl StateSpace {
             inputs: vec![self.inputs[input].clone()],
             outputs: vec![self.outputs[output].clone()],
             speed: self.speed,
+            speed_unit: self.speed_unit.clone(),
         }
     }
 

@@ -54,9 +54,19 @@ impl Units {
     pub fn or(&self, declared: &str, usual: Option<&str>) -> DisplayUnit {
         let mut units = self.0.iter().map(String::as_str).chain(usual);
         let found = units.find_map(|unit| Some((unit, scale(declared, unit)?)));
-        match found.filter(|(_, scale)| !scale.is_one()) {
-            Some((unit, scale)) => DisplayUnit::new(unit, scale),
-            None => DisplayUnit::declared(declared),
+        match found {
+            Some((unit, scale)) if !scale.is_one() => DisplayUnit::new(unit, scale),
+            None => self.of_time(declared, usual).unwrap_or_else(|| DisplayUnit::declared(declared)),
+            Some(_) => DisplayUnit::declared(declared),
         }
+    }
+
+    /// Rates and accelerations of angles in the unit of angles, where they have none of their own.
+    fn of_time(&self, declared: &str, usual: Option<&str>) -> Option<DisplayUnit> {
+        let time = declared.strip_prefix("rad").filter(|time| matches!(*time, "/s" | "/s^2"))?;
+        let angle = self.or("rad", usual);
+        let unit = format!("{}{time}", angle.written);
+        let scale = scale(declared, &unit)?;
+        (!angle.is_declared()).then(|| DisplayUnit::new(&unit, scale))
     }
 }

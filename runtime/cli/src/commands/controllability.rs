@@ -7,7 +7,7 @@ use carvallo_plot::analysis::{Analysis, reach};
 use carvallo_plot::{data, picture};
 use clap::Args;
 
-use crate::options::{DesignOptions, Format, Picture, Speeds};
+use crate::options::{DesignOptions, Format, Picture, Speeds, UnitOptions};
 use crate::output::documents;
 use crate::ports::PortNames;
 use crate::terminal::{print, write};
@@ -38,6 +38,8 @@ pub struct Options {
     design: DesignOptions,
     #[command(flatten)]
     names: PortNames,
+    #[command(flatten)]
+    units: UnitOptions,
     #[arg(
         long,
         alias = "speed",
@@ -60,7 +62,8 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     }
     let design = options.design.load()?;
     let (inputs, outputs) = options.names.ports(&design, Ports::coordinates)?;
-    let analysis = Analysis::new(design)?;
+    let mut analysis = Analysis::new(design)?;
+    analysis.unit = options.units.of_speeds()?;
     let speeds = match &options.speeds {
         Some(Speeds(speeds)) => speeds.clone(),
         None => reach::speeds(analysis.reach, options.format.is_read()),

@@ -8,7 +8,7 @@ use carvallo_design::{Design, Failure, Place};
 use carvallo_plot::data;
 use clap::{Args, ValueEnum};
 
-use crate::options::{DesignOptions, Format, Speeds};
+use crate::options::{DesignOptions, Format, Speeds, UnitOptions};
 use crate::output::documents;
 use crate::ports;
 use crate::terminal::{WARNING, deliver, note};
@@ -47,6 +47,8 @@ Exit codes: 0 done; 1 no gains stabilize it, or a file cannot be read or written
 pub struct Options {
     #[command(flatten)]
     design: DesignOptions,
+    #[command(flatten)]
+    units: UnitOptions,
     #[arg(
         long,
         value_name = "NAMES",
@@ -92,23 +94,32 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         let place = Place::Option(format!("--output {}", path.display()));
         return Err(Failure::at(place, "the parameters are read from this file"));
     }
+    let shown = options.units.shown()?;
+    if options.emit.is_some() && !options.units.units()?.is_si() {
+        return Err(Failure::at(Place::Option("--units".to_owned()), "with --emit all is in units of the SI"));
+    }
     let design = options.design.load()?;
     let ports = Ports::of(&design);
     let inputs = ports::inputs(&ports, &options.inputs)?;
     let weights = Weights::read(&options.weight, &ports, &inputs)?;
     let schedule = Schedule::new(&design, &speeds(options, &design)?, &weights)?;
+    let unit = shown("m/s");
     for [from, to] in &schedule.unstable {
-        let [from, to] = [*from, *to].map(shortest);
-        let text =
-            format!("between {from} and {to} m/s the interpolated gains do not hold it: more speeds are needed there");
+        let ([from, to], unit) = ([*from, *to].map(|speed| shortest(unit.value(speed))), unit.unit());
+        let text = format!(
+            "between {from} and {to} {unit} the interpolated gains do not hold it: more speeds are needed there"
+        );
         note(WARNING, "note", &text);
     }
     if options.sensitivity && options.format == Format::Csv {
         let place = Place::Option("--sensitivity".to_owned());
         return Err(Failure::at(place, "CSV has no place for it; table, markdown, latex and json have"));
     }
-    let sensitivities = options.sensitivity.then(|| schedule.sensitivities(&design, &weights)).transpose()?;
-    let sensitivities = sensitivities.as_deref();
+    let mut sensitivities = options.sensitivity.then(|| schedule.sensitivities(&design, &weights)).transpose()?;
+    for (regulator, by_parameter) in schedule.regulators.iter().zip(sensitivities.iter_mut().flatten()) {
+        by_parameter.iter_mut().for_each(|gains| *gains = regulator.gains_in_units(gains, &shown));
+    }
+    let (sensitivities, schedule) = (sensitivities.as_deref(), schedule.in_units(&shown));
     let text = match (options.emit, options.format) {
         (Some(Language::Rust), _) => schedule.code(Code::Rust, &design, &weights),
         (Some(Language::C), _) => schedule.code(Code::C, &design, &weights),

@@ -108,7 +108,9 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     if let Some(file) = file.filter(|file| options.ports.design.request().reads(&file.path)) {
         return Err(Failure::at(file.place(), "the parameters are read from this file"));
     }
+    let shown = options.ports.units.shown()?;
     let (design, space) = options.ports.load(Ports::states)?;
+    let space = space.in_units(&shown);
     let path = file.map(|file| file.path.as_path());
     match (kind, path) {
         (Kind::Text(Format::Json), _) => deliver(path, |output| data::state_space::write_json(&design, &space, output)),

@@ -117,3 +117,61 @@ fn mistakes_in_units_are_told() {
     let run = directory.run(&["convert", "--to", "moore", "--format", "python", "--units", "mm"]);
     run.fails(2, "error: --units: this form has no place for units; toml, json, yaml and csv have\n");
 }
+
+/// State spaces in degrees, millimetres and km/h are those in SI units, entry by entry, with every form saying so.
+#[test]
+fn control_is_in_other_units() {
+    let directory = Directory::new("units-control");
+    let number = |value: &serde_json::Value| value.as_f64().unwrap();
+    let degree = std::f64::consts::PI / 180.0;
+    let close = |found: f64, expected: f64| {
+        assert!((found - expected).abs() <= 1e-13 * expected.abs(), "{found} is not {expected}");
+    };
+    let units = ["--units", "km/h,deg,mm"];
+    let both = |arguments: &[&str]| {
+        [&[][..], &units].map(|units| directory.run(&[arguments, units, &["--format", "json"]].concat()).json())
+    };
+    let [plain, shown] = both(&["statespace", "--speed", "5", "--inputs", "Tdelta", "--outputs", "phi,delta_rate,y"]);
+    assert_eq!((number(&shown["speed"]), shown["speed_unit"].as_str()), (18.0, Some("km/h")));
+    assert!(plain.get("speed_unit").is_none());
+    let names: Vec<&str> = shown["states"].as_array().unwrap().iter().map(|of| of["unit"].as_str().unwrap()).collect();
+    assert_eq!(names, ["deg", "deg", "deg/s", "deg/s", "deg", "mm"]);
+    for (matrix, row, column, factor) in
+        [("A", 3, 0, 1.0), ("A", 5, 4, 1e3 * degree), ("B", 3, 0, 1.0 / degree), ("C", 2, 5, 1.0), ("C", 1, 3, 1.0)]
+    {
+        let entry = |space: &serde_json::Value| number(&space[matrix][row][column]);
+        close(entry(&shown), factor * entry(&plain));
+    }
+    // Gains are in degrees, and poles in 1/s whatever the units.
+    let [plain, shown] = both(&["transfer", "--speed", "5", "--inputs", "Tdelta", "--outputs", "phi"]);
+    let [plain, shown] = [&plain, &shown].map(|json| &json["transfer_functions"][0]);
+    assert_eq!(shown["unit"], "deg/(N*m)");
+    close(number(&shown["gain"]), number(&plain["gain"]) / degree);
+    close(number(&shown["zeros"][0]["re"]), number(&plain["zeros"][0]["re"]));
+    // What is given is so still, with its own unit or that of the SI.
+    let [plain, shown] = both(&["respond", "--speed", "5", "--initial", "phi=0.1", "--outputs", "phi,psi_rate"]);
+    close(number(&shown["excitation"]["initial"]["phi"]), 0.1 / degree);
+    for name in ["phi", "psi_rate"] {
+        let at = |json: &serde_json::Value| number(&json["rows"][70]["outputs"][name]);
+        assert!((at(&shown) - at(&plain) / degree).abs() < 1e-12 * (at(&plain) / degree).abs().max(1.0));
+    }
+    let [plain, shown] = both(&["controllability", "--speeds", "5", "--inputs", "Tdelta"]);
+    close(number(&shown["rows"][0]["speed"]), 18.0);
+    close(number(&shown["lost"][0]["speed"]), 3.6 * number(&plain["lost"][0]["speed"]));
+    assert_eq!(shown["rows"][0]["controllability"], plain["rows"][0]["controllability"]);
+    let asked = ["lqr", "--speeds", "4", "--inputs", "Tdelta", "--weight", "y_rate=1", "--sensitivity"];
+    let [plain, shown] = both(&asked);
+    assert_eq!(shown["speed_unit"], "km/h");
+    for path in ["gains", "sensitivities"] {
+        let of = |json: &serde_json::Value| {
+            let found = &json["regulators"][0][path];
+            number(if path == "gains" { &found[0][0] } else { &found["mB"][0][0] })
+        };
+        close(of(&shown), of(&plain) * degree);
+    }
+    let table = directory.run(&["lqr", "--speeds", "4", "--inputs", "Tdelta", "--units", "deg,km/h"]).ok();
+    assert!(table.contains("    v (km/h)  phi (N m/deg)  delta (N m/deg)  phi_rate (N m s/deg)"), "{table}");
+    assert!(table.contains("\n        14.4 "), "{table}");
+    let emitted = ["lqr", "--speeds", "4", "--inputs", "Tdelta", "--units", "deg", "--emit", "c"];
+    directory.run(&emitted).fails(2, "error: --units: with --emit all is in units of the SI\n");
+}

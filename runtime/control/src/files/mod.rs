@@ -38,7 +38,10 @@ fn variables(space: &StateSpace) -> Vec<(&'static str, Value)> {
         |signals: &[Signal], text: fn(&Signal) -> &String| Value::Texts(signals.iter().map(text).cloned().collect());
     let mut variables =
         vec![("A", matrix(&space.a)), ("B", matrix(&space.b)), ("C", matrix(&space.c)), ("D", matrix(&space.d))];
-    variables.extend(space.speed.map(|speed| ("speed", Value::Number(speed))));
+    variables.extend(space.shown_speed().map(|speed| ("speed", Value::Number(speed))));
+    if !space.speed_unit.is_declared() {
+        variables.push(("speed_unit", Value::Texts(vec![space.speed_unit.written.clone()])));
+    }
     for (names, units, signals) in [
         ("states", "state_units", &space.states),
         ("inputs", "input_units", &space.inputs),

@@ -20,6 +20,7 @@ fn small() -> StateSpace {
         inputs: vec![signal("Tq", "N*m")],
         outputs: vec![signal("q", "rad"), signal("q_rate", "rad/s"), signal("q_acceleration", "rad/s^2")],
         speed: Some(4.5),
+        speed_unit: carvallo_design::DisplayUnit::declared("m/s"),
     }
 }
 

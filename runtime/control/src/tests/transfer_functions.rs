@@ -107,6 +107,7 @@ fn what_passes_at_once_counts() {
         inputs: vec![signal("u")],
         outputs: vec![signal("y")],
         speed: None,
+        speed_unit: carvallo_design::DisplayUnit::declared("m/s"),
     };
     let found = TransferFunction::new(&space, 0, 0).expect("a transfer function");
     for (found, expected) in [(found.numerator(), [0.5, 2.5, 5.0]), (found.denominator(), [1.0, 3.0, 2.0])] {

@@ -1,6 +1,6 @@
 //! What a response is to, as it is written.
 
-use carvallo_control::{Order, Ports, Signal, StateSpace};
+use carvallo_control::{Order, Ports, ShownIn, Signal, StateSpace};
 use carvallo_design::quantity::{self, Context, Mistake, Reason, no_names};
 use carvallo_design::{Design, Failure, Place, Problem, nearest, number};
 
@@ -23,7 +23,7 @@ pub enum Excitation {
         /// In the unit of the input times s.
         size: f64,
     },
-    /// A state at time zero, in SI units, in the order of the states.
+    /// A state at time zero, in the units and the order of the states.
     Initial(Vec<f64>),
 }
 
@@ -42,6 +42,17 @@ impl Excitation {
     /// As for [`step`](Self::step).
     pub fn impulse(size: &str, space: &StateSpace) -> Result<Self, Failure> {
         sized("--impulse", size, space).map(|(input, size)| Self::Impulse { input, size })
+    }
+
+    /// The same in the units that the inputs and states of a state space are [shown](StateSpace::in_units) in.
+    #[must_use]
+    pub fn in_units(self, space: &StateSpace, shown: &ShownIn) -> Self {
+        let sized = |input: usize, size: f64| shown(&space.inputs[input].unit).value(size);
+        match self {
+            Self::Step { input, size } => Self::Step { input, size: sized(input, size) },
+            Self::Impulse { input, size } => Self::Impulse { input, size: sized(input, size) },
+            Self::Initial(state) => Self::Initial(space.state_in_units(&state, shown)),
+        }
     }
 
     /// A state at time zero, of which some are given as `phi_rate=0.5` and the others are zero.

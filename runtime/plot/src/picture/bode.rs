@@ -36,7 +36,7 @@ pub fn draw_bode(transfers: &Transfers) -> Scene {
     let extent = |lines: &[Line]| range(lines.iter().flat_map(|line| &line.curve).map(|point| point.1));
     let (low, high) = extent(&gains);
     let gain = Graph {
-        title: "gain (dB)",
+        title: "gain (dB)".into(),
         height: HEIGHT,
         x,
         y: roomy((low.max(high - DEEPEST), high)),
@@ -45,7 +45,7 @@ pub fn draw_bode(transfers: &Transfers) -> Scene {
         note: None,
     };
     let phase = Graph {
-        title: "phase (°)",
+        title: "phase (°)".into(),
         height: FLAT,
         x,
         y: around(extent(&phases)),

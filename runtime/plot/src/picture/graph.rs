@@ -1,5 +1,7 @@
 //! One of several graphs above each other, with its lines named above it.
 
+use std::borrow::Cow;
+
 use super::axes::{Axes, INK, Scale};
 use super::curves::{Curve, clip};
 use super::font;
@@ -14,7 +16,7 @@ const TEXT_SIZE: f32 = 14.0;
 /// A graph.
 pub struct Graph {
     /// What its vertical axis shows.
-    pub title: &'static str,
+    pub title: Cow<'static, str>,
     pub height: f32,
     pub x: (f64, f64),
     pub y: (f64, f64),
@@ -49,7 +51,7 @@ impl Graph {
                 scene.polyline(&points, line.paint, line.color);
             }
         }
-        axes.draw_frame(scene, x_label, self.title);
+        axes.draw_frame(scene, x_label, &self.title);
         top + self.height + if x_label.is_some() { NUMBERS } else { GAP }
     }
 }

@@ -81,6 +81,6 @@ pub use self::turns::draw_turns;
 /// What a picture of transfer functions is called.
 #[cfg(feature = "control")]
 fn transfer_title(what: &str, transfers: &crate::analysis::transfer::Transfers) -> String {
-    let speed = transfers.space.speed.map(|speed| format!(" at {} m/s", carvallo_design::number::shortest(speed)));
+    let speed = transfers.space.speed_text().map(|speed| format!(" at {speed}"));
     format!("{what} of {}{}", transfers.design.title(), speed.unwrap_or_default())
 }

@@ -117,7 +117,15 @@ fn graph(Shown { title, height, curves }: Shown, end: f64) -> Graph {
         paint: line(2.2),
         curve: curve.clone(),
     });
-    Graph { title, height, x: (0.0, end), y, scales: EVEN, lines: beside.chain(own).collect(), note: None }
+    Graph {
+        title: title.into(),
+        height,
+        x: (0.0, end),
+        y,
+        scales: EVEN,
+        lines: beside.chain(own).collect(),
+        note: None,
+    }
 }
 
 /// What the vertical axis shows: all of the motion itself, and of a linear one beside it no more than it takes to see how that

@@ -54,7 +54,7 @@ pub fn draw_overlay(comparison: &Comparison, limits: Option<(f64, f64)>) -> Resu
     let mut scene = Scene::new(title.clone(), WIDTH, 1.0);
     scene.text((WIDTH / 2.0, 32.0), Anchor::Middle, 18.0, INK, &title);
     let mut top = write_legend(comparison, x, left, &mut scene);
-    let graph = |title, height, y, part: fn(&Curves) -> &Vec<Curve>| {
+    let graph = |title: &'static str, height, y, part: fn(&Curves) -> &Vec<Curve>| {
         let curves = all.iter().enumerate().flat_map(|(index, curves)| {
             part(curves).iter().map(move |curve| Line {
                 name: None,
@@ -63,7 +63,7 @@ pub fn draw_overlay(comparison: &Comparison, limits: Option<(f64, f64)>) -> Resu
                 curve: curve.clone(),
             })
         });
-        Graph { title, height, x, y, scales: EVEN, lines: curves.collect(), note: None }
+        Graph { title: title.into(), height, x, y, scales: EVEN, lines: curves.collect(), note: None }
     };
     let has_pairs = all.iter().any(|curves| !curves.imaginary.is_empty());
     let label = "speed v (m/s)";

@@ -1,6 +1,7 @@
 //! Responses in time: the outputs of one unit in one graph.
 
 use carvallo_control::Signal;
+use carvallo_design::number::unit;
 
 use super::axes::{self, EVEN, INK};
 use super::graph::{Graph, Line, range, roomy};
@@ -30,7 +31,7 @@ pub fn draw_response(responses: &Responses) -> Scene {
         match graphs.iter_mut().find(|graph| graph.title == title) {
             Some(graph) => graph.lines.push(line),
             None => graphs.push(Graph {
-                title,
+                title: title.into(),
                 height: HEIGHT,
                 x: (0.0, end),
                 y: (0.0, 0.0),
@@ -43,7 +44,7 @@ pub fn draw_response(responses: &Responses) -> Scene {
     for graph in &mut graphs {
         graph.y = roomy(range(graph.lines.iter().flat_map(|line| line.curve.iter().map(|point| point.1)).chain([0.0])));
     }
-    let speed = space.speed.map(|speed| format!(" at {} m/s", carvallo_design::number::shortest(speed)));
+    let speed = space.speed_text().map(|speed| format!(" at {speed}"));
     let title = format!("{}{}: {}", design.title(), speed.unwrap_or_default(), lower(&responses.title()));
     let left = graphs.iter().map(|graph| axes::margin(graph.y)).fold(0.0, f32::max);
     let mut scene = Scene::new(title.clone(), WIDTH, 0.0);
@@ -58,17 +59,19 @@ pub fn draw_response(responses: &Responses) -> Scene {
 }
 
 /// What the axis of an output shows, and what its values are multiplied with.
-fn axis(signal: &Signal) -> (&'static str, f64) {
+fn axis(signal: &Signal) -> (String, f64) {
     let degrees = 1_f64.to_degrees();
-    match signal.unit.as_str() {
+    let (title, scale) = match signal.unit.as_str() {
         "rad" => ("angles (°)", degrees),
         "rad/s" => ("rates (°/s)", degrees),
         "rad/s^2" => ("accelerations (°/s²)", degrees),
         "m" => ("positions (m)", 1.0),
         "m/s" => ("velocities (m/s)", 1.0),
         "m/s^2" => ("accelerations (m/s²)", 1.0),
-        _ => ("outputs", 1.0),
-    }
+        "1" => ("outputs", 1.0),
+        other => return (format!("outputs ({})", unit(other)), 1.0),
+    };
+    (title.to_owned(), scale)
 }
 
 /// A title as the end of another one.

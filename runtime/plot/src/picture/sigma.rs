@@ -32,7 +32,7 @@ pub fn draw_sigma(transfers: &Transfers) -> Scene {
     let all = || lines.iter().flat_map(|line| &line.curve);
     let (low, high) = range(all().map(|point| point.1));
     let graph = Graph {
-        title: "singular values (dB)",
+        title: "singular values (dB)".into(),
         height: HEIGHT,
         x: range(all().map(|point| point.0)),
         y: roomy((low.max(high - DEEPEST), high)),

@@ -37,7 +37,7 @@ pub fn draw_turns(families: &Families) -> Scene {
     }
     let y = roomy(range(lines.iter().flat_map(|line: &Line| line.curve.iter().map(|point| point.1))));
     let note = Some((UNSTABLE, INK.lighter(0.35), "unstable"));
-    let positions = Graph { title: "angles (°)", height: HEIGHT, x, y, scales: EVEN, lines, note };
+    let positions = Graph { title: "angles (°)".into(), height: HEIGHT, x, y, scales: EVEN, lines, note };
     let mut lines = Vec::new();
     let mut radii: Vec<f64> = turns().map(|turn| turn.radius).filter(|radius| radius.is_finite()).collect();
     radii.sort_by(f64::total_cmp);
@@ -45,7 +45,7 @@ pub fn draw_turns(families: &Families) -> Scene {
     let goes_on = turns().any(|turn| turn.radius > most);
     let beyond = if goes_on { format!(", up to {most} m: it goes on to straight running") } else { String::new() };
     add(&mut lines, &drawn, &format!("radius{beyond}"), INK, &|turn| turn.radius);
-    let radius = Graph { title: "radius (m)", height: FLAT, x, y: (0.0, most), scales: EVEN, lines, note: None };
+    let radius = Graph { title: "radius (m)".into(), height: FLAT, x, y: (0.0, most), scales: EVEN, lines, note: None };
 
     let title = format!("Steady turns of {}", families.design.title());
     let left = axes::margin(positions.y).max(axes::margin(radius.y));

@@ -33,7 +33,7 @@ fn changes(design: &Design, own: &Regulator, by_parameter: &[DMatrix<f64>], inpu
         let name = Cell::Symbol { name: info.name.to_owned(), symbol: info.symbol.to_owned() };
         [name].into_iter().chain(by.row(input).iter().map(change)).collect()
     };
-    let speed = own.space.speed.map(|speed| format!(", at {} m/s", shortest(speed))).unwrap_or_default();
+    let speed = own.space.speed_text().map(|speed| format!(", at {speed}")).unwrap_or_default();
     Table {
         title: format!("What 1 % of each parameter changes about the gains K of {}{speed}", signal.name),
         columns: [Column::left("parameter")]
@@ -88,9 +88,10 @@ fn eigenvalues(schedule: &Schedule) -> Table {
 
 /// The column of speeds, where there are any.
 fn speed(schedule: &Schedule) -> Option<Column> {
-    schedule.regulators[0].space.speed.map(|_| Column::right("v (m/s)"))
+    let space = &schedule.regulators[0].space;
+    space.speed.map(|_| Column::right(format!("v ({})", space.speed_unit.unit())))
 }
 
 fn at(regulator: &Regulator) -> Option<Cell> {
-    regulator.space.speed.map(|speed| Cell::number(shortest(speed)))
+    regulator.space.shown_speed().map(|speed| Cell::number(shortest(speed)))
 }

@@ -3,7 +3,7 @@
 use carvallo::nalgebra::DMatrix;
 use carvallo_control::{Signal, StateSpace};
 use carvallo_design::Design;
-use carvallo_design::number::{fixed, shortest, unit};
+use carvallo_design::number::{fixed, unit};
 
 use crate::output::typeset::{Cell, Column, Document, Table};
 
@@ -21,7 +21,7 @@ pub fn of_state_space(design: &Design, space: &StateSpace) -> Document {
 
 /// Where a state space is, as the end of a title.
 pub fn at(space: &StateSpace) -> String {
-    space.speed.map(|speed| format!(", at {} m/s", shortest(speed))).unwrap_or_default()
+    space.speed_text().map(|speed| format!(", at {speed}")).unwrap_or_default()
 }
 
 fn signals(space: &StateSpace) -> Table {

@@ -14,6 +14,9 @@ struct Document<'a> {
     #[serde(flatten)]
     head: Head<'a>,
     parameters: Members<Line<f64>>,
+    /// Where speeds are not in m/s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    speed_unit: Option<&'a str>,
     inputs: Vec<Line<Told<'a>>>,
     outputs: Vec<Line<Told<'a>>>,
     lost: Vec<Line<LostMode<'a>>>,
@@ -54,11 +57,12 @@ pub fn write_json(
     let Controllability { analysis, inputs, outputs, .. } = controllability;
     let design = &analysis.design;
     let parameters = design.info().parameters.iter().zip(&design.parameters);
+    let unit = &controllability.analysis.unit;
     let moves = design.model.depends_on_speed();
     let modes = rows.iter().flat_map(|row| {
         row.modes.iter().map(move |(mode, measures)| {
             Line(OneMode {
-                speed: moves.then_some(row.speed),
+                speed: moves.then(|| unit.value(row.speed)),
                 mode: mode.mode.to_string(),
                 re: mode.value.re,
                 im: mode.value.im,
@@ -71,12 +75,19 @@ pub fn write_json(
         let name = |is_wanted: bool| is_wanted.then_some(of.name.as_str());
         of.lost.iter().map(move |lost| {
             let (input, output) = (name(of.is_input), name(!of.is_input));
-            Line(LostMode { input, output, speed: lost.speed, re: lost.eigenvalue.re, im: lost.eigenvalue.im })
+            Line(LostMode {
+                input,
+                output,
+                speed: unit.value(lost.speed),
+                re: lost.eigenvalue.re,
+                im: lost.eigenvalue.im,
+            })
         })
     });
     let document = Document {
         head: Head::of(design),
         parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
+        speed_unit: (!unit.is_declared()).then_some(unit.written.as_str()),
         inputs: Told::all(inputs),
         outputs: Told::all(outputs),
         lost: each.collect(),

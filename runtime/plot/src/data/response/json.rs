@@ -17,6 +17,9 @@ struct Document<'a> {
     parameters: Members<Line<f64>>,
     /// Nothing where the equations do not depend on it.
     speed: Option<f64>,
+    /// Where that is not m/s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    speed_unit: Option<&'a str>,
     excitation: Line<To<'a>>,
     outputs: Vec<Line<Told<'a>>>,
     /// Why it ended before its time, if it did.
@@ -58,7 +61,8 @@ pub fn write_json(responses: &Responses, output: &mut dyn Write) -> Result<()> {
     let document = Document {
         head: Head::of(design),
         parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
-        speed: space.speed,
+        speed: space.shown_speed(),
+        speed_unit: (!space.speed_unit.is_declared()).then(|| space.speed_unit.written.as_str()),
         excitation: Line(excitation),
         outputs: Told::all(&space.outputs),
         end: end.as_deref(),

@@ -19,9 +19,10 @@ pub fn write_csv(schedule: &Schedule, output: &mut dyn Write) -> Result<()> {
     });
     let values =
         (1..=space.states.len()).flat_map(|index| ["re", "im"].map(|part| format!("eigenvalue {index} {part} (1/s)")));
-    let header = speed("speed (m/s)".to_owned()).into_iter().chain(gains).chain(values).collect();
+    let header =
+        speed(format!("speed ({})", space.speed_unit.written)).into_iter().chain(gains).chain(values).collect();
     let row = |own: &Regulator| {
-        let speed = own.space.speed.map(exact);
+        let speed = own.space.shown_speed().map(exact);
         let gains = own.gains.row_iter().flat_map(|row| row.iter().map(|gain| exact(*gain)).collect::<Vec<_>>());
         let values = own.eigenvalues.iter().flat_map(|value| [value.re, value.im].map(exact));
         speed.into_iter().chain(gains.collect::<Vec<_>>()).chain(values).collect()

@@ -16,6 +16,9 @@ struct Document<'a> {
     #[serde(flatten)]
     head: Head<'a>,
     parameters: Members<Line<f64>>,
+    /// Where that is not m/s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    speed_unit: Option<&'a str>,
     states: Vec<Line<Told<'a>>>,
     inputs: Vec<Line<Told<'a>>>,
     weights: Vec<Line<Weight>>,
@@ -61,7 +64,7 @@ pub fn write_json(
     };
     let names = || design.info().parameters.iter().map(|parameter| parameter.name);
     let gains = |(place, own): (usize, &Regulator)| Gains {
-        speed: own.space.speed,
+        speed: own.space.shown_speed(),
         gains: rows(&own.gains),
         sensitivities: sensitivities.map(|of| Members(names().zip(of[place].iter().map(rows)).collect())),
         eigenvalues: own.eigenvalues.iter().copied().map(Parts::from).collect(),
@@ -70,11 +73,16 @@ pub fn write_json(
     let document = Document {
         head: Head::of(design),
         parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
+        speed_unit: (!space.speed_unit.is_declared()).then(|| space.speed_unit.written.as_str()),
         states: Told::all(&space.states),
         inputs: Told::all(&space.inputs),
         weights: of_outputs.chain(of_inputs).map(|(of, value)| Line(Weight { of, value })).collect(),
         regulators: schedule.regulators.iter().enumerate().map(gains).map(Line).collect(),
-        unstable_between: schedule.unstable.iter().copied().map(Line).collect(),
+        unstable_between: schedule
+            .unstable
+            .iter()
+            .map(|pair| Line(pair.map(|speed| space.speed_unit.value(speed))))
+            .collect(),
     };
     write_document(&document, output)
 }

@@ -18,6 +18,9 @@ struct Document<'a> {
     parameters: Members<Line<f64>>,
     /// Nothing where the equations do not depend on it.
     speed: Option<f64>,
+    /// Where that is not m/s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    speed_unit: Option<&'a str>,
     states: Vec<Line<Told<'a>>>,
     inputs: Vec<Line<Told<'a>>>,
     outputs: Vec<Line<Told<'a>>>,
@@ -41,7 +44,8 @@ pub fn write_json(design: &Design, space: &StateSpace, output: &mut dyn Write) -
     let document = Document {
         head: Head::of(design),
         parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
-        speed: space.speed,
+        speed: space.shown_speed(),
+        speed_unit: (!space.speed_unit.is_declared()).then(|| space.speed_unit.written.as_str()),
         states: Told::all(&space.states),
         inputs: Told::all(&space.inputs),
         outputs: Told::all(&space.outputs),

@@ -17,6 +17,9 @@ struct Document<'a> {
     parameters: Members<Line<f64>>,
     /// Nothing where the equations do not depend on it.
     speed: Option<f64>,
+    /// Where that is not m/s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    speed_unit: Option<&'a str>,
     transfer_functions: Vec<Told<'a>>,
     /// Of all of them together; only where there are several.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -83,7 +86,8 @@ pub fn write_json(transfers: &Transfers, responses: bool, output: &mut dyn Write
     let document = Document {
         head: Head::of(design),
         parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
-        speed: transfers.space.speed,
+        speed: transfers.space.shown_speed(),
+        speed_unit: (!transfers.space.speed_unit.is_declared()).then(|| transfers.space.speed_unit.written.as_str()),
         transfer_functions: transfers.channels.iter().map(|channel| told(channel, responses)).collect(),
         transmission_zeros: transfers.are_several().then(|| {
             let zeros = transfers.transmission_zeros.as_ref();
