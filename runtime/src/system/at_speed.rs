@@ -64,6 +64,12 @@ impl<const N: usize, T: Scalar> System<N, T> {
         compute(&System { m, c, k, states: self.states })
     }
 
+    /// The same, where nobody asks which entry.
+    pub(crate) fn is_finite(&self) -> bool {
+        let is_finite = |matrix: &Matrix<T, N>| matrix.as_slice().iter().all(|entry| entry.is_finite());
+        is_finite(&self.m) && is_finite(&self.c) && is_finite(&self.k)
+    }
+
     /// Whether every entry is finite.
     pub(crate) fn require_finite(&self) -> Result<(), SystemError> {
         for (quantity, matrix) in [("M", &self.m), ("C", &self.c), ("K", &self.k)] {
@@ -83,9 +89,6 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
     /// If the speed, the gravity or an entry is not finite, if there is a C-1 and the speed is zero, or if C or K leaves the
     /// range of `T`.
     pub fn at(&self, speed: T, gravity: T) -> Result<System<N, T>, SystemError> {
-        self.require_finite()?;
-        require_finite("speed", speed)?;
-        require_finite("gravity", gravity)?;
         let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, states } = self;
         // Entry by entry, so that none of the matrices is copied.
         let mut c = c0.zip_map(c1, |c0, c1| c0 + c1 * speed);
@@ -93,16 +96,31 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
         let mut k = kc.zip_zip_map(k0, k2, |kc, k0, k2| kc + k0 * gravity + k2 * speed * speed);
         if self.has_odd_powers() {
             let zero = T::from_f64(0.0);
-            if speed == zero && cm1.iter().any(|&entry| entry != zero) {
+            // Where there is no C-1, nothing is divided by a speed of zero.
+            c.zip_apply(cm1, |c, entry| *c += if entry == zero { entry } else { entry / speed });
+            k.zip_apply(k1, |k, entry| *k += entry * speed);
+        }
+        // A sum is finite only where all of its terms are: nothing else is looked at where nothing is wrong.
+        let system = System { m: *m, c, k, states: *states };
+        if system.is_finite() { Ok(system) } else { Err(self.find_fault(speed, gravity, &system)) }
+    }
+
+    /// What keeps the equations at a speed from being finite.
+    #[inline(always)]
+    fn find_fault(&self, speed: T, gravity: T, system: &System<N, T>) -> SystemError {
+        let zero = T::from_f64(0.0);
+        let required = self.require_finite().and_then(|()| {
+            require_finite("speed", speed)?;
+            require_finite("gravity", gravity)?;
+            if speed == zero && self.cm1.as_slice().iter().any(|&entry| entry != zero) {
                 return Err(SystemError::AtRest);
             }
-            // Where there is no C-1, nothing is divided by a speed of zero.
-            c += cm1.map(|entry| if entry == zero { entry } else { entry / speed });
-            k += k1 * speed;
+            require_in_range("C-1/v + C0 + v C1", &system.c)
+        });
+        match required {
+            Ok(()) => SystemError::OutOfRange { quantity: "Kc + g K0 + v K1 + v^2 K2" },
+            Err(fault) => fault,
         }
-        require_in_range("C-1/v + C0 + v C1", &c)?;
-        require_in_range("Kc + g K0 + v K1 + v^2 K2", &k)?;
-        Ok(System { m: *m, c, k, states: *states })
     }
 
     /// Whether every entry is finite.

@@ -125,15 +125,25 @@ impl<const N: usize> From<Coefficients<f32, N>> for Coefficients<f64, N> {
 /// Compiled models make their matrices by it. Rows of two `f32` that are written where they are used, or taken from an
 /// array at places known there, are for LLVM one whole number of 64 bits each, and then it puts no loop over designs into
 /// lanes; so the rows are taken by a function that learns the place. It counts, since what iterates would be a call for
-/// each entry wherever a profile has `lto = "off"`.
+/// each entry wherever a profile has `lto = "off"`; and it counts by four, since loops stay loops where a profile has
+/// `opt-level = "s"`, but for those of one turn, as that of two coordinates then is.
 ///
 /// # Panics
 /// If the array ends before the matrix.
 #[inline(always)]
 pub fn rows<T: Copy, const N: usize, const ENTRIES: usize>(entries: &[T; ENTRIES], first: usize) -> Rows<T, N> {
     let mut rows = [[entries[first]; N]; N];
-    for index in 0..N * N {
+    let mut index = 0;
+    while index + 4 <= N * N {
         rows[index / N][index % N] = entries[first + index];
+        rows[(index + 1) / N][(index + 1) % N] = entries[first + index + 1];
+        rows[(index + 2) / N][(index + 2) % N] = entries[first + index + 2];
+        rows[(index + 3) / N][(index + 3) % N] = entries[first + index + 3];
+        index += 4;
+    }
+    while index < N * N {
+        rows[index / N][index % N] = entries[first + index];
+        index += 1;
     }
     Rows(rows)
 }

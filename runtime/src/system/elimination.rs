@@ -101,17 +101,17 @@ fn solve_two<T: Scalar>(
         return Err(SystemError::SingularMass);
     }
     let above = b / last;
+    let solve = |first: &mut T, second: &mut T| {
+        let (upper, lower) = if is_second { (*second, *first) } else { (*first, *second) };
+        let lower = lower - below * upper;
+        *first = (upper - above * lower) / a;
+        *second = lower / last;
+    };
     for x in x {
-        let x = x.as_mut();
-        for column in 0..2 {
-            let places = [at(0, column), at(1, column)];
-            let [first, second] = places.map(|place| entry(x, place));
-            let (first, second) = if is_second { (second, first) } else { (first, second) };
-            let second = second - below * first;
-            let first = first - above * second;
-            change(x, places[0], |_| first / a);
-            change(x, places[1], |_| second / last);
-        }
+        let [first, between, beside, last] = x.as_mut() else { continue };
+        let (above_last, below_first) = if at(0, 1) == 1 { (between, beside) } else { (beside, between) };
+        solve(first, below_first);
+        solve(above_last, last);
     }
     Ok(())
 }

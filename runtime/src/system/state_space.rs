@@ -53,38 +53,45 @@ impl<const N: usize, T: Scalar> System<N, T> {
     /// # Errors
     /// If the mass matrix is singular as far as `T` can tell, an entry is not finite, or a block leaves the range of `T`.
     pub fn state_space(&self) -> Result<StateSpace<N, T>, SystemError> {
-        self.require_finite()?;
-        let [stiffness, damping, input] = self.solve(self.with_columns_of_states([
-            self.k.map(|entry| -entry),
-            self.c.map(|entry| -entry),
-            identity(),
-        ]))?;
-        for (quantity, block) in [("M^-1 K", &stiffness), ("M^-1 C", &damping), ("M^-1", &input)] {
-            require_in_range(quantity, block)?;
+        // On a microcontroller it takes longer to be ready to say which entry it is than to look at all of them.
+        if !self.is_finite() {
+            self.require_finite()?;
         }
-        Ok(StateSpace { stiffness, damping, input, states: self.states })
+        // What is solved is solved in the place of the result: on a microcontroller copies take longer than operations.
+        let mut space = StateSpace {
+            stiffness: self.k.map(|entry| -entry),
+            damping: self.c.map(|entry| -entry),
+            input: identity(),
+            states: self.states,
+        };
+        space.clear_columns_of_no_state();
+        self.solve_in_place(&mut space)?;
+        require_in_range("M^-1 K", &space.stiffness)?;
+        require_in_range("M^-1 C", &space.damping)?;
+        require_in_range("M^-1", &space.input)?;
+        Ok(space)
     }
 
-    /// Without the columns of what is no state.
-    fn with_columns_of_states(&self, [mut stiffness, mut damping, input]: [Matrix<T, N>; 3]) -> [Matrix<T, N>; 3] {
+    /// The [solutions](solve_in_place) X of `M X = B` for all blocks, with columns of C in the place of those of M for
+    /// coordinates of first order.
+    fn solve_in_place(&self, space: &mut StateSpace<N, T>) -> Result<(), SystemError> {
+        let (mut m, mut terms) = (self.leading(), self.m);
+        let at = |row: usize, column: usize| row + N * column;
+        let StateSpace { stiffness, damping, input, states: _ } = space;
+        let mut blocks = [stiffness, damping, input].map(|block| block.as_mut_slice());
+        solve_in_place(N, at, [m.as_mut_slice(), terms.as_mut_slice()], &mut blocks)
+    }
+}
+
+impl<const N: usize, T: Scalar> StateSpace<N, T> {
+    fn clear_columns_of_no_state(&mut self) {
         for (column, states) in self.states.iter().enumerate() {
             match states {
                 States::Both => {}
-                States::Position => damping.column_mut(column).fill(T::from_f64(0.0)),
-                States::Rate => stiffness.column_mut(column).fill(T::from_f64(0.0)),
+                States::Position => self.damping.column_mut(column).fill(T::from_f64(0.0)),
+                States::Rate => self.stiffness.column_mut(column).fill(T::from_f64(0.0)),
             }
         }
-        [stiffness, damping, input]
-    }
-
-    /// The [solutions](solve_in_place) X of `M X = B` for several B, with columns of C in the place of those of M for
-    /// coordinates of first order.
-    fn solve<const COUNT: usize>(&self, mut x: [Matrix<T, N>; COUNT]) -> Result<[Matrix<T, N>; COUNT], SystemError> {
-        let (mut m, mut terms) = (self.leading(), self.m);
-        let at = |row: usize, column: usize| row + N * column;
-        let mut columns = x.each_mut().map(|x| x.as_mut_slice());
-        solve_in_place(N, at, [m.as_mut_slice(), terms.as_mut_slice()], &mut columns)?;
-        Ok(x)
     }
 }
 

@@ -27,6 +27,7 @@ const initial = (known) => state.initial || usual(coordinatesOf(known));
 /** Computes everything anew, and shows it; a mistake is told, and what was there before stays. */
 function update() {
   schedule.address();
+  const widths = measure();
   let known;
   try {
     known = analyze(active(), state.speed);
@@ -51,7 +52,7 @@ function update() {
   showParameters(known);
   showNotes([...known.warnings, ...known.notes]);
   showSpeed(known);
-  draw(known, beside);
+  draw(known, beside, widths);
 }
 
 function titles(known) {
@@ -104,22 +105,24 @@ function showSpeed(known) {
 
 const drawing = (id) => document.querySelector(`#${id} .drawing`);
 const widthOf = (id) => Math.max(240, Math.floor(drawing(id).clientWidth));
+/** Before anything is written: a size that is read after that waits for the layout of the whole page, each time. */
+const measure = () => Object.fromEntries(["eigenvalues", "locus", "motion"].map((id) => [id, widthOf(id)]));
 
-function draw(known, beside) {
+function draw(known, beside, widths) {
   const map = (of) => new Map(parametersOf(of).map(({ name }, index) => [name, of.values[index]]));
   const title = withChanges(known.title, active());
   const named = { ...known, title };
   const thin = beside.map(({ known: other, other: of, place }) => ({ known: { ...other, title: withChanges(other.title, of) }, place }));
-  const side = drawSide(title, map(known), beside.map(({ known: other, place }) => ({ values: map(other), place })), widthOf("eigenvalues"));
+  const side = drawSide(title, map(known), beside.map(({ known: other, place }) => ({ values: map(other), place })), widths.eigenvalues);
   at("side").hidden = side === undefined;
   drawing("side").innerHTML = side ?? "";
-  drawing("eigenvalues").innerHTML = drawCurves(named, thin, state.speed, widthOf("eigenvalues"));
-  drawing("locus").innerHTML = drawLocus(named, thin, state.speed, widthOf("locus"));
+  drawing("eigenvalues").innerHTML = drawCurves(named, thin, state.speed, widths.eigenvalues);
+  drawing("locus").innerHTML = drawLocus(named, thin, state.speed, widths.locus);
   drawing("numbers").innerHTML = drawNumbers(named, state.speed);
-  move(named, thin);
+  move(named, thin, widths.motion);
 }
 
-function move(known, beside) {
+function move(known, beside, width) {
   const start = initial(known);
   const error = at("motion-error");
   if (document.activeElement !== at("initial")) at("initial").value = start;
@@ -135,7 +138,7 @@ function move(known, beside) {
         return [];
       }
     });
-    drawing("motion").innerHTML = drawMotion(known.title, motion, others, widthOf("motion"));
+    drawing("motion").innerHTML = drawMotion(known.title, motion, others, width);
     error.hidden = true;
   } catch (mistake) {
     if (!(mistake instanceof Mistake)) throw mistake;
