@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use carvallo::Complex;
 use carvallo_design::{Equations, Shipped};
+use carvallo_plot::analysis::columns::{Heading, Kind, Layout};
 use numpy::{Element, PyArray1, PyArrayDyn, PyArrayMethods as _};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -13,7 +14,7 @@ use crate::at_speeds;
 use crate::columns::{Column, Held, Values, gather};
 use crate::critical::{self, Critical};
 use crate::parts::{in_parts, threads};
-use crate::sheet::{Kind, Layout, Sheet};
+use crate::sheet::Sheet;
 use crate::speeds::Speeds;
 
 /// Designs of one model.
@@ -273,13 +274,13 @@ impl Designs {
     ) -> PyResult<(Vec<SheetColumn<'py>>, Vec<Option<String>>)> {
         let Sheet { headings, cells, present, errors } = self.fill(py, &Layout::new(self.model, speeds), threads)?;
         let columns = headings.into_iter().zip(cells.into_iter().zip(present));
-        let column = |((name, kind), (cells, present)): ((String, Kind), (Vec<f64>, Vec<bool>))| {
+        let column = |(Heading { name, unit, kind }, (cells, present)): (Heading, (Vec<f64>, Vec<bool>))| {
             let kind = match kind {
                 Kind::Count => "count",
                 Kind::Number => "number",
-                Kind::Verdict => "verdict",
+                Kind::Text => "verdict",
             };
-            Ok((name, kind, self.array(py, cells, &[])?, self.array(py, present, &[])?))
+            Ok((name, unit, kind, self.array(py, cells, &[])?, self.array(py, present, &[])?))
         };
         Ok((columns.map(column).collect::<PyResult<_>>()?, errors))
     }
@@ -298,5 +299,5 @@ impl Designs {
     }
 }
 
-/// The heading of a column, what is in it, its numbers, and whether there is one.
-type SheetColumn<'py> = (String, &'static str, Array<'py, f64>, Array<'py, bool>);
+/// The heading of a column, its unit, what is in it, its numbers, and whether there is one.
+type SheetColumn<'py> = (String, &'static str, &'static str, Array<'py, f64>, Array<'py, bool>);

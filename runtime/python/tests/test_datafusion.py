@@ -1,24 +1,19 @@
 """DataFusion: a function over Arrow arrays, as the page on many machines has it."""
 
-import re
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 arrow = pytest.importorskip("pyarrow", reason="pyarrow is not installed")
 pytest.importorskip("datafusion", reason="DataFusion is not installed")
 parquet = pytest.importorskip("pyarrow.parquet")
-PAGE = Path(__file__).parents[1] / "docs" / "many_machines.md"
 
 
-def test_the_page_averages_over_what_is_stable(tmp_path, monkeypatch, benchmark):
-    (program,) = re.findall(r"```python\n(import carvallo.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
+def test_the_page_averages_over_what_is_stable(tmp_path, program, monkeypatch, benchmark):
     columns = {name: np.full(1000, value) for name, value in benchmark.items()} | {"c": np.linspace(-0.3, 0.1, 1000)}
     (tmp_path / "designs").mkdir()
     parquet.write_table(arrow.table(columns), tmp_path / "designs" / "part.0.parquet")
     monkeypatch.chdir(tmp_path)
-    head, _, query = program.rstrip().rpartition("\n")
+    head, _, query = program("datafusion").rstrip().rpartition("\n")
     scope = {}
     exec(head, scope)
     (batch,) = eval(query, scope).collect()

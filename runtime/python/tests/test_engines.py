@@ -1,23 +1,13 @@
 """Ray and Spark: designs from Parquet to Parquet, as the page on many machines has it."""
 
-import re
 import shutil
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 arrow = pytest.importorskip("pyarrow", reason="pyarrow is not installed")
 parquet = pytest.importorskip("pyarrow.parquet")
-PAGE = Path(__file__).parents[1] / "docs" / "many_machines.md"
-
-
-def program(engine):
-    """The one on the page that imports it."""
-    programs = re.findall(r"```python\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
-    (found,) = [own for own in programs if re.search(rf"(import|from)\b.*\b{engine}\b", own)]
-    return found
 
 
 @pytest.fixture
@@ -47,7 +37,7 @@ def agree(folder, trails, benchmark):
 
 # Theirs, of what they call themselves.
 @pytest.mark.filterwarnings("ignore")
-def test_ray(designs, benchmark, monkeypatch):
+def test_ray(designs, program, benchmark, monkeypatch):
     # It would write a token to the home of the user.
     monkeypatch.setenv("RAY_AUTH_MODE", "disabled")
     ray = pytest.importorskip("ray", reason="Ray is not installed")
@@ -61,7 +51,7 @@ def test_ray(designs, benchmark, monkeypatch):
 
 
 @pytest.mark.filterwarnings("ignore")
-def test_spark(designs, benchmark, monkeypatch):
+def test_spark(designs, program, benchmark, monkeypatch):
     pytest.importorskip("pyspark", reason="Spark is not installed")
     if shutil.which("java") is None:
         pytest.skip("Spark needs Java, and there is none")

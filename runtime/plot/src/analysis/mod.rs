@@ -1,6 +1,7 @@
 //! What is computed for a design, once, for every way of showing it.
 
 pub mod along;
+pub mod columns;
 pub mod compare;
 #[cfg(feature = "control")]
 pub mod controllability;

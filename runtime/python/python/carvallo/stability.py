@@ -48,6 +48,8 @@ class Range(NamedTuple):
 class Column(NamedTuple):
     """A column of numbers, of which some may be missing."""
 
+    unit: str
+    """Of a number; empty where there is none."""
     kind: str
     """``number``, ``count``, or ``verdict``: a place in :data:`VERDICTS`."""
     cells: NDArray[np.float64]
@@ -132,7 +134,7 @@ class Stability(Mapping[str, "np.ma.MaskedArray[Any, Any]"]):
 def columns_of(designs: _carvallo.Designs, speeds: ArrayLike, threads: int | None) -> tuple[dict[str, Column], list[str | None]]:
     """The columns, and why a design has no results."""
     columns, errors = designs.sheet(np.atleast_1d(np.asarray(speeds, dtype=np.float64)).ravel().tolist(), threads)
-    return {name: Column(kind, cells, present) for name, kind, cells, present in columns}, errors
+    return {name: Column(unit, kind, cells, present) for name, unit, kind, cells, present in columns}, errors
 
 
 def stability_of(design: Design, speeds: ArrayLike, threads: int | None) -> Stability:

@@ -140,8 +140,7 @@ def _write_arrow(table: Any, columns: dict[str, Column], errors: list[str | None
     fields = [table.schema.field(index) for index in range(len(names))]
     for name, column in columns.items():
         arrays.append(array(column))
-        unit = b"1/s" if name.startswith("eigenvalue") else b"m/s"
-        fields.append(pyarrow.field(name, arrays[-1].type, metadata={"unit": unit} if column.kind == "number" else None))
+        fields.append(pyarrow.field(name, arrays[-1].type, metadata={"unit": column.unit} if column.unit else None))
     arrays.append(pyarrow.array(errors, pyarrow.string()))
     fields.append(pyarrow.field("error", pyarrow.string()))
     return type(table).from_arrays(arrays, schema=pyarrow.schema(fields, metadata=table.schema.metadata))

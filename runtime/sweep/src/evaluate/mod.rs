@@ -1,12 +1,10 @@
 //! From designs to results: the part of a sweep that computes.
 
-mod cells;
 mod solution;
 
 use carvallo_design::Shipped;
 use carvallo_design::conventions::Varied;
 
-use self::cells::Cells;
 use self::solution::Solution;
 use super::table::{Column, Designs, Layout, Results};
 
@@ -41,7 +39,7 @@ impl Task {
             };
             match solved {
                 Ok(()) => {
-                    Cells::new(&mut columns).fill(&solution, &self.layout);
+                    solution.fill_row(&mut columns, &self.layout);
                     stable.push(solution.first_stable());
                     errors.push(None);
                 }

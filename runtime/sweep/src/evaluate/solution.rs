@@ -3,7 +3,7 @@
 use carvallo::{Complex, Stability, StableRange, SystemError, Verdict};
 use carvallo_design::{Equations, Shipped};
 
-use crate::table::Layout;
+use crate::table::{Column, Layout};
 
 /// The results of one design.
 #[derive(Default)]
@@ -47,6 +47,15 @@ impl Solution {
         }
         self.stability = Some(stability);
         Ok(())
+    }
+
+    /// Adds a row, with a value or none in each column.
+    pub fn fill_row(&self, columns: &mut [Column], layout: &Layout) {
+        let mut columns = columns.iter_mut();
+        let put = |cell| columns.next().into_iter().for_each(|column| column.push(cell));
+        if let Some(stability) = &self.stability {
+            layout.fill(stability, &self.verdicts, &self.eigenvalues, put);
+        }
     }
 
     /// The first stable range, if there is one.

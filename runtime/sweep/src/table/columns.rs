@@ -1,23 +1,8 @@
-//! Columns: what they are called, and the values that they hold.
+//! The values that columns hold.
 
 use std::borrow::Cow;
 
-/// The name, the unit and the kind of a column.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Heading {
-    pub name: String,
-    /// As declared, such as `kg*m^2`; empty where there is none.
-    pub unit: &'static str,
-    pub kind: Kind,
-}
-
-/// What a column holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    Number,
-    Count,
-    Text,
-}
+use carvallo_plot::analysis::columns::{Cell, Kind, VERDICTS};
 
 /// The values of a column; `None` where there is none.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,20 +12,6 @@ pub enum Column {
     Texts(Vec<Option<Cow<'static, str>>>),
 }
 
-impl Heading {
-    pub fn number(name: impl Into<String>, unit: &'static str) -> Self {
-        Self { name: name.into(), unit, kind: Kind::Number }
-    }
-
-    pub fn count(name: &str) -> Self {
-        Self { name: name.to_owned(), unit: "", kind: Kind::Count }
-    }
-
-    pub fn text(name: impl Into<String>) -> Self {
-        Self { name: name.into(), unit: "", kind: Kind::Text }
-    }
-}
-
 impl Column {
     /// Without values yet, but with room for so many.
     pub fn new(kind: Kind, rows: usize) -> Self {
@@ -48,6 +19,17 @@ impl Column {
             Kind::Number => Self::Numbers(Vec::with_capacity(rows)),
             Kind::Count => Self::Counts(Vec::with_capacity(rows)),
             Kind::Text => Self::Texts(Vec::with_capacity(rows)),
+        }
+    }
+
+    /// Adds a row with the value of one design.
+    pub fn push(&mut self, cell: Cell) {
+        match (self, cell) {
+            (Self::Numbers(values), Cell::Number(value)) => values.push(value),
+            (Self::Counts(values), Cell::Count(count)) => values.push(i32::try_from(count).ok()),
+            (Self::Texts(values), Cell::Verdict(place)) => values.push(Some(Cow::Borrowed(VERDICTS[place]))),
+            // Headings and cells are in one order.
+            (column, _) => column.push_none(),
         }
     }
 

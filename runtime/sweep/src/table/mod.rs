@@ -2,15 +2,14 @@
 
 mod columns;
 mod format;
-mod layout;
 
 use std::borrow::Cow;
 
 use carvallo::StableRange;
 
-pub use self::columns::{Column, Heading, Kind};
+pub use self::columns::Column;
 pub use self::format::{Format, parquet_message};
-pub use self::layout::Layout;
+pub use carvallo_plot::analysis::columns::{Heading, Kind, Layout};
 
 /// Some designs, in columns.
 #[derive(Debug)]
