@@ -66,9 +66,10 @@ def test_a_fall_ends_a_motion_before_an_event():
     assert "the event `<lambda>`" in found.end and found["phi"][-1] == pytest.approx(1.0, rel=1e-14)
 
 
-def test_a_loop_that_is_closed_tells_its_forces(benchmark):
+@pytest.mark.parametrize("linear", [True, False])
+def test_a_loop_that_is_closed_tells_its_forces(benchmark, linear):
     closed = benchmark.with_feedback("Tdelta = -3*phi_rate")
-    found = closed.simulate(4.6, 2.0, initial={"phi_rate": 0.1}, linear=True)
+    found = closed.simulate(4.6, 2.0, initial={"phi_rate": 0.1}, linear=linear)
     ((_, force),) = found.feedback_forces.items()
     np.testing.assert_allclose(force, -3.0 * found["phi_rate"], rtol=1e-13)
 

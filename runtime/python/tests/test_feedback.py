@@ -31,7 +31,10 @@ def test_the_loop_stays_closed():
     assert_allclose(heavier.eigenvalues(3.0)[1], closed.eigenvalues(3.0))
     assert pickle.loads(pickle.dumps(closed)) == closed
     motion = closed.simulate(3.0, duration=1.0, initial={"phi_rate": 0.5})
-    assert motion.is_linear
+    assert not motion.is_linear
+    force = motion.feedback_forces[next(iter(motion.feedback_forces))]
+    # At the speed of the moment, which hardly changes.
+    assert_allclose(force, 17.0 * motion["phi_rate"], rtol=0.05)
 
 
 def test_files_have_laws(tmp_path):

@@ -195,7 +195,7 @@ class Design(Controlled, Mapping[str, Union[float, NDArray[np.float64]]]):
 
             >>> carvallo.Whipple("benchmark").with_feedback("Tdelta = 10*(4.7 - v)*phi_rate").stability()
 
-        Matrices, eigenvalues, critical speeds and all else are then of the closed loop; motions are those of the linear equations.
+        Matrices, eigenvalues, critical speeds, motions and all else are then of the closed loop.
 
         Raises
         ------
