@@ -731,6 +731,7 @@ impl<T: Number> BalanceAssist<T> {
     }
 
     /// The parameters as an array in declared order.
+    #[inline(always)]
     #[must_use]
     pub const fn to_array(&self) -> [T; 28] {
         [

@@ -357,6 +357,7 @@ impl<T: Number> CantileveredPipe<T> {
     }
 
     /// The parameters as an array in declared order.
+    #[inline(always)]
     #[must_use]
     pub const fn to_array(&self) -> [T; 4] {
         [self.l, self.EI, self.m, self.f]

@@ -192,6 +192,7 @@ impl<T: Number> Car<T> {
     }
 
     /// The parameters as an array in declared order.
+    #[inline(always)]
     #[must_use]
     pub const fn to_array(&self) -> [T; 6] {
         [self.m, self.I, self.a, self.b, self.Cf, self.Cr]

@@ -399,6 +399,7 @@ impl<T: Number> CarTrailer<T> {
     }
 
     /// The parameters as an array in declared order.
+    #[inline(always)]
     #[must_use]
     pub const fn to_array(&self) -> [T; 16] {
         [

@@ -577,6 +577,7 @@ impl<T: Number> DoublePendulum<T> {
     }
 
     /// The parameters as an array in declared order.
+    #[inline(always)]
     #[must_use]
     pub const fn to_array(&self) -> [T; 8] {
         [self.l1, self.a1, self.m1, self.I1, self.a2, self.m2, self.I2, self.g]

@@ -168,6 +168,7 @@ impl<T: Number> JeffcottRotor<T> {
     }
 
     /// The parameters as an array in declared order.
+    #[inline(always)]
     #[must_use]
     pub const fn to_array(&self) -> [T; 5] {
         [self.m, self.k, self.ce, self.ci, self.R]

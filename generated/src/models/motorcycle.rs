@@ -664,6 +664,7 @@ impl<T: Number> Motorcycle<T> {
     }
 
     /// The parameters as an array in declared order.
+    #[inline(always)]
     #[must_use]
     pub const fn to_array(&self) -> [T; 26] {
         [

@@ -144,6 +144,7 @@ impl<T: Number> Pendulum<T> {
     }
 
     /// The parameters as an array in declared order.
+    #[inline(always)]
     #[must_use]
     pub const fn to_array(&self) -> [T; 4] {
         [self.m, self.l, self.c, self.g]

@@ -662,6 +662,7 @@ impl<T: Number> RearSteered<T> {
     }
 
     /// The parameters as an array in declared order.
+    #[inline(always)]
     #[must_use]
     pub const fn to_array(&self) -> [T; 26] {
         [

@@ -648,6 +648,7 @@ impl<T: Number> RollingDisc<T> {
     }
 
     /// The parameters as an array in declared order.
+    #[inline(always)]
     #[must_use]
     pub const fn to_array(&self) -> [T; 5] {
         [self.r, self.m, self.Ia, self.It, self.g]

@@ -374,6 +374,7 @@ impl<T: Number> Skateboard<T> {
     }
 
     /// The parameters as an array in declared order.
+    #[inline(always)]
     #[must_use]
     pub const fn to_array(&self) -> [T; 15] {
         [

@@ -175,6 +175,7 @@ impl<T: Number> TowedWheel<T> {
     }
 
     /// The parameters as an array in declared order.
+    #[inline(always)]
     #[must_use]
     pub const fn to_array(&self) -> [T; 5] {
         [self.m, self.I, self.l, self.a, self.k]

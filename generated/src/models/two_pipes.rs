@@ -228,6 +228,7 @@ impl<T: Number> TwoPipes<T> {
     }
 
     /// The parameters as an array in declared order.
+    #[inline(always)]
     #[must_use]
     pub const fn to_array(&self) -> [T; 6] {
         [self.l, self.m, self.f, self.k, self.c, self.g]

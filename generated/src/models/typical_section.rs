@@ -212,6 +212,7 @@ impl<T: Number> TypicalSection<T> {
     }
 
     /// The parameters as an array in declared order.
+    #[inline(always)]
     #[must_use]
     pub const fn to_array(&self) -> [T; 9] {
         [self.m, self.I, self.b, self.s, self.a, self.e, self.kh, self.ktheta, self.rho]

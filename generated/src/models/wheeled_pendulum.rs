@@ -1544,6 +1544,7 @@ impl<T: Number> WheeledPendulum<T> {
     }
 
     /// The parameters as an array in declared order.
+    #[inline(always)]
     #[must_use]
     pub const fn to_array(&self) -> [T; 10] {
         [

@@ -205,6 +205,7 @@ impl<T: Number> Wheelset<T> {
     }
 
     /// The parameters as an array in declared order.
+    #[inline(always)]
     #[must_use]
     pub const fn to_array(&self) -> [T; 9] {
         [

@@ -633,6 +633,7 @@ impl<T: Number> Whipple<T> {
     }
 
     /// The parameters as an array in declared order.
+    #[inline(always)]
     #[must_use]
     pub const fn to_array(&self) -> [T; 26] {
         [

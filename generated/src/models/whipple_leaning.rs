@@ -7386,6 +7386,7 @@ impl<T: Number> WhippleLeaning<T> {
     }
 
     /// The parameters as an array in declared order.
+    #[inline(always)]
     #[must_use]
     pub const fn to_array(&self) -> [T; 36] {
         [

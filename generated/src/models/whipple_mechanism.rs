@@ -5319,6 +5319,7 @@ impl<T: Number> WhippleMechanism<T> {
     }
 
     /// The parameters as an array in declared order.
+    #[inline(always)]
     #[must_use]
     pub const fn to_array(&self) -> [T; 26] {
         [

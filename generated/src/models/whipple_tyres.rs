@@ -5661,6 +5661,7 @@ impl<T: Number> WhippleTyres<T> {
     }
 
     /// The parameters as an array in declared order.
+    #[inline(always)]
     #[must_use]
     pub const fn to_array(&self) -> [T; 28] {
         [

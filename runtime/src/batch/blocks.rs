@@ -1,32 +1,32 @@
 //! Numbers of many designs, laid out for lanes.
 
-use super::BatchError;
+use super::{BatchError, InLanes};
 use crate::model::Model;
 
 /// Some numbers for each of many designs, such as its parameters or the entries of its matrices: a structure of arrays in
-/// blocks of eight designs.
+/// blocks of as many designs as the widest registers hold: eight in `f64`, sixteen in `f32`.
 ///
-/// A block holds the first number of its eight designs, then their second numbers, and so on. So lanes are loaded as they
+/// A block holds the first number of its designs, then their second numbers, and so on. So lanes are loaded as they
 /// lie, the last one as fast as the first, and memory is read in one stream: columns of millions of numbers, one for each
 /// parameter, are twice as slow to read. Blocks begin at multiples of 64 bytes.
 #[derive(Clone, Debug)]
-pub struct Blocks {
-    numbers: Vec<f64>,
+pub struct Blocks<T = f64> {
+    numbers: Vec<T>,
     /// Where the first block begins.
     start: usize,
     width: usize,
     len: usize,
 }
 
-impl Blocks {
+impl<T: InLanes> Blocks<T> {
     /// The number of designs in a block.
-    pub const SIDE: usize = super::SIDE;
+    pub const SIDE: usize = super::side::<T>();
 
     /// For `len` designs `width` numbers each, all of them zero.
     #[must_use]
     pub fn zeros(width: usize, len: usize) -> Self {
         let size = len.div_ceil(Self::SIDE) * Self::SIDE * width;
-        let numbers = vec![0.0; size + Self::SIDE - 1];
+        let numbers = vec![T::from_f64(0.0); size + Self::SIDE - 1];
         // A vector of another address than expected costs time, not correctness.
         let start = numbers.as_ptr().align_offset(64).min(Self::SIDE - 1);
         Self { numbers, start, width, len }
@@ -34,7 +34,7 @@ impl Blocks {
 
     /// The parameters of designs.
     #[must_use]
-    pub fn of_designs<const N: usize, M: Model<N, Scalar = f64>>(designs: &[M]) -> Self {
+    pub fn of_designs<const N: usize, M: Model<N, Scalar = T>>(designs: &[M]) -> Self {
         let mut blocks = Self::zeros(M::INFO.parameters.len(), designs.len());
         for (index, design) in designs.iter().enumerate() {
             for (position, number) in design.parameters().as_ref().iter().enumerate() {
@@ -47,7 +47,7 @@ impl Blocks {
     /// Room for the entries of the matrices of `len` designs, in the order of
     /// [`ModelInfo::entries`](crate::ModelInfo::entries).
     #[must_use]
-    pub fn for_entries<const N: usize, M: Model<N, Scalar = f64>>(len: usize) -> Self {
+    pub fn for_entries<const N: usize, M: Model<N, Scalar = T>>(len: usize) -> Self {
         Self::zeros(M::INFO.entries.len(), len)
     }
 
@@ -55,7 +55,7 @@ impl Blocks {
     ///
     /// # Errors
     /// If their lengths differ.
-    pub fn from_columns(columns: &[&[f64]]) -> Result<Self, BatchError> {
+    pub fn from_columns(columns: &[&[T]]) -> Result<Self, BatchError> {
         let len = columns.first().map_or(0, |column| column.len());
         if let Some((position, column)) = columns.iter().enumerate().find(|(_, column)| column.len() != len) {
             return Err(BatchError::Length { what: "column", position, expected: len, found: column.len() });
@@ -92,7 +92,7 @@ impl Blocks {
     /// # Panics
     /// If there is no such design or number.
     #[must_use]
-    pub fn get(&self, design: usize, position: usize) -> f64 {
+    pub fn get(&self, design: usize, position: usize) -> T {
         self.numbers[self.place(design, position)]
     }
 
@@ -100,7 +100,7 @@ impl Blocks {
     ///
     /// # Panics
     /// If there is no such design or number.
-    pub fn set(&mut self, design: usize, position: usize, number: f64) {
+    pub fn set(&mut self, design: usize, position: usize, number: T) {
         let place = self.place(design, position);
         self.numbers[place] = number;
     }
@@ -109,18 +109,18 @@ impl Blocks {
     ///
     /// # Panics
     /// If there is no such position.
-    pub fn column(&self, position: usize) -> impl ExactSizeIterator<Item = f64> + '_ {
+    pub fn column(&self, position: usize) -> impl ExactSizeIterator<Item = T> + '_ {
         assert!(position < self.width, "there is no number {position}: each design has {}", self.width);
         (0..self.len).map(move |design| self.get(design, position))
     }
 
     /// All blocks, also of the designs that fill up the last one.
-    pub(super) fn numbers(&self) -> &[f64] {
+    pub(super) fn numbers(&self) -> &[T] {
         &self.numbers[self.start..][..self.size()]
     }
 
     /// All blocks, also of the designs that fill up the last one.
-    pub(super) fn numbers_mut(&mut self) -> &mut [f64] {
+    pub(super) fn numbers_mut(&mut self) -> &mut [T] {
         let size = self.size();
         &mut self.numbers[self.start..][..size]
     }
@@ -137,7 +137,7 @@ impl Blocks {
 }
 
 /// Equal if the designs have the same numbers, whatever fills up the last block.
-impl PartialEq for Blocks {
+impl<T: InLanes> PartialEq for Blocks<T> {
     fn eq(&self, other: &Self) -> bool {
         self.width == other.width
             && self.len == other.len

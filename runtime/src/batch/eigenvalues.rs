@@ -123,7 +123,7 @@ fn along<S: Simd>(
         |matrix| {
             by_rows(
                 #[inline(always)]
-                |i, j| Lanes(S::f64s::splat(simd, matrix[(i, j)])),
+                |i, j| Lanes::splat(simd, matrix[(i, j)]),
             )
         },
     );

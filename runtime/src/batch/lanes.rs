@@ -3,47 +3,83 @@
 use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use fearless_simd::SimdFloatElement;
 use fearless_simd::prelude::*;
 
-use crate::number::Number;
 use crate::number::lane::{Lane, UPPER_HALF};
 use crate::number::real::Real;
-use crate::number::trigonometry::double::sin_cos_of_lanes;
+use crate::number::trigonometry::{double, single};
+use crate::number::{Number, Scalar};
 
-/// A register of `f64` at the level `S` of the processor's instructions.
+/// `f32` or `f64`: numbers of which a register holds several.
+pub trait InLanes: Scalar + SimdFloatElement + Send + Sync {
+    /// A register of them at the level `S` of the processor's instructions.
+    #[doc(hidden)]
+    type Register<S: Simd>: SimdFloat<S, Element = Self>;
+
+    /// Sine and cosine, in each lane those of the number alone.
+    #[doc(hidden)]
+    fn sin_cos_of_lanes<S: Simd>(angle: Lanes<S, Self>) -> (Lanes<S, Self>, Lanes<S, Self>);
+}
+
+impl InLanes for f64 {
+    type Register<S: Simd> = S::f64s;
+
+    #[inline(always)]
+    fn sin_cos_of_lanes<S: Simd>(angle: Lanes<S>) -> (Lanes<S>, Lanes<S>) {
+        double::sin_cos_of_lanes(angle)
+    }
+}
+
+impl InLanes for f32 {
+    type Register<S: Simd> = S::f32s;
+
+    #[inline(always)]
+    fn sin_cos_of_lanes<S: Simd>(angle: Lanes<S, f32>) -> (Lanes<S, f32>, Lanes<S, f32>) {
+        single::sin_cos_of_lanes(angle)
+    }
+}
+
+/// A register of `f64` or `f32` at the level `S` of the processor's instructions.
 #[derive(Clone, Copy)]
-pub struct Lanes<S: Simd>(pub(crate) S::f64s);
+pub struct Lanes<S: Simd, T: InLanes = f64>(pub(crate) T::Register<S>);
 
-impl<S: Simd> Lanes<S> {
+impl<S: Simd, T: InLanes> Lanes<S, T> {
     /// How many numbers there are side by side.
-    pub(crate) const COUNT: usize = S::f64s::LEN;
+    pub(crate) const COUNT: usize = T::Register::<S>::LEN;
 
     /// A number for each lane.
     #[inline(always)]
-    pub(crate) fn from_fn(simd: S, number: impl FnMut(usize) -> f64) -> Self {
-        Self(S::f64s::from_fn(simd, number))
+    pub(crate) fn from_fn(simd: S, number: impl FnMut(usize) -> T) -> Self {
+        Self(T::Register::<S>::from_fn(simd, number))
+    }
+
+    /// The same number in all lanes.
+    #[inline(always)]
+    pub(crate) fn splat(simd: S, number: T) -> Self {
+        Self(T::Register::<S>::splat(simd, number))
     }
 
     /// As many numbers as there are lanes.
     #[inline(always)]
-    pub(crate) fn load(simd: S, numbers: &[f64]) -> Self {
-        Self(S::f64s::from_slice(simd, numbers))
+    pub(crate) fn load(simd: S, numbers: &[T]) -> Self {
+        Self(T::Register::<S>::from_slice(simd, numbers))
     }
 
     /// Into as many numbers as there are lanes.
     #[inline(always)]
-    pub(crate) fn store(self, numbers: &mut [f64]) {
+    pub(crate) fn store(self, numbers: &mut [T]) {
         self.0.store_slice(numbers);
     }
 
     /// The number in a lane.
     #[inline(always)]
-    pub(crate) fn lane(&self, index: usize) -> f64 {
+    pub(crate) fn lane(&self, index: usize) -> T {
         self.0.as_slice()[index]
     }
 }
 
-impl<S: Simd> fmt::Debug for Lanes<S> {
+impl<S: Simd, T: InLanes> fmt::Debug for Lanes<S, T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.as_slice().fmt(f)
     }
@@ -51,7 +87,7 @@ impl<S: Simd> fmt::Debug for Lanes<S> {
 
 macro_rules! operator {
     ($($operator:ident $method:ident $sign:tt)*) => {
-        $(impl<S: Simd> $operator for Lanes<S> {
+        $(impl<S: Simd, T: InLanes> $operator for Lanes<S, T> {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
@@ -63,7 +99,7 @@ macro_rules! operator {
 
 operator!(Add add + Sub sub - Mul mul * Div div /);
 
-impl<S: Simd> Neg for Lanes<S> {
+impl<S: Simd, T: InLanes> Neg for Lanes<S, T> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -71,14 +107,14 @@ impl<S: Simd> Neg for Lanes<S> {
     }
 }
 
-impl<S: Simd> Number for Lanes<S> {
+impl<S: Simd, T: InLanes> Number for Lanes<S, T> {
     #[inline(always)]
     fn like(self, value: f64) -> Self {
-        Self(S::f64s::simd_from(self.0.token(), value))
+        Self::splat(self.0.token(), T::from_f64(value))
     }
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
-        sin_cos_of_lanes(self)
+        T::sin_cos_of_lanes(self)
     }
     #[inline(always)]
     fn sin(self) -> Self {
@@ -90,7 +126,7 @@ impl<S: Simd> Number for Lanes<S> {
     }
     #[inline(always)]
     fn tan(self) -> Self {
-        self.map(Number::tan)
+        Self::from_fn(self.0.token(), |lane| self.lane(lane).tan())
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
@@ -98,8 +134,8 @@ impl<S: Simd> Number for Lanes<S> {
     }
 }
 
-impl<S: Simd> Real for Lanes<S> {
-    type Mask = S::mask64s;
+impl<S: Simd, T: InLanes> Real for Lanes<S, T> {
+    type Mask = <T::Register<S> as SimdBase<S>>::Mask;
 
     #[inline(always)]
     fn like(self, value: f64) -> Self {
@@ -132,7 +168,7 @@ impl<S: Simd> Real for Lanes<S> {
 }
 
 impl<S: Simd> Lane for Lanes<S> {
-    const EPSILON: f64 = f64::EPSILON;
+    const EPSILON: f64 = <f64 as Lane>::EPSILON;
     const ENTRIES: [f64; 2] = f64::ENTRIES;
     const COEFFICIENTS: [f64; 2] = f64::COEFFICIENTS;
 
@@ -163,5 +199,31 @@ impl<S: Simd> Lane for Lanes<S> {
         let estimate: S::u64s = ((S::f64s::simd_from(self.0.token(), UPPER_HALF) - third).floor() + integers).bitcast();
         let estimate: S::f64s = (estimate << 32).bitcast();
         Self(estimate)
+    }
+}
+
+impl<S: Simd> Lane for Lanes<S, f32> {
+    const EPSILON: f64 = <f32 as Lane>::EPSILON;
+    const ENTRIES: [f64; 2] = f32::ENTRIES;
+    const COEFFICIENTS: [f64; 2] = f32::COEFFICIENTS;
+
+    #[inline(always)]
+    fn bit(self, index: u32) -> Self::Mask {
+        let bits: S::u32s = self.0.bitcast();
+        let sign: S::i32s = (bits << (31 - index)).bitcast();
+        sign.simd_lt(0)
+    }
+    #[inline(always)]
+    fn copysign(self, sign: Self) -> Self {
+        Self(self.0.copysign(sign.0))
+    }
+    #[inline(always)]
+    fn map(self, f: impl Fn(f64) -> f64) -> Self {
+        Self::from_fn(self.0.token(), |lane| f(self.lane(lane).into()) as f32)
+    }
+    #[inline(always)]
+    fn estimate_inverse_cube_root(self) -> Self {
+        // A whole number of 32 bits is not divided in lanes.
+        Self::from_fn(self.0.token(), |lane| self.lane(lane).estimate_inverse_cube_root())
     }
 }

@@ -4,8 +4,10 @@ use fearless_simd::{Simd, dispatch};
 
 #[cfg(feature = "std")]
 use super::Blocks;
-use super::{Batch, BatchError, Lanes, SIDE};
+use super::structs::structs;
+use super::{Batch, BatchError, InLanes, Lanes, side};
 use crate::model::{Evaluator, Model};
+use crate::number::Scalar;
 use crate::system::Coefficients;
 
 #[cfg(feature = "std")]
@@ -17,10 +19,10 @@ impl Batch {
     ///
     /// # Errors
     /// If the blocks do not have a number for each parameter or each entry, or if they differ in length.
-    pub fn matrices<const N: usize, M: Model<N, Scalar = f64>>(
+    pub fn matrices<const N: usize, M: Model<N, Scalar: InLanes>>(
         &self,
-        parameters: &Blocks,
-        entries: &mut Blocks,
+        parameters: &Blocks<M::Scalar>,
+        entries: &mut Blocks<M::Scalar>,
     ) -> Result<(), BatchError> {
         check_blocks::<N, M>(parameters, entries)?;
         dispatch!(self.level, simd => blocks::<_, N, M>(simd, parameters.numbers(), entries.numbers_mut()));
@@ -32,10 +34,10 @@ impl Batch {
     /// # Errors
     /// As [`Batch::matrices`].
     #[cfg(feature = "rayon")]
-    pub fn parallel_matrices<const N: usize, M: Model<N, Scalar = f64>>(
+    pub fn parallel_matrices<const N: usize, M: Model<N, Scalar: InLanes>>(
         &self,
-        parameters: &Blocks,
-        entries: &mut Blocks,
+        parameters: &Blocks<M::Scalar>,
+        entries: &mut Blocks<M::Scalar>,
     ) -> Result<(), BatchError> {
         use rayon::prelude::*;
 
@@ -60,10 +62,10 @@ impl Batch {
     ///
     /// # Errors
     /// If there is not a column for each parameter and each entry, or if they differ in length. Nothing is written then.
-    pub fn matrices_of_columns<const N: usize, M: Model<N, Scalar = f64>>(
+    pub fn matrices_of_columns<const N: usize, M: Model<N, Scalar: InLanes>>(
         &self,
-        parameters: &[&[f64]],
-        entries: &mut [&mut [f64]],
+        parameters: &[&[M::Scalar]],
+        entries: &mut [&mut [M::Scalar]],
     ) -> Result<(), BatchError> {
         let designs = check_columns::<N, M>(parameters, entries)?;
         dispatch!(self.level, simd => columns::<_, N, M>(simd, designs, parameters, entries));
@@ -77,10 +79,10 @@ impl Batch {
     ///
     /// # Errors
     /// If the slices differ in length. Nothing is written then.
-    pub fn coefficients<const N: usize, M: Model<N, Scalar = f64>>(
+    pub fn coefficients<const N: usize, M: Model<N, Scalar: InLanes>>(
         &self,
         designs: &[M],
-        coefficients: &mut [Coefficients<f64, N>],
+        coefficients: &mut [Coefficients<M::Scalar, N>],
     ) -> Result<(), BatchError> {
         BatchError::require_room("result", designs.len(), coefficients.len())?;
         dispatch!(self.level, simd => structs::<_, N, M>(simd, designs, coefficients));
@@ -89,15 +91,15 @@ impl Batch {
 }
 
 #[cfg(feature = "std")]
-fn check_blocks<const N: usize, M: Model<N, Scalar = f64>>(
-    parameters: &Blocks,
-    entries: &Blocks,
+fn check_blocks<const N: usize, M: Model<N, Scalar: InLanes>>(
+    parameters: &Blocks<M::Scalar>,
+    entries: &Blocks<M::Scalar>,
 ) -> Result<(), BatchError> {
     check_widths::<N, M>(parameters.width(), entries.width())?;
     BatchError::require_room("entry", parameters.len(), entries.len())
 }
 
-fn check_widths<const N: usize, M: Model<N, Scalar = f64>>(
+fn check_widths<const N: usize, M: Model<N, Scalar: InLanes>>(
     parameters: usize,
     entries: usize,
 ) -> Result<(), BatchError> {
@@ -110,9 +112,9 @@ fn check_widths<const N: usize, M: Model<N, Scalar = f64>>(
 }
 
 /// The number of designs, if all columns fit.
-fn check_columns<const N: usize, M: Model<N, Scalar = f64>>(
-    parameters: &[&[f64]],
-    entries: &[&mut [f64]],
+fn check_columns<const N: usize, M: Model<N, Scalar: InLanes>>(
+    parameters: &[&[M::Scalar]],
+    entries: &[&mut [M::Scalar]],
 ) -> Result<usize, BatchError> {
     check_widths::<N, M>(parameters.len(), entries.len())?;
     let expected = parameters.first().map_or(0, |column| column.len());
@@ -127,18 +129,23 @@ fn check_columns<const N: usize, M: Model<N, Scalar = f64>>(
 /// Whole blocks of parameters into whole blocks of entries.
 #[cfg(feature = "std")]
 #[inline(always)]
-fn blocks<S: Simd, const N: usize, M: Model<N, Scalar = f64>>(simd: S, parameters: &[f64], entries: &mut [f64]) {
-    let lanes = Lanes::<S>::COUNT;
+fn blocks<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
+    simd: S,
+    parameters: &[M::Scalar],
+    entries: &mut [M::Scalar],
+) {
+    let lanes = Lanes::<S, M::Scalar>::COUNT;
+    let side = side::<M::Scalar>();
     // A model without entries has no blocks to fill.
-    let [inputs, outputs] = [M::INFO.parameters.len(), M::INFO.entries.len()].map(|width| (SIDE * width).max(1));
+    let [inputs, outputs] = [M::INFO.parameters.len(), M::INFO.entries.len()].map(|width| (side * width).max(1));
     for (parameters, entries) in parameters.chunks_exact(inputs).zip(entries.chunks_exact_mut(outputs)) {
-        for first in (0..SIDE).step_by(lanes) {
-            let design = M::Over::<Lanes<S>>::from_parameters(
+        for first in (0..side).step_by(lanes) {
+            let design = M::Over::<Lanes<S, M::Scalar>>::from_parameters(
                 #[inline(always)]
-                |position| Lanes::load(simd, &parameters[position * SIDE + first..][..lanes]),
+                |position| Lanes::load(simd, &parameters[position * side + first..][..lanes]),
             );
             for (position, result) in design.entries().as_ref().iter().enumerate() {
-                result.store(&mut entries[position * SIDE + first..][..lanes]);
+                result.store(&mut entries[position * side + first..][..lanes]);
             }
         }
     }
@@ -148,21 +155,22 @@ fn blocks<S: Simd, const N: usize, M: Model<N, Scalar = f64>>(simd: S, parameter
 const STRETCH: usize = 64;
 
 #[inline(always)]
-fn columns<S: Simd, const N: usize, M: Model<N, Scalar = f64>>(
+fn columns<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
     simd: S,
     designs: usize,
-    parameters: &[&[f64]],
-    entries: &mut [&mut [f64]],
+    parameters: &[&[M::Scalar]],
+    entries: &mut [&mut [M::Scalar]],
 ) {
-    let lanes = Lanes::<S>::COUNT;
+    let lanes = Lanes::<S, M::Scalar>::COUNT;
+    let zeros = [M::Scalar::from_f64(0.0); STRETCH];
     let whole = designs - designs % STRETCH;
     for start in (0..whole).step_by(STRETCH) {
         let stretch = M::array(
             #[inline(always)]
-            |position| parameters[position][start..].first_chunk::<STRETCH>().unwrap_or(&[0.0; STRETCH]),
+            |position| parameters[position][start..].first_chunk::<STRETCH>().unwrap_or(&zeros),
         );
         for first in (0..STRETCH).step_by(lanes) {
-            let design = M::Over::<Lanes<S>>::from_parameters(
+            let design = M::Over::<Lanes<S, M::Scalar>>::from_parameters(
                 #[inline(always)]
                 |position| Lanes::load(simd, &stretch.as_ref()[position][first..first + lanes]),
             );
@@ -173,7 +181,7 @@ fn columns<S: Simd, const N: usize, M: Model<N, Scalar = f64>>(
     }
     for start in (whole..designs).step_by(lanes) {
         // Lanes without a design repeat the last one.
-        let design = M::Over::<Lanes<S>>::from_parameters(
+        let design = M::Over::<Lanes<S, M::Scalar>>::from_parameters(
             #[inline(always)]
             |position| Lanes::from_fn(simd, |lane| parameters[position][(start + lane).min(designs - 1)]),
         );
@@ -181,35 +189,6 @@ fn columns<S: Simd, const N: usize, M: Model<N, Scalar = f64>>(
             for (lane, number) in column[start..].iter_mut().take(lanes).enumerate() {
                 *number = result.lane(lane);
             }
-        }
-    }
-}
-
-#[inline(always)]
-fn structs<S: Simd, const N: usize, M: Model<N, Scalar = f64>>(
-    simd: S,
-    designs: &[M],
-    coefficients: &mut [Coefficients<f64, N>],
-) {
-    let lanes = Lanes::<S>::COUNT;
-    let mut block = M::array(|_| [0.0; SIDE]);
-    for (designs, coefficients) in designs.chunks(lanes).zip(coefficients.chunks_mut(lanes)) {
-        for (lane, design) in designs.iter().enumerate() {
-            for (block, number) in block.as_mut().iter_mut().zip(design.parameters().as_ref()) {
-                block[lane] = *number;
-            }
-        }
-        let rows = M::Over::<Lanes<S>>::from_parameters(
-            #[inline(always)]
-            |position| Lanes::load(simd, &block.as_ref()[position][..lanes]),
-        )
-        .rows();
-        for (lane, coefficients) in coefficients.iter_mut().enumerate() {
-            let entry = |matrix: usize| {
-                core::array::from_fn(|row| core::array::from_fn(|column| rows[matrix][row][column].lane(lane)))
-            };
-            let states = core::array::from_fn(|coordinate| M::INFO.coordinates[coordinate].states);
-            *coefficients = Coefficients { states, ..Coefficients::from_rows(core::array::from_fn(entry)) };
         }
     }
 }

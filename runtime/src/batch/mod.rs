@@ -11,6 +11,8 @@ mod eigenvalues;
 mod error;
 mod lanes;
 mod matrices;
+mod structs;
+mod transpose;
 
 use core::fmt;
 
@@ -20,10 +22,12 @@ use fearless_simd::{Level, SimdBase, dispatch};
 pub use blocks::Blocks;
 pub use eigenvalues::Eigenvalues;
 pub use error::BatchError;
-pub use lanes::Lanes;
+pub use lanes::{InLanes, Lanes};
 
-/// The number of designs in a block: as many as the widest registers hold.
-const SIDE: usize = 8;
+/// The number of designs in a block: as many as the widest registers hold, which have 64 bytes.
+const fn side<T>() -> usize {
+    64 / size_of::<T>()
+}
 
 /// How many designs are computed side by side, and by which instructions.
 #[derive(Clone, Copy, Debug)]

@@ -2,7 +2,7 @@
 
 use super::real::Real;
 
-/// A number, or as many of the precision of `f64` as a register holds.
+/// A number, or as many of one precision as a register holds.
 pub(crate) trait Lane: Real {
     /// The distance from 1 to the next larger number.
     const EPSILON: f64;

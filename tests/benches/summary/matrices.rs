@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::hint::black_box;
 
-use carvallo::batch::{Batch, Blocks};
+use carvallo::batch::{Batch, Blocks, InLanes};
 use carvallo::{Model, Rows, Scalar};
 use carvallo_compare::Task;
 use carvallo_models::{Whipple, WhippleMatrices, WhippleMechanism, WhippleMechanismMatrices};
@@ -46,11 +46,21 @@ pub fn add(summary: &mut Summary) {
         let (designs, singles) = (&designs[..size], &singles[..size]);
         let turns = Turns::new(size);
         let name = |scalar| format!("Four matrices, {scalar}, {size} designs, {kind}");
-        let f64 = one_by_one(Task::new(name("f64"), turns.computed()), &turns, designs);
-        summary.run(if size == 1 { f64 } else { batches(f64, &turns, designs) });
+        let of_f64 = one_by_one(Task::new(name("f64"), turns.computed()), &turns, designs);
+        summary.run(if size == 1 { of_f64 } else { batches(of_f64, &turns, designs) });
         let turns = Turns::new(size);
-        summary.run(one_by_one(Task::new(name("f32"), turns.computed()), &turns, singles));
+        let of_f32 = one_by_one(Task::new(name("f32"), turns.computed()), &turns, singles);
+        summary.run(if size == 1 { of_f32 } else { batches(of_f32, &turns, singles) });
     }
+    between_precisions(summary, &designs[..IN_CACHE], &singles[..IN_CACHE]);
+}
+
+/// Batches of `f32` beside those of `f64`.
+fn between_precisions(summary: &mut Summary, designs: &[Whipple], singles: &[Whipple<f32>]) {
+    let turns = Turns::new(IN_CACHE);
+    let task = Task::new(format!("Four matrices in a batch, {IN_CACHE} designs, in the cache"), turns.computed());
+    let task = task.contender("f64, blocks", blocks(&turns, designs));
+    summary.run(task.contender("f32, blocks", blocks(&turns, singles)));
 }
 
 /// A random design whose steer axis is, as that of every shipped bicycle, within 45 degrees of the vertical: up to there
@@ -77,46 +87,60 @@ fn one_by_one<'a, T: Float + Symplex>(task: Task<'a>, turns: &Turns, designs: &'
 }
 
 /// All that compute several designs at once.
-fn batches<'a>(task: Task<'a>, turns: &Turns, designs: &'a [Whipple]) -> Task<'a> {
+fn batches<'a, T: InLanes>(task: Task<'a>, turns: &Turns, designs: &'a [Whipple<T>]) -> Task<'a> {
     let batch = Batch::new();
-    let outputs = Whipple::INFO.entries.len();
-    let portions = || turns.portions(designs);
-    let blocks =
-        portions().map(|designs| (Blocks::of_designs(designs), Blocks::for_entries::<2, Whipple>(designs.len())));
-    let columns = portions().map(|designs| {
+    let outputs = Whipple::<T>::INFO.entries.len();
+    let zero = T::from_f64(0.0);
+    let columns = turns.portions(designs).map(|designs| {
         let column = |parameter| designs.iter().map(|design| design.to_array()[parameter]).collect();
-        ((0..26).map(column).collect::<Vec<Vec<f64>>>(), vec![vec![0.0; designs.len()]; outputs])
+        ((0..26).map(column).collect::<Vec<Vec<T>>>(), vec![vec![zero; designs.len()]; outputs])
     });
-    let structs = portions().map(|designs| {
-        let coefficients = vec![designs[0].coefficients(); designs.len()];
-        (designs, coefficients)
-    });
+    let structs = || {
+        turns.portions(designs).map(|designs| {
+            let coefficients = vec![designs[0].coefficients(); designs.len()];
+            (designs, coefficients)
+        })
+    };
     // Read and written together, blocks of parameters and entries have so many numbers.
-    let copied = portions().map(|designs| {
+    let copied = turns.portions(designs).map(|designs| {
         let numbers = designs.len() * (26 + outputs) / 2;
-        (vec![1.0; numbers], vec![0.0; numbers])
+        (vec![T::from_f64(1.0); numbers], vec![zero; numbers])
     });
-    task.contender(
-        "ours, batch, blocks",
-        turns.take(blocks, move |(parameters, entries)| {
-            batch.matrices::<2, Whipple>(parameters, entries).expect("blocks that fit");
-        }),
-    )
-    .contender(
-        "ours, batch, columns",
-        turns.take(columns, move |(parameters, entries)| {
-            let parameters: [&[f64]; 26] = std::array::from_fn(|parameter| parameters[parameter].as_slice());
-            let mut entries: Vec<&mut [f64]> = entries.iter_mut().map(Vec::as_mut_slice).collect();
-            batch.matrices_of_columns::<2, Whipple>(&parameters, &mut entries).expect("columns that fit");
-        }),
-    )
-    .contender(
-        "ours, batch, structs",
-        turns.take(structs, move |(designs, coefficients)| {
-            batch.coefficients(designs, coefficients).expect("slices of equal length");
-        }),
-    )
-    .limit("limit: copying as many bytes", turns.take(copied, |(from, to)| to.copy_from_slice(from)))
+    task.contender("ours, batch, blocks", blocks(turns, designs))
+        .contender(
+            "ours, batch, columns",
+            turns.take(columns, move |(parameters, entries)| {
+                let parameters: [&[T]; 26] = std::array::from_fn(|parameter| parameters[parameter].as_slice());
+                let mut entries: Vec<&mut [T]> = entries.iter_mut().map(Vec::as_mut_slice).collect();
+                batch.matrices_of_columns::<2, Whipple<T>>(&parameters, &mut entries).expect("columns that fit");
+            }),
+        )
+        .contender(
+            "ours, batch, structs",
+            turns.take(structs(), move |(designs, coefficients)| {
+                batch.coefficients(designs, coefficients).expect("slices of equal length");
+            }),
+        )
+        .contender(
+            "ours, the same structs one by one",
+            turns.take(structs(), move |(designs, coefficients)| {
+                for (coefficients, design) in coefficients.iter_mut().zip(designs.iter()) {
+                    *coefficients = design.coefficients();
+                }
+            }),
+        )
+        .limit("limit: copying as many bytes", turns.take(copied, |(from, to)| to.copy_from_slice(from)))
+}
+
+/// From blocks into blocks.
+fn blocks<'a, T: InLanes>(turns: &Turns, designs: &'a [Whipple<T>]) -> Box<dyn FnMut() + 'a> {
+    let batch = Batch::new();
+    let blocks = turns
+        .portions(designs)
+        .map(|designs| (Blocks::of_designs(designs), Blocks::for_entries::<2, Whipple<T>>(designs.len())));
+    turns.take(blocks, move |(parameters, entries)| {
+        batch.matrices::<2, Whipple<T>>(parameters, entries).expect("blocks that fit");
+    })
 }
 
 fn mechanisms<T: Scalar>(designs: &[Whipple<T>]) -> Vec<WhippleMechanism<T>> {

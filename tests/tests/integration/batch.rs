@@ -1,8 +1,8 @@
 //! Many designs at once, at every level of instructions that the processor has: each must be what it is alone, to the last
 //! bit.
 
-use carvallo::batch::{Batch, BatchError, Blocks};
-use carvallo::{MatrixName, Model};
+use carvallo::batch::{Batch, BatchError, Blocks, InLanes};
+use carvallo::{Coefficients, MatrixName, Model, Scalar, States};
 use carvallo_models::{Pendulum, Whipple, each_model};
 use carvallo_tests::designs;
 
@@ -10,60 +10,67 @@ use carvallo_tests::designs;
 const DESIGNS: usize = 150;
 
 /// Designs about the first parameter set of a model.
-fn some<const N: usize, M: Model<N, Scalar = f64>>() -> Vec<M> {
+fn some<const N: usize, M: Model<N>>() -> Vec<M> {
     let set = M::INFO.sets.first().expect("a parameter set").values;
     let design = |number: usize| {
-        let values: Vec<f64> =
-            set.iter().enumerate().map(|(i, x)| x * (1.0 + 0.01 * ((number * (i + 1)) % 17) as f64)).collect();
+        let value = |(i, x): (usize, &f64)| M::Scalar::from_f64(x * (1.0 + 0.01 * ((number * (i + 1)) % 17) as f64));
+        let values: Vec<M::Scalar> = set.iter().enumerate().map(value).collect();
         M::from_slice(&values).expect("as many values as parameters")
     };
     (0..DESIGNS).map(design).collect()
 }
 
 /// The entries of a design's matrices, one by one, in the order of the model's description.
-fn entries<const N: usize, M: Model<N, Scalar = f64>>(design: &M) -> Vec<f64> {
+fn entries<const N: usize, M: Model<N>>(design: &M) -> Vec<M::Scalar> {
     let coefficients = design.coefficients();
     let value = |&(matrix, row, column): &(MatrixName, usize, usize)| coefficients.matrix(matrix)[(row, column)];
     let entry = |entry: &carvallo::EntryInfo| {
-        let values: Vec<f64> = entry.places.iter().map(value).collect();
-        assert!(values.iter().all(|x| x.to_bits() == values[0].to_bits()), "{entry}: {values:?}");
+        let values: Vec<M::Scalar> = entry.places.iter().map(value).collect();
+        assert!(values.iter().all(|x| same(&[*x], &values[..1])), "{entry}: {values:?}");
         values[0]
     };
     M::INFO.entries.iter().map(entry).collect()
 }
 
-fn same(x: &[f64], y: &[f64]) -> bool {
-    x.len() == y.len() && x.iter().zip(y).all(|(x, y)| x.to_bits() == y.to_bits() || x.is_nan() && y.is_nan())
+/// To the last bit. A number of `f32` has its own bits as `f64`, too.
+fn same<T: Scalar>(x: &[T], y: &[T]) -> bool {
+    let bits = |x: &T| x.to_f64().to_bits();
+    let is_nan = |x: &T| x.to_f64().is_nan();
+    x.len() == y.len() && x.iter().zip(y).all(|(x, y)| bits(x) == bits(y) || is_nan(x) && is_nan(y))
 }
 
 /// Blocks, columns and structs of designs of any number, at every level.
-fn check<const N: usize, M: Model<N, Scalar = f64>>(designs: &[M]) {
+fn check<const N: usize, M: Model<N, Scalar: InLanes>>(designs: &[M]) {
     let name = M::INFO.name;
-    let alone: Vec<Vec<f64>> = designs.iter().map(entries).collect();
-    let columns: Vec<Vec<f64>> = (0..M::INFO.parameters.len())
+    let alone: Vec<Vec<M::Scalar>> = designs.iter().map(entries).collect();
+    let columns: Vec<Vec<M::Scalar>> = (0..M::INFO.parameters.len())
         .map(|position| designs.iter().map(|design| design.parameters().as_ref()[position]).collect())
         .collect();
+    let none = M::Scalar::from_f64(f64::NAN);
     for batch in Batch::levels() {
         for count in [0, 1, 7, 8, 63, 64, 65, designs.len()] {
             let parameters = Blocks::of_designs(&designs[..count]);
             let mut results = Blocks::for_entries::<N, M>(count);
             batch.matrices::<N, M>(&parameters, &mut results).unwrap();
-            let inputs: Vec<&[f64]> = columns.iter().map(|column| &column[..count]).collect();
+            let inputs: Vec<&[M::Scalar]> = columns.iter().map(|column| &column[..count]).collect();
             assert_eq!(Blocks::from_columns(&inputs).unwrap().len(), count);
-            let mut outputs = vec![vec![f64::NAN; count]; M::INFO.entries.len()];
-            let mut borrowed: Vec<&mut [f64]> = outputs.iter_mut().map(|column| &mut column[..]).collect();
+            let mut outputs = vec![vec![none; count]; M::INFO.entries.len()];
+            let mut borrowed: Vec<&mut [M::Scalar]> = outputs.iter_mut().map(|column| &mut column[..]).collect();
             batch.matrices_of_columns::<N, M>(&inputs, &mut borrowed).unwrap();
-            let mut coefficients = vec![designs[0].coefficients(); count];
+            // Nothing of what was there before is left.
+            let unset = Coefficients { states: [States::Rate; N], ..Coefficients::from_rows([[[none; N]; N]; 8]) };
+            let mut coefficients = vec![unset; count];
             batch.coefficients(&designs[..count], &mut coefficients).unwrap();
             for (i, expected) in alone[..count].iter().enumerate() {
-                let from_blocks: Vec<f64> = (0..expected.len()).map(|entry| results.get(i, entry)).collect();
+                let from_blocks: Vec<M::Scalar> = (0..expected.len()).map(|entry| results.get(i, entry)).collect();
                 assert!(same(&from_blocks, expected), "{name}, {batch}, {i} of {count}: {from_blocks:?} {expected:?}");
-                let from_columns: Vec<f64> = outputs.iter().map(|column| column[i]).collect();
+                let from_columns: Vec<M::Scalar> = outputs.iter().map(|column| column[i]).collect();
                 assert!(
                     same(&from_columns, expected),
                     "{name}, {batch}, {i} of {count}: {from_columns:?} {expected:?}"
                 );
                 let alone = designs[i].coefficients();
+                assert_eq!(coefficients[i].states, alone.states);
                 for matrix in MatrixName::ALL {
                     let [x, y] = [&coefficients[i], &alone].map(|all| all.matrix(matrix).as_slice());
                     assert!(same(x, y), "{name}, {batch}, {i} of {count}: {matrix} {x:?} {y:?}");
@@ -73,8 +80,10 @@ fn check<const N: usize, M: Model<N, Scalar = f64>>(designs: &[M]) {
     }
 }
 
-fn check_some<const N: usize, M: Model<N, Scalar = f64>>() {
+/// In `f64`, and in `f32`.
+fn check_some<const N: usize, M: Model<N, Scalar = f64, Over<f32>: Model<N, Scalar = f32>>>() {
     check(&some::<N, M>());
+    check(&some::<N, M::Over<f32>>());
 }
 
 #[test]
@@ -91,7 +100,34 @@ fn angles_of_every_kind_are_computed_in_lanes_as_alone() {
         lam: angles[number * number / 2 % angles.len()],
         ..designs::numbered(number as u64)
     };
-    check(&(0..DESIGNS).map(design).collect::<Vec<Whipple>>());
+    let designs: Vec<Whipple> = (0..DESIGNS).map(design).collect();
+    check(&designs);
+    check(&designs.iter().map(designs::narrowed).collect::<Vec<Whipple<f32>>>());
+}
+
+/// Of every size, and all of those about a quarter of pi, where rounding and comparing could choose differently.
+#[test]
+fn angles_of_f32_are_computed_in_lanes_as_alone() {
+    let quarter = std::f32::consts::FRAC_PI_4;
+    let near = (quarter.to_bits() - 300..quarter.to_bits() + 300).map(f32::from_bits);
+    let angles = (0..u32::MAX).step_by(1_000_003).map(f32::from_bits).chain(near);
+    let mut number = 0;
+    let design = |lam: f32| {
+        number += 1;
+        Whipple { lam, ..designs::narrowed(&designs::numbered(number)) }
+    };
+    let designs: Vec<Whipple<f32>> = angles.map(design).collect();
+    for batch in Batch::levels() {
+        let mut coefficients = vec![Coefficients::default(); designs.len()];
+        batch.coefficients(&designs, &mut coefficients).unwrap();
+        for (design, found) in designs.iter().zip(&coefficients) {
+            let expected = design.coefficients();
+            for matrix in MatrixName::ALL {
+                let [x, y] = [found, &expected].map(|all| all.matrix(matrix).as_slice());
+                assert!(same(x, y), "{batch}, {}: {matrix} {x:?} {y:?}", design.lam);
+            }
+        }
+    }
 }
 
 #[test]

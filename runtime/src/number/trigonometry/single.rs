@@ -8,6 +8,8 @@
 
 use core::f32::consts::{FRAC_2_PI, FRAC_PI_4};
 
+use crate::number::lane::Lane;
+
 /// Adding this rounds to a whole number, whose last bits are then those of the sum.
 const ROUND: f32 = 12_582_912.0; // 1.5 * 2^23
 
@@ -27,7 +29,7 @@ const LARGE: f32 = 4_194_304.0; // 2^22
 #[cfg_attr(target_feature = "avx512f", inline(never))]
 #[cfg_attr(not(target_feature = "avx512f"), inline(always))]
 pub(crate) fn sin_cos(angle: f32) -> (f32, f32) {
-    let sum = |Sum { high, low }: Sum| high + low;
+    let sum = |Sum { high, low }: Sum<f32>| high + low;
     let (sin, cos, rest, quarters) = unrounded(angle);
     // Once more: without quarter turns, one design after the other then takes no further instruction.
     if angle.abs() <= FRAC_PI_4 {
@@ -54,21 +56,45 @@ pub(crate) fn tan(angle: f32) -> f32 {
     quotient + ((rest + s.low) - quotient * c.low) / c.high
 }
 
-/// A number in two parts, the second of which is small beside the first.
-#[derive(Clone, Copy)]
-struct Sum {
-    high: f32,
-    low: f32,
+/// Sine and cosine of angles in rad, each as it is alone.
+#[cfg(feature = "batch")]
+#[inline(always)]
+pub(crate) fn sin_cos_of_lanes<T: Lane>(angle: T) -> (T, T) {
+    let sum = |Sum { high, low }: Sum<T>| high + low;
+    let is_near = angle.abs().less_or_equal(angle.like(FRAC_PI_4.into()));
+    if T::all(is_near) {
+        let (sin, cos) = near_zero(angle);
+        return (sum(sin), sum(cos));
+    }
+    let (x, rounded) = reduced(angle);
+    // An angle that is near is as it is, without a quarter turn, even where rounding would take one off.
+    let high = T::select(is_near, angle, x.high);
+    let low = T::select(is_near, angle.like(0.0), x.low);
+    let (sin, cos) = near_zero(high);
+    let (sin, cos) = moved(sin, cos, low);
+    let (sin, cos) = (sum(sin), sum(cos));
+    let [odd, half] = [0, 1].map(|digit| rounded.bit(digit) & !is_near);
+    let (s, c) = (T::select(odd, cos, sin), T::select(odd, sin, cos));
+    (T::select(half, -s, s), T::select(odd ^ half, -c, c))
 }
 
-impl Sum {
+/// A number in two parts, the second of which is small beside the first.
+#[derive(Clone, Copy)]
+struct Sum<T> {
+    high: T,
+    low: T,
+}
+
+impl<T: Lane> Sum<T> {
     /// The same with as much as possible in the first part.
     #[inline(always)]
     fn normalized(self) -> Self {
         let high = self.high + self.low;
         Self { high, low: (self.high - high) + self.low }
     }
+}
 
+impl Sum<f32> {
     /// A number in two halves of 12 digits, whose products are exact (Veltkamp 1968).
     #[inline(always)]
     fn halves(x: f32) -> Self {
@@ -86,43 +112,51 @@ impl Sum {
 /// Sine and cosine, before their last addition, of an angle less a number of quarter turns and a small rest; the rest, and the
 /// last digits of the number.
 #[inline(always)]
-fn unrounded(angle: f32) -> (Sum, Sum, f32, u32) {
-    let (x, quarters) = if angle.abs() <= FRAC_PI_4 { (Sum { high: angle, low: 0.0 }, 0) } else { reduced(angle) };
+fn unrounded(angle: f32) -> (Sum<f32>, Sum<f32>, f32, u32) {
+    let (x, quarters) = if angle.abs() <= FRAC_PI_4 {
+        (Sum { high: angle, low: 0.0 }, 0)
+    } else {
+        let (x, rounded) = reduced(angle);
+        (x, rounded.to_bits())
+    };
     let (sin, cos) = near_zero(x.high);
     (sin, cos, x.low, quarters)
 }
 
 /// Those of an angle between -pi/4 and pi/4.
 #[inline(always)]
-fn near_zero(x: f32) -> (Sum, Sum) {
+fn near_zero<T: Lane>(x: T) -> (Sum<T>, Sum<T>) {
+    let number = |value: f32| x.like(value.into());
     let z = x * x;
-    let s = -0.166_666_55 + z * (0.008_332_161 + z * -0.000_195_152_96);
-    let c = 0.041_666_646 + z * (-0.001_388_731_6 + z * 2.443_315_7e-5);
-    let half_square = 0.5 * z;
-    let most = 1.0 - half_square;
-    (Sum { high: x, low: (x * z) * s }, Sum { high: most, low: ((1.0 - most) - half_square) + z * z * c })
+    let s = number(-0.166_666_55) + z * (number(0.008_332_161) + z * number(-0.000_195_152_96));
+    let c = number(0.041_666_646) + z * (number(-0.001_388_731_6) + z * number(2.443_315_7e-5));
+    let half_square = number(0.5) * z;
+    let one = number(1.0);
+    let most = one - half_square;
+    (Sum { high: x, low: (x * z) * s }, Sum { high: most, low: ((one - most) - half_square) + z * z * c })
 }
 
 /// Those of an angle that is larger by a small rest.
 #[inline(always)]
-fn moved(sin: Sum, cos: Sum, rest: f32) -> (Sum, Sum) {
+fn moved<T: Lane>(sin: Sum<T>, cos: Sum<T>, rest: T) -> (Sum<T>, Sum<T>) {
     (Sum { low: sin.low + rest * cos.high, ..sin }, Sum { low: cos.low - rest * sin.high, ..cos })
 }
 
-/// An angle less the nearest multiple of pi/2, and the number of quarter turns, of which the last two digits count.
+/// An angle less the nearest multiple of pi/2, and a number whose last two digits are those of the number of quarter turns.
 #[inline(always)]
-fn reduced(angle: f32) -> (Sum, u32) {
+fn reduced<T: Lane>(angle: T) -> (Sum<T>, T) {
+    let number = |value: f32| angle.like(value.into());
     // What is not finite becomes not a number.
-    let angle = if angle.abs() < LARGE { angle } else { angle * 0.0 };
-    let rounded = angle * FRAC_2_PI + ROUND;
-    let quarters = rounded - ROUND;
-    let [first, second, third, fourth, fifth, sixth] = PARTS.map(|part| quarters * part);
+    let angle = T::select(angle.abs().less(number(LARGE)), angle, angle * number(0.0));
+    let rounded = angle * number(FRAC_2_PI) + number(ROUND);
+    let quarters = rounded - number(ROUND);
+    let [first, second, third, fourth, fifth, sixth] = PARTS.map(|part| quarters * number(part));
     // The first three differences are exact; of the others the rounding is kept.
     let rest = ((angle - first) - second) - third;
     let middle = rest - fourth;
     let high = middle - fifth;
     let low = (((rest - middle) - fourth) + ((middle - high) - fifth)) - sixth;
-    (Sum { high, low }.normalized(), rounded.to_bits())
+    (Sum { high, low }.normalized(), rounded)
 }
 
 #[cfg(all(test, feature = "std"))]
