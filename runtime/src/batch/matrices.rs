@@ -154,6 +154,9 @@ fn blocks<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
 /// Designs between two looks at how long the columns are.
 const STRETCH: usize = 64;
 
+/// Columns of so many designs do not stay in the cache.
+const MANY: usize = 4096;
+
 #[inline(always)]
 fn columns<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
     simd: S,
@@ -163,8 +166,12 @@ fn columns<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
 ) {
     let lanes = Lanes::<S, M::Scalar>::COUNT;
     let zeros = [M::Scalar::from_f64(0.0); STRETCH];
-    let whole = designs - designs % STRETCH;
-    for start in (0..whole).step_by(STRETCH) {
+    // Large columns mostly begin at the same place of a page, so that their lines drive each other out of the cache: then each
+    // is to be read once, as a whole.
+    let aligned = parameters.first().map_or(0, |column| column.as_ptr().align_offset(64));
+    let begin = if designs < MANY { 0 } else { aligned.min(side::<M::Scalar>()) };
+    let end = designs - (designs - begin) % STRETCH;
+    for start in (begin..end).step_by(STRETCH) {
         let stretch = M::array(
             #[inline(always)]
             |position| parameters[position][start..].first_chunk::<STRETCH>().unwrap_or(&zeros),
@@ -179,15 +186,17 @@ fn columns<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
             }
         }
     }
-    for start in (whole..designs).step_by(lanes) {
-        // Lanes without a design repeat the last one.
-        let design = M::Over::<Lanes<S, M::Scalar>>::from_parameters(
-            #[inline(always)]
-            |position| Lanes::from_fn(simd, |lane| parameters[position][(start + lane).min(designs - 1)]),
-        );
-        for (column, result) in entries.iter_mut().zip(design.entries().as_ref()) {
-            for (lane, number) in column[start..].iter_mut().take(lanes).enumerate() {
-                *number = result.lane(lane);
+    for (start, end) in [(0, begin), (end, designs)] {
+        for start in (start..end).step_by(lanes) {
+            // Lanes without a design repeat the last one.
+            let design = M::Over::<Lanes<S, M::Scalar>>::from_parameters(
+                #[inline(always)]
+                |position| Lanes::from_fn(simd, |lane| parameters[position][(start + lane).min(end - 1)]),
+            );
+            for (column, result) in entries.iter_mut().zip(design.entries().as_ref()) {
+                for (lane, number) in column[start..end].iter_mut().take(lanes).enumerate() {
+                    *number = result.lane(lane);
+                }
             }
         }
     }
