@@ -8,7 +8,7 @@ use carvallo_plot::analysis::turns::Families;
 use carvallo_plot::{data, picture};
 use clap::Args;
 
-use crate::options::{DesignOptions, Format, Picture};
+use crate::options::{DesignOptions, Format, Picture, UnitOptions};
 use crate::output::{self, documents};
 use crate::terminal::{WARNING, deliver, note};
 
@@ -36,6 +36,8 @@ Exit codes: 0 done; 1 there are no turns, or a file cannot be read or written; 2
 pub struct Options {
     #[command(flatten)]
     design: DesignOptions,
+    #[command(flatten)]
+    units: UnitOptions,
     #[arg(
         long,
         value_name = "ANGLES",
@@ -58,6 +60,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         picture.check(&options.design)?;
     }
     let steers = options.steer.as_deref().map(steers).transpose()?;
+    let (units, shown) = (options.units.units()?, options.units.shown()?);
     let design = options.design.load()?;
     let families = Families::new(&design, steers.as_deref())?;
     if let Some(picture) = &options.plot {
@@ -73,12 +76,12 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         );
     }
     deliver(options.output.as_deref(), |output| match options.format {
-        Format::Table => output.write_all(output::turns::render_table(&families, steers.is_some()).as_bytes()),
+        Format::Table => output.write_all(output::turns::render_table(&families, steers.is_some(), &units).as_bytes()),
         Format::Document(language) => {
-            output.write_all(documents::of_turns(&families, steers.is_some()).write(language).as_bytes())
+            output.write_all(documents::of_turns(&families, steers.is_some(), &units).write(language).as_bytes())
         }
-        Format::Json => data::turns::write_json(&families, output),
-        Format::Csv => data::turns::write_csv(&families, output),
+        Format::Json => data::turns::write_json(&families, &shown, output),
+        Format::Csv => data::turns::write_csv(&families, &shown, output),
     })
 }
 

@@ -2,7 +2,9 @@
 
 use std::fmt::Write as _;
 
+use carvallo_design::DisplayUnit;
 use carvallo_design::number::{self, fixed, shortest};
+use carvallo_design::units::Units;
 use carvallo_plot::analysis::simulation::{Motion, Quantity, Row};
 
 use crate::output::columns::width;
@@ -10,11 +12,11 @@ use crate::output::table::write_heading;
 use crate::output::{FAINT, HEADING};
 
 /// Writing to a string cannot fail, so that the results of `write!` are dropped throughout.
-pub fn render_table(motion: &Motion) -> String {
+pub fn render_table(motion: &Motion, units: &Units) -> String {
     let mut text = String::new();
     write_heading(motion.design, &mut text);
     let _ = writeln!(text, "\n{HEADING}Motion{HEADING:#} by {}", equations(motion));
-    let columns = columns(motion);
+    let columns = columns(motion, units);
     let widths: Vec<usize> =
         columns.iter().map(|column| width(std::iter::once(&column.heading).chain(&column.cells), 0)).collect();
     let line = |cells: Vec<&str>| -> String {
@@ -40,8 +42,8 @@ pub struct Column {
     pub cells: Vec<String>,
 }
 
-/// Time, speed, and the positions; of a few coordinates their rates as well. Angles are in degrees.
-pub fn columns(motion: &Motion) -> Vec<Column> {
+/// Time, speed, and the positions; of a few coordinates their rates as well. Angles are in degrees, unless another unit is asked for.
+pub fn columns(motion: &Motion, units: &Units) -> Vec<Column> {
     let column = |heading: String, cell: &dyn Fn(&Row) -> String| Column {
         heading,
         cells: motion.rows.iter().map(cell).collect(),
@@ -50,18 +52,22 @@ pub fn columns(motion: &Motion) -> Vec<Column> {
     // Of bicycles the speed tells what the angles of the wheels do.
     let has_speed = motion.rows.first().is_some_and(|row| motion.speed(row).is_some());
     if has_speed {
-        columns.push(column("v (m/s)".to_owned(), &|row| four_decimals(motion.speed(row).unwrap_or(0.0))));
+        let unit = units.of("m/s");
+        columns.push(column(format!("v ({})", unit.unit()), &|row| {
+            four_decimals(unit.value(motion.speed(row).unwrap_or(0.0)))
+        }));
     }
     let told = |quantity: &&Quantity| !(has_speed && matches!(quantity.name, "thetaR" | "thetaF"));
     let place = |quantity: &Quantity| motion.position(quantity.name).unwrap_or(0);
     for quantity in motion.quantities.iter().filter(told) {
         let place = place(quantity);
-        let unit = unit(quantity);
+        let shown = shown(quantity, units);
+        let unit = unit(&shown);
         // What is longer explains more than there is room for.
         let is_short = quantity.label != quantity.name && quantity.label.chars().count() <= LONGEST;
         let name = if is_short { format!("{} ", quantity.label) } else { String::new() };
         columns.push(column(format!("{name}{}{unit}", quantity.name), &|row| {
-            four_decimals(in_degrees(quantity, row.positions[place]))
+            four_decimals(shown.value(row.positions[place]))
         }));
     }
     for (place, (name, unit)) in motion.feedback().iter().enumerate() {
@@ -71,28 +77,30 @@ pub fn columns(motion: &Motion) -> Vec<Column> {
     if !has_speed {
         for quantity in &motion.quantities {
             let place = place(quantity);
-            let unit = match quantity.unit {
-                "rad" => "°/s".to_owned(),
-                _ => quantity.unit_per_time(1),
+            let shown = shown(quantity, units);
+            let unit = match (quantity.unit, shown.written.as_str()) {
+                ("rad", "deg") => "°/s".to_owned(),
+                _ if shown.is_declared() => quantity.unit_per_time(1),
+                (_, written) => format!("{written}/s"),
             };
             columns.push(column(format!("{}' ({unit})", quantity.name), &|row| {
-                four_decimals(in_degrees(quantity, row.rates[place]))
+                four_decimals(shown.value(row.rates[place]))
             }));
         }
     }
     columns
 }
 
-fn unit(quantity: &Quantity) -> String {
-    match quantity.unit {
-        "rad" => " (°)".to_owned(),
-        "1" | "" => String::new(),
-        unit => format!(" ({unit})"),
-    }
+fn shown(quantity: &Quantity, units: &Units) -> DisplayUnit {
+    units.or(quantity.unit, (quantity.unit == "rad").then_some("deg"))
 }
 
-fn in_degrees(quantity: &Quantity, value: f64) -> f64 {
-    if quantity.unit == "rad" { value.to_degrees() } else { value }
+fn unit(shown: &DisplayUnit) -> String {
+    match shown.written.as_str() {
+        "deg" => " (°)".to_owned(),
+        "1" | "" => String::new(),
+        _ => format!(" ({})", shown.unit()),
+    }
 }
 
 /// What is close to zero is zero: how close is of no interest in a motion.

@@ -4,7 +4,9 @@ use std::fmt::Write as _;
 
 use anstyle::Style;
 use carvallo::turns::Turn;
+use carvallo_design::DisplayUnit;
 use carvallo_design::number::{fixed, shortest};
+use carvallo_design::units::Units;
 use carvallo_plot::analysis::turns::{Families, Family, end, growth, verdict};
 
 use crate::output::columns::width;
@@ -16,16 +18,16 @@ const SHOWN: usize = 24;
 
 /// All turns, or of a curve some, from its beginning to its end. Writing to a string cannot fail, so that the results of
 /// `write!` are dropped.
-pub fn render_table(families: &Families, all: bool) -> String {
+pub fn render_table(families: &Families, all: bool, units: &Units) -> String {
     let mut text = String::new();
     write_heading(families.design, &mut text);
     for family in &families.families {
-        let _ = writeln!(text, "\n{HEADING}Steady turns{HEADING:#} {}", begin(family));
+        let _ = writeln!(text, "\n{HEADING}Steady turns{HEADING:#} {}", begin(family, units));
         let turns = shown(family, all);
         if family.capsize.is_none() && !all {
             let _ = writeln!(text, "{FAINT}beginning of the curve: {}{FAINT:#}", end(family.begin));
         }
-        write_turns(families, &turns, &mut text);
+        write_turns(families, &turns, units, &mut text);
         let _ = match all {
             true if turns.is_empty() => writeln!(text, "  none at these steers"),
             true => Ok(()),
@@ -36,9 +38,10 @@ pub fn render_table(families: &Families, all: bool) -> String {
 }
 
 /// Where the curve begins.
-pub fn begin(family: &Family) -> String {
+pub fn begin(family: &Family, units: &Units) -> String {
+    let unit = units.of("m/s");
     match family.capsize {
-        Some(speed) => format!("from the capsize speed of {} m/s", shortest(speed)),
+        Some(speed) => format!("from the capsize speed of {} {}", shortest(unit.value(speed)), unit.unit()),
         None => "that begin at no capsize speed".to_owned(),
     }
 }
@@ -57,36 +60,42 @@ pub fn shown(family: &Family, all: bool) -> Vec<&Turn> {
 }
 
 /// The headings of the columns, and the cells of each turn, but for the verdict.
-pub fn cells(families: &Families, turns: &[&Turn]) -> (Vec<String>, Vec<Vec<String>>) {
-    let mut headings = vec!["v (m/s)".to_owned(), "radius (m)".to_owned()];
+pub fn cells(families: &Families, turns: &[&Turn], units: &Units) -> (Vec<String>, Vec<Vec<String>>) {
+    let angles = |unit: &str| units.or(unit, (unit == "rad").then_some("deg"));
+    let name = |unit: &DisplayUnit| unit.unit().replace("deg", "°");
+    let (speed, length, rate) =
+        (units.of("m/s"), units.of("m"), units.or("rad/s", Some(&format!("{}/s", angles("rad").written))));
+    let mut headings = vec![format!("v ({})", name(&speed)), format!("radius ({})", name(&length))];
     for (_, told) in &families.positions {
         let label = if told.label == told.name { String::new() } else { format!("{} ", told.label) };
-        let unit = if told.unit == "rad" { "°" } else { told.unit };
-        headings.push(format!("{label}{} ({unit})", told.name));
+        headings.push(format!("{label}{} ({})", told.name, name(&angles(told.unit))));
     }
-    headings.extend(["yaw rate (°/s)", "growth (1/s)"].map(str::to_owned));
+    headings.extend([format!("yaw rate ({})", name(&rate)), "growth (1/s)".to_owned()]);
     let decimals = |value: f64| if value.abs() < 1e7 { format!("{:.4}", value + 0.0) } else { fixed(value, 4) };
     let rows: Vec<Vec<String>> = turns
         .iter()
         .map(|turn| {
-            let radius = if turn.radius.is_finite() { decimals(turn.radius) } else { "straight".to_owned() };
-            let mut row = vec![decimals(turn.speed), radius];
-            row.extend(families.positions.iter().map(|(place, told)| {
-                let value = turn.positions[*place];
-                decimals(if told.unit == "rad" { value.to_degrees() } else { value })
-            }));
-            row.extend([decimals(turn.yaw_rate.to_degrees()), decimals(growth(turn))]);
+            let radius =
+                if turn.radius.is_finite() { decimals(length.value(turn.radius)) } else { "straight".to_owned() };
+            let mut row = vec![decimals(speed.value(turn.speed)), radius];
+            row.extend(
+                families
+                    .positions
+                    .iter()
+                    .map(|(place, told)| decimals(angles(told.unit).value(turn.positions[*place]))),
+            );
+            row.extend([decimals(rate.value(turn.yaw_rate)), decimals(growth(turn))]);
             row.into_iter().map(|cell| if cell == "-0.0000" { "0.0000".to_owned() } else { cell }).collect()
         })
         .collect();
     (headings, rows)
 }
 
-fn write_turns(families: &Families, turns: &[&Turn], text: &mut String) {
+fn write_turns(families: &Families, turns: &[&Turn], units: &Units, text: &mut String) {
     if turns.is_empty() {
         return;
     }
-    let (headings, rows) = cells(families, turns);
+    let (headings, rows) = cells(families, turns, units);
     let widths: Vec<usize> = (0..headings.len())
         .map(|column| width(rows.iter().map(|row| &row[column]).chain([&headings[column]]), 0))
         .collect();

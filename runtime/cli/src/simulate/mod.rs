@@ -3,6 +3,7 @@
 mod options;
 mod progress;
 pub mod times;
+mod units;
 
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -10,6 +11,7 @@ use std::path::Path;
 use carvallo_design::input::is_same_file;
 use carvallo_design::quantity::{self, Mistake, Reason};
 use carvallo_design::speeds::CONTEXT as SPEED;
+use carvallo_design::units::Units;
 use carvallo_design::{Design, Failure, Place, Problem};
 use carvallo_plot::analysis::simulation::{Given, Linear, Motion, Nonlinear, Solver, read};
 use carvallo_plot::{data, picture};
@@ -78,8 +80,10 @@ impl Asked<'_> {
         let end = times[times.len() - 1];
         let given = read(solver, design, &options.initial, &options.force, end).map_err(Failure::Input)?;
         let speed = required_speed(solver, design, speed)?;
+        let units = options.units.units()?;
         let motion = solved(solver, design, &given, speed, &times)?;
-        tell(&motion, options)?;
+        let motion = if options.format.is_read() { motion } else { units::in_units(motion, &units) };
+        tell(&motion, &units, options)?;
         motion.notes.iter().chain(&motion.end).for_each(|text| note(WARNING, "note", text));
         if let Some(picture) = &options.plot {
             if end == 0.0 {
@@ -132,10 +136,10 @@ fn beside<'a>(
     }
 }
 
-fn tell(motion: &Motion, options: &Options) -> Result<(), Failure> {
+fn tell(motion: &Motion, units: &Units, options: &Options) -> Result<(), Failure> {
     deliver(options.output.as_deref(), |output| match options.format {
-        Format::Table => output.write_all(output::motion::render_table(motion).as_bytes()),
-        Format::Document(language) => output.write_all(documents::of_motion(motion).write(language).as_bytes()),
+        Format::Table => output.write_all(output::motion::render_table(motion, units).as_bytes()),
+        Format::Document(language) => output.write_all(documents::of_motion(motion, units).write(language).as_bytes()),
         Format::Json => data::motion::write_json(motion, output),
         Format::Csv => data::motion::write_csv(motion, output),
     })

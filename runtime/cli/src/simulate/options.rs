@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::options::{DesignOptions, Format, Picture};
+use crate::options::{DesignOptions, Format, Picture, UnitOptions};
 
 const HELP: &str = "\
 A bicycle moves by the nonlinear equations of its four bodies; so do other models that have such equations, and with --linear,
@@ -48,6 +48,8 @@ written; 2 wrong usage or input.";
 pub struct Options {
     #[command(flatten)]
     pub design: DesignOptions,
+    #[command(flatten)]
+    pub units: UnitOptions,
     /// Forward speed in m/s
     #[arg(long, value_name = "V", allow_hyphen_values = true)]
     pub speed: Option<String>,

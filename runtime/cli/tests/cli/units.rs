@@ -175,3 +175,51 @@ fn control_is_in_other_units() {
     let emitted = ["lqr", "--speeds", "4", "--inputs", "Tdelta", "--units", "deg", "--emit", "c"];
     directory.run(&emitted).fails(2, "error: --units: with --emit all is in units of the SI\n");
 }
+
+/// The same motion and the same circles, in other units, which every form tells.
+#[test]
+fn motions_and_turns_are_in_other_units() {
+    let directory = Directory::new("units-motions");
+    let number = |value: &serde_json::Value| value.as_f64().unwrap();
+    let degree = std::f64::consts::PI / 180.0;
+    let close = |found: f64, expected: f64| {
+        assert!((found - expected).abs() <= 1e-13 * expected.abs(), "{found} is not {expected}");
+    };
+    let units = ["--units", "km/h,deg,mm"];
+    let both = |arguments: &[&str]| {
+        [&[][..], &units].map(|units| directory.run(&[arguments, units, &["--format", "json"]].concat()).json())
+    };
+    let ride = ["simulate", "--speed", "4.6", "--initial", "phi_rate=0.5", "--duration", "1"];
+    let [plain, shown] = both(&ride);
+    assert!(plain.get("units").is_none());
+    assert_eq!((&shown["units"]["x"], &shown["units"]["phi"]), (&"mm".into(), &"deg".into()));
+    for (member, name, factor) in [
+        ("positions", "x", 1e3),
+        ("rates", "x", 1e3),
+        ("positions", "phi", 1.0 / degree),
+        ("accelerations", "delta", 1.0 / degree),
+    ] {
+        let last = |json: &serde_json::Value| number(&json["rows"].as_array().unwrap().last().unwrap()[member][name]);
+        close(last(&shown), factor * last(&plain));
+    }
+    let table = directory.run(&[&ride[..], &["--units", "km/h,mm"]].concat()).ok();
+    assert!(table.contains("  t (s)  v (km/h)     x (mm)"), "{table}");
+    assert!(table.contains("\n      1   16.6381  4542.3970 "), "{table}");
+    let csv = directory.run(&[&ride[..], &units, &["--format", "csv"]].concat()).ok();
+    assert!(csv.starts_with("t (s),x (mm),y (mm),psi (deg),") && csv.contains(",phi_rate (deg/s),"), "{csv}");
+    let [plain, shown] = both(&["turns", "--steer", "5 deg"]);
+    assert_eq!(shown["units"]["speed"], "km/h");
+    let turn = |json: &serde_json::Value| json["families"][0]["turns"][0].clone();
+    let (plain, shown) = (turn(&plain), turn(&shown));
+    close(number(&shown["speed"]), 3.6 * number(&plain["speed"]));
+    close(number(&shown["radius"]), 1e3 * number(&plain["radius"]));
+    close(number(&shown["positions"]["delta"]), 5.0);
+    close(number(&shown["rates"]["psi"]), number(&plain["rates"]["psi"]) / degree);
+    let table = directory.run(&["turns", "--steer", "5 deg", "--units", "km/h,rad"]).ok();
+    assert!(
+        table.contains("km/h") && table.contains("steer delta (rad)") && table.contains("yaw rate (rad/s)"),
+        "{table}"
+    );
+    let csv = directory.run(&["turns", "--steer", "5 deg", "--units", "km/h,deg", "--format", "csv"]).ok();
+    assert!(csv.starts_with("capsize_speed (km/h),speed (km/h),radius (m),phi (deg),"), "{csv}");
+}

@@ -14,6 +14,9 @@ struct Document<'a> {
     head: Head<'a>,
     parameters: Members<Line<f64>>,
     equations: &'static str,
+    /// Of positions, where they are not all those of the SI; of rates and accelerations these by time.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    units: Option<Line<Members<&'static str>>>,
     /// Why the motion ended before its time, if it did.
     #[serde(skip_serializing_if = "Option::is_none")]
     end: Option<&'a str>,
@@ -48,10 +51,16 @@ pub fn write_json(motion: &Motion, output: &mut dyn Write) -> Result<()> {
         head: Head::of(motion.design),
         parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
         equations: if motion.is_linear { "linear" } else { "nonlinear" },
+        units: units(motion),
         end: motion.end.as_deref(),
         rows: motion.rows.iter().map(|row| Line(at_time(motion, row))).collect(),
     };
     write_document(&document, output)
+}
+
+fn units(motion: &Motion) -> Option<Line<Members<&'static str>>> {
+    let is_other = motion.quantities.iter().any(|quantity| !matches!(quantity.unit, "rad" | "m" | "1" | ""));
+    is_other.then(|| Line(Members(motion.quantities.iter().map(|quantity| (quantity.name, quantity.unit)).collect())))
 }
 
 fn at_time(motion: &Motion, row: &Row) -> AtTime {

@@ -62,7 +62,7 @@ pub fn write_json(responses: &Responses, output: &mut dyn Write) -> Result<()> {
         head: Head::of(design),
         parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
         speed: space.shown_speed(),
-        speed_unit: (!space.speed_unit.is_declared()).then(|| space.speed_unit.written.as_str()),
+        speed_unit: (!space.speed_unit.is_declared()).then_some(space.speed_unit.written.as_str()),
         excitation: Line(excitation),
         outputs: Told::all(&space.outputs),
         end: end.as_deref(),

@@ -73,7 +73,7 @@ pub fn write_json(
     let document = Document {
         head: Head::of(design),
         parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
-        speed_unit: (!space.speed_unit.is_declared()).then(|| space.speed_unit.written.as_str()),
+        speed_unit: (!space.speed_unit.is_declared()).then_some(space.speed_unit.written.as_str()),
         states: Told::all(&space.states),
         inputs: Told::all(&space.inputs),
         weights: of_outputs.chain(of_inputs).map(|(of, value)| Line(Weight { of, value })).collect(),

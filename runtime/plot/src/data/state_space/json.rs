@@ -45,7 +45,7 @@ pub fn write_json(design: &Design, space: &StateSpace, output: &mut dyn Write) -
         head: Head::of(design),
         parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
         speed: space.shown_speed(),
-        speed_unit: (!space.speed_unit.is_declared()).then(|| space.speed_unit.written.as_str()),
+        speed_unit: (!space.speed_unit.is_declared()).then_some(space.speed_unit.written.as_str()),
         states: Told::all(&space.states),
         inputs: Told::all(&space.inputs),
         outputs: Told::all(&space.outputs),

@@ -87,7 +87,7 @@ pub fn write_json(transfers: &Transfers, responses: bool, output: &mut dyn Write
         head: Head::of(design),
         parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
         speed: transfers.space.shown_speed(),
-        speed_unit: (!transfers.space.speed_unit.is_declared()).then(|| transfers.space.speed_unit.written.as_str()),
+        speed_unit: (!transfers.space.speed_unit.is_declared()).then_some(transfers.space.speed_unit.written.as_str()),
         transfer_functions: transfers.channels.iter().map(|channel| told(channel, responses)).collect(),
         transmission_zeros: transfers.are_several().then(|| {
             let zeros = transfers.transmission_zeros.as_ref();

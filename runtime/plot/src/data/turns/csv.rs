@@ -2,25 +2,46 @@
 
 use std::io::{Result, Write};
 
+use carvallo_design::DisplayUnit;
+
 use crate::analysis::turns::{Families, growth, verdict};
 use crate::data::cells::{exact, write_rows};
 
-/// One row a turn, under a header with the units, in SI units throughout.
+/// One row a turn, under a header with the units, which are shown by those that quantities are declared in.
 ///
 /// # Errors
 /// If it cannot be written.
-pub fn write_csv(Families { positions, rates, families, .. }: &Families, output: &mut dyn Write) -> Result<()> {
-    let mut header = ["capsize_speed (m/s)", "speed (m/s)", "radius (m)"].map(str::to_owned).to_vec();
-    header.extend(positions.iter().map(|(_, told)| format!("{} ({})", told.name, told.unit)));
-    header.extend(rates.iter().map(|(_, told)| format!("{}_rate ({})", told.name, told.unit_per_time(1))));
+pub fn write_csv(
+    Families { positions, rates, families, .. }: &Families,
+    shown: &dyn Fn(&str) -> DisplayUnit,
+    output: &mut dyn Write,
+) -> Result<()> {
+    let (speed, length) = (shown("m/s"), shown("m"));
+    let of_positions: Vec<DisplayUnit> = positions.iter().map(|(_, told)| shown(told.unit)).collect();
+    let of_rates: Vec<DisplayUnit> = rates.iter().map(|(_, told)| shown(&told.unit_per_time(1))).collect();
+    let mut header = vec![
+        format!("capsize_speed ({})", speed.written),
+        format!("speed ({})", speed.written),
+        format!("radius ({})", length.written),
+    ];
+    let own = positions.iter().zip(&of_positions);
+    header.extend(own.map(|((_, told), unit)| format!("{} ({})", told.name, unit.written)));
+    let own = rates.iter().zip(&of_rates);
+    header.extend(own.map(|((_, told), unit)| format!("{}_rate ({})", told.name, unit.written)));
     header.extend(["growth (1/s)", "verdict"].map(str::to_owned));
     let turns = families.iter().flat_map(|family| family.turns.iter().map(move |turn| (family.capsize, turn)));
     let rows = turns.map(|(capsize, turn)| {
         // Straight running has no radius.
-        let radius = if turn.radius.is_finite() { exact(turn.radius) } else { String::new() };
-        let mut row = vec![capsize.map(exact).unwrap_or_default(), exact(turn.speed), radius];
-        row.extend(positions.iter().map(|(place, _)| exact(turn.positions[*place] + 0.0)));
-        row.extend(rates.iter().map(|(place, _)| exact(turn.rates[*place] + 0.0)));
+        let radius = if turn.radius.is_finite() { exact(length.value(turn.radius)) } else { String::new() };
+        let mut row = vec![
+            capsize.map(|capsize| exact(speed.value(capsize))).unwrap_or_default(),
+            exact(speed.value(turn.speed)),
+            radius,
+        ];
+        let own = positions.iter().zip(&of_positions);
+        row.extend(own.map(|((place, _), unit)| exact(unit.value(turn.positions[*place]) + 0.0)));
+        let own = rates.iter().zip(&of_rates);
+        row.extend(own.map(|((place, _), unit)| exact(unit.value(turn.rates[*place]) + 0.0)));
         row.extend([exact(growth(turn)), verdict(turn).to_owned()]);
         row
     });
