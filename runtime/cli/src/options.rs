@@ -98,6 +98,19 @@ impl UnitOptions {
         Ok(move |declared: &str| units.of(declared))
     }
 
+    /// Those of what has units in its tables alone.
+    ///
+    /// # Errors
+    /// What is no unit; and that JSON and CSV have those of the SI.
+    pub fn in_tables(&self, format: Format) -> Result<Units, Failure> {
+        let units = self.units()?;
+        if !units.is_si() && !format.is_read() {
+            let place = Place::Option("--units".to_owned());
+            return Err(Failure::at(place, "JSON and CSV of this command are in units of the SI"));
+        }
+        Ok(units)
+    }
+
     /// What speeds are shown in.
     ///
     /// # Errors

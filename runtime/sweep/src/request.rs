@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use carvallo_design::units::Units;
 use carvallo_design::{Failure, Shipped, input};
 
 use crate::plan::validate;
@@ -23,6 +24,8 @@ pub struct Request {
     pub designs: Option<PathBuf>,
     /// The speeds of eigenvalues in m/s: `LOW:HIGH:STEP`, a list, or one.
     pub eigenvalues: Option<String>,
+    /// What results are in, in the place of the units of the SI.
+    pub units: Units,
     /// Where the results go, `.csv` or `.parquet`; without one, as CSV to the standard output.
     pub output: Option<PathBuf>,
     /// Whether a finished or interrupted sweep that is there is replaced.

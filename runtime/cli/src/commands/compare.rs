@@ -11,7 +11,7 @@ use carvallo_plot::{data, picture};
 use clap::Args;
 
 use crate::limits::SpeedLimits;
-use crate::options::{Format, Picture, Setting, load};
+use crate::options::{Format, Picture, Setting, UnitOptions, load};
 use crate::output::documents;
 use crate::terminal::{print, write};
 
@@ -63,6 +63,8 @@ pub struct Options {
     all: bool,
     #[command(flatten)]
     pictures: Pictures,
+    #[command(flatten)]
+    units: UnitOptions,
     /// table, markdown, latex, json or csv
     #[arg(long, value_enum, default_value = "table", hide_possible_values = true)]
     format: Format,
@@ -119,6 +121,7 @@ impl Pictures {
 }
 
 pub fn run(options: &Options) -> Result<(), Failure> {
+    let units = options.units.in_tables(options.format)?;
     let requests = options.designs.iter().map(|argument| request(argument, options)).collect::<Result<Vec<_>, _>>()?;
     requests.iter().try_for_each(|request| options.pictures.check(request))?;
     let designs = requests.iter().map(load).collect::<Result<Vec<_>, _>>()?;
@@ -133,8 +136,10 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let comparison = Comparison::new(compared.collect::<Result<_, Failure>>()?)?;
     options.pictures.draw(&comparison)?;
     match options.format {
-        Format::Table => print(&documents::of_comparison(&comparison, options.all).at_terminal()),
-        Format::Document(language) => print(&documents::of_comparison(&comparison, options.all).write(language)),
+        Format::Table => print(&documents::of_comparison(&comparison, options.all, &units).at_terminal()),
+        Format::Document(language) => {
+            print(&documents::of_comparison(&comparison, options.all, &units).write(language))
+        }
         Format::Json => write(|output| data::compare::write_json(&comparison, output)),
         Format::Csv => write(|output| data::compare::write_csv(&comparison, output)),
     }

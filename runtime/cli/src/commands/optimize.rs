@@ -17,7 +17,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::compare::Pictures;
 use crate::limits::SpeedLimits;
-use crate::options::{DesignOptions, Format};
+use crate::options::{DesignOptions, Format, UnitOptions};
 use crate::output::documents;
 use crate::terminal::{deliver, print, write};
 
@@ -80,6 +80,8 @@ pub struct Options {
     output: Option<PathBuf>,
     #[command(flatten)]
     pictures: Pictures,
+    #[command(flatten)]
+    units: UnitOptions,
     /// table, markdown, latex, json or csv
     #[arg(long, value_enum, default_value = "table", hide_possible_values = true)]
     format: Format,
@@ -87,6 +89,7 @@ pub struct Options {
 
 pub fn run(options: &Options) -> Result<(), Failure> {
     check_files(options)?;
+    let units = options.units.in_tables(options.format)?;
     let design = options.design.load()?;
     let problem = problem(options, &design)?;
     let bar = Bar::new();
@@ -95,14 +98,14 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let optimum = optimum?;
     let best = optimum.design(&problem)?;
     if let Some(path) = &options.output {
-        let text = file::write(&best, &str::to_owned);
+        let text = file::write_in(&best, &|declared| units.of(declared), &str::to_owned);
         deliver(Some(path), |output| output.write_all(text.as_bytes()))?;
     }
     let before = Compared { label: design.title(), analysis: Analysis::new(optimum.given(&problem)?)? };
     let after = Compared { label: best.title(), analysis: Analysis::new(best)? };
     let comparison = Comparison::new(vec![before, after])?;
     options.pictures.draw(&comparison)?;
-    let document = || documents::of_optimum(&problem, &optimum, &comparison);
+    let document = || documents::of_optimum(&problem, &optimum, &comparison, &units);
     match options.format {
         Format::Table => print(&document().at_terminal()),
         Format::Document(language) => print(&document().write(language)),

@@ -19,7 +19,7 @@ use crate::terminal::{WARNING, note, wrote};
 /// Everything that is wrong with the request; and if a file cannot be read or written. Designs without an answer are no
 /// failure: their rows say why.
 pub fn run(options: &Options) -> Result<(), Failure> {
-    let request = options.request();
+    let request = options.request()?;
     let design = options.base.load().map_err(|failure| with_request(failure, &request))?;
     let plan = Plan::new(&design, &request)?;
     request.map.as_deref().map(picture::check).transpose()?;

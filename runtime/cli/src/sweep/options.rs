@@ -2,10 +2,11 @@
 
 use std::path::PathBuf;
 
+use carvallo_design::Failure;
 use carvallo_sweep::Request;
 use clap::Args;
 
-use crate::options::DesignOptions;
+use crate::options::{DesignOptions, UnitOptions};
 
 const HELP: &str = "\
 Designs:
@@ -29,7 +30,7 @@ Designs:
                                      or LZ4, or not at all
 At most 1,000,000 values for each --vary, 10^12 designs, 100 speeds of --eigenvalues, and 1,000,000 designs in a map.
 
-Columns of the result, in SI units (speeds in m/s, eigenvalues in 1/s):
+Columns of the result, in SI units (speeds in m/s, eigenvalues in 1/s), or with --units in others, as `weave_1 (km/h)`:
   the parameters that vary, or all columns of the file
   weave_count, weave_1, weave_2, …   critical speeds, ascending; in the same way capsize_… and double_root_…
   stable_count, stable_from_1, stable_to_1, …
@@ -85,6 +86,8 @@ pub struct Options {
     /// Also the eigenvalues at these speeds in m/s: LOW:HIGH:STEP, a list, or one
     #[arg(long, value_name = "SPEEDS", allow_hyphen_values = true)]
     pub eigenvalues: Option<String>,
+    #[command(flatten)]
+    pub units: UnitOptions,
     #[arg(long, value_name = "FILE", help = "Where the results go; .csv or .parquet [default: CSV to stdout]")]
     pub output: Option<PathBuf>,
     /// Begins anew, and replaces FILE, where there is a finished or interrupted sweep
@@ -97,10 +100,14 @@ pub struct Options {
 
 impl Options {
     /// What is asked for.
-    pub fn request(&self) -> Request {
-        let Self { base, vary, random, samples, seed, designs, eigenvalues, output, restart, map } = self.clone();
-        let base = base.request();
-        Request { base, vary, random, samples, seed, designs, eigenvalues, output, restart, map }
+    ///
+    /// # Errors
+    /// What is no unit.
+    pub fn request(&self) -> Result<Request, Failure> {
+        let Self { base, vary, random, samples, seed, designs, eigenvalues, units, output, restart, map } =
+            self.clone();
+        let (base, units) = (base.request(), units.units()?);
+        Ok(Request { base, vary, random, samples, seed, designs, eigenvalues, units, output, restart, map })
     }
 }
 

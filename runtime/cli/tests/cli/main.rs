@@ -14,6 +14,7 @@ mod extremes;
 mod feedback;
 mod formats;
 mod hints;
+mod latex;
 mod locus;
 mod lqr;
 mod matrices;

@@ -223,3 +223,53 @@ fn motions_and_turns_are_in_other_units() {
     let csv = directory.run(&["turns", "--steer", "5 deg", "--units", "km/h,deg", "--format", "csv"]).ok();
     assert!(csv.starts_with("capsize_speed (km/h),speed (km/h),radius (m),phi (deg),"), "{csv}");
 }
+
+/// Columns of sweeps say their unit, and are designs again as they are.
+#[test]
+fn sweeps_have_units_in_their_headings() {
+    let directory = Directory::new("units-sweep");
+    let arguments = ["sweep", "--vary", "lam=17 deg:19 deg:1 deg", "--vary", "w=1.02", "--eigenvalues", "5"];
+    let plain = directory.run(&arguments).stdout;
+    let shown = directory.run(&[&arguments[..], &["--units", "km/h,deg,mm"]].concat()).stdout;
+    let [plain, shown] = [plain, shown].map(|text| {
+        text.lines().map(|line| line.split(',').map(str::to_owned).collect()).collect::<Vec<Vec<String>>>()
+    });
+    let names = ["lam (deg)", "w (mm)", "weave_count", "weave_1 (km/h)"];
+    assert_eq!(shown[0][..4], names);
+    assert!(shown[0].contains(&"eigenvalue_1_re_at_5".to_owned()));
+    close(shown[2][0].parse().unwrap(), 18.0);
+    assert_eq!(shown[2][1], "1020.0");
+    close(shown[2][3].parse().unwrap(), 3.6 * PRINTED[0]);
+    let at = |name: &str| shown[0].iter().position(|heading| heading == name).unwrap();
+    close(shown[2][at("stable_to_1 (km/h)")].parse().unwrap(), 3.6 * PRINTED[1]);
+    assert_eq!(shown[2][at("eigenvalue_4_re_at_5")], plain[2][at("eigenvalue_4_re_at_5")]);
+    let designs: String = shown.iter().map(|row| format!("{},{}\n", row[0], row[1])).collect();
+    directory.write("designs.csv", designs);
+    let again = directory.run(&["sweep", "--designs", "designs.csv"]).stdout;
+    let weave: f64 = again.lines().nth(2).unwrap().split(',').nth(3).unwrap().parse().unwrap();
+    close(weave, PRINTED[0]);
+    let run = directory.run(&["sweep", "--vary", "w=1,1.1", "--units", "furlong"]);
+    assert_eq!(run.code, Some(2), "{}", run.stderr);
+}
+
+/// Speeds and parameters in tables; JSON and CSV stay as they are.
+#[test]
+fn comparisons_and_optima_have_units_in_tables() {
+    let directory = Directory::new("units-compared");
+    let compare = ["compare", "benchmark", "benchmark:w=1.1", "--units", "km/h,mm"];
+    let table = directory.run(&compare).stdout;
+    assert!(table.contains("Critical speeds (km/h)\n") && !table.contains("m/s"), "{table}");
+    close(number(&table, "weave "), format!("{:.4}", 3.6 * PRINTED[0]).parse().unwrap());
+    let line = table.lines().find(|line| line.trim_start().starts_with("w ")).unwrap();
+    assert_eq!(line.split_whitespace().collect::<Vec<_>>(), ["w", "mm", "1020", "1100"]);
+    assert!(table.contains("1020 → 1100 mm"), "{table}");
+    let message = "error: --units: JSON and CSV of this command are in units of the SI\n";
+    directory.run(&[&compare[..], &["--format", "json"]].concat()).fails(2, message);
+    let optimize =
+        ["optimize", "--vary", "w=0.9:1.2", "--minimize", "weave-speed", "--starts", "1", "--units", "imperial"];
+    let run = directory.run(&[&optimize[..], &["--output", "best.toml"]].concat());
+    assert!(run.stdout.contains("Critical speeds (mph)\n") && !run.stdout.contains("m/s"), "{}", run.stdout);
+    let best = std::fs::read_to_string(directory.0.join("best.toml")).unwrap();
+    assert!(best.contains(" in\""), "{best}");
+    directory.run(&["analyze", "best.toml"]).ok();
+}

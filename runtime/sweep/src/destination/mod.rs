@@ -76,7 +76,10 @@ impl Destination {
             return Ok(true);
         }
         let sizes: Vec<usize> = designs.iter().map(|designs| designs.rows).collect();
-        let tables: Vec<Vec<Column>> = designs.into_iter().zip(results).map(|(d, r)| joined(d, r)).collect();
+        let shown = |columns: Vec<Column>| {
+            columns.into_iter().zip(&plan.shown).map(|(column, unit)| column.shown(unit.as_ref())).collect()
+        };
+        let tables: Vec<Vec<Column>> = designs.into_iter().zip(results).map(|(d, r)| shown(joined(d, r))).collect();
         let bytes: Vec<Vec<u8>> =
             match plan.format {
                 Format::Csv => tables.par_iter().zip(&sizes).map(|(table, rows)| csv::rows(table, *rows)).collect(),

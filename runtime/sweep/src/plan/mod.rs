@@ -6,7 +6,7 @@ mod validate;
 pub(crate) use self::validate::validate;
 
 use carvallo_design::conventions::{Varied, Varying};
-use carvallo_design::{Design, Failure, Place, Problem};
+use carvallo_design::{Design, DisplayUnit, Failure, Place, Problem};
 
 use self::fingerprint::fingerprint;
 use self::validate::Validated;
@@ -15,7 +15,7 @@ use super::generate::{Generator, Together};
 use super::read::File;
 use super::request::Request;
 use super::source::Source;
-use super::table::{Format, Heading, Layout};
+use super::table::{Format, Heading, Layout, shown_in};
 
 /// More designs than this are taken for a slip in a step.
 const MAX_DESIGNS: u64 = 1_000_000_000_000;
@@ -29,6 +29,8 @@ pub struct Plan {
     pub(crate) source: Source,
     /// The columns of the result: those of the designs, those of the results, and that of the errors.
     pub(crate) headings: Vec<Heading>,
+    /// For each what its numbers are written in, where that is another unit.
+    pub(crate) shown: Vec<Option<DisplayUnit>>,
     pub(crate) format: Format,
     /// The number of designs that are computed and written at once.
     pub(crate) batch: usize,
@@ -97,8 +99,9 @@ impl Plan {
         let task = Task { model: design.model, base: design.values(), varied, layout };
         headings.extend(task.layout.headings());
         headings.push(Heading::text("error"));
+        let shown = headings.iter_mut().map(|heading| shown_in(heading, &request.units)).collect();
         let fingerprint = fingerprint(design, &source, &headings, format)?;
-        Ok(Self { task, source, headings, format, batch: batch as usize, fingerprint })
+        Ok(Self { task, source, headings, shown, format, batch: batch as usize, fingerprint })
     }
 }
 

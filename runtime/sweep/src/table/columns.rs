@@ -2,7 +2,9 @@
 
 use std::borrow::Cow;
 
-use carvallo_plot::analysis::columns::{Cell, Kind, VERDICTS};
+use carvallo_design::DisplayUnit;
+use carvallo_design::units::Units;
+use carvallo_plot::analysis::columns::{Cell, Heading, Kind, VERDICTS};
 
 /// The values of a column; `None` where there is none.
 #[derive(Clone, Debug, PartialEq)]
@@ -10,6 +12,23 @@ pub enum Column {
     Numbers(Vec<Option<f64>>),
     Counts(Vec<Option<i32>>),
     Texts(Vec<Option<Cow<'static, str>>>),
+}
+
+/// The unit that the numbers of a column are asked for in, if that is another one; its name then says so, as names in tables of
+/// designs may.
+pub fn shown_in(heading: &mut Heading, units: &Units) -> Option<DisplayUnit> {
+    let unit = units.of(heading.unit);
+    if heading.kind != Kind::Number || heading.unit.is_empty() || unit.is_declared() {
+        return None;
+    }
+    heading.name = format!("{} ({})", heading.name, unit.written);
+    Some(unit)
+}
+
+/// The unit that the numbers of a column are written in: that of its name, if it says one.
+pub fn written(heading: &Heading) -> &str {
+    let of_name = heading.name.rsplit_once(" (").and_then(|(_, unit)| unit.strip_suffix(')'));
+    of_name.unwrap_or(heading.unit)
 }
 
 impl Column {
@@ -30,6 +49,16 @@ impl Column {
             (Self::Texts(values), Cell::Verdict(place)) => values.push(Some(Cow::Borrowed(VERDICTS[place]))),
             // Headings and cells are in one order.
             (column, _) => column.push_none(),
+        }
+    }
+
+    /// The same numbers in another unit.
+    pub fn shown(self, unit: Option<&DisplayUnit>) -> Self {
+        match (self, unit) {
+            (Self::Numbers(values), Some(unit)) => {
+                Self::Numbers(values.into_iter().map(|value| value.map(|value| unit.value(value))).collect())
+            }
+            (column, _) => column,
         }
     }
 

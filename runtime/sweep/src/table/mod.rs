@@ -7,7 +7,7 @@ use std::borrow::Cow;
 
 use carvallo::StableRange;
 
-pub use self::columns::Column;
+pub use self::columns::{Column, shown_in, written};
 pub use self::format::{Format, parquet_message};
 pub use carvallo_plot::analysis::columns::{Heading, Kind, Layout};
 

@@ -18,7 +18,7 @@ use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use parquet::schema::types::{ColumnPath, Type, TypePtr};
 
-use crate::table::{Column, Heading, Kind};
+use crate::table::{Column, Heading, Kind, written};
 
 /// One row group, as a file of its own. The parts of a column come one after the other.
 ///
@@ -110,7 +110,7 @@ pub fn footer(
     let part = last.ok_or_else(|| ParquetError::General("there is no part".to_owned()))?;
     let part = part.file_metadata();
     let units = headings.iter().filter(|heading| !heading.unit.is_empty());
-    let units = units.map(|Heading { name, unit, .. }| KeyValue::new(format!("unit:{name}"), number::unit(unit)));
+    let units = units.map(|heading| KeyValue::new(format!("unit:{}", heading.name), number::unit(written(heading))));
     let file = FileMetaData::new(
         part.version(),
         groups.iter().map(RowGroupMetaData::num_rows).sum(),

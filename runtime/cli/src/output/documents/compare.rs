@@ -1,7 +1,9 @@
 //! Several designs beside each other, in tables.
 
 use carvallo::{CriticalSpeed, ParameterInfo};
-use carvallo_design::number::{fixed, shortest, unit};
+use carvallo_design::DisplayUnit;
+use carvallo_design::number::{fixed, shortest};
+use carvallo_design::units::Units;
 use carvallo_plot::analysis::compare::{Compared, Comparison, Difference, End, Event, Parameter, Way, Whole};
 use carvallo_plot::analysis::name;
 
@@ -9,14 +11,17 @@ use crate::output::list::ranges;
 use crate::output::typeset::{Cell, Column, Document, Table};
 
 /// Critical speeds and parameters, of these those that differ or all, and which parameters make the differences.
-pub fn of_comparison(comparison: &Comparison, all: bool) -> Document {
+pub fn of_comparison(comparison: &Comparison, all: bool, units: &Units) -> Document {
     let labels: Vec<&str> = comparison.designs.iter().map(|compared| compared.label.as_str()).collect();
-    let mut tables = vec![critical_speeds(comparison), parameters(comparison, all)];
+    let mut tables = vec![critical_speeds(comparison, units), parameters(comparison, all, units)];
     let (first, others) = (&comparison.designs[0], &comparison.designs[1..]);
     let differences = others.iter().zip(&comparison.differences);
-    tables.extend(differences.map(|(other, difference)| explained(first, other, difference)));
+    tables.extend(differences.map(|(other, difference)| explained(first, other, difference, units)));
     Document { title: labels.join(", "), about: Vec::new(), tables }
 }
+
+/// What speeds are declared in.
+const SPEED: &str = "m/s";
 
 /// More names than this are counted.
 const MOST_NAMES: usize = 30;
@@ -26,7 +31,8 @@ fn columns(comparison: &Comparison) -> impl Iterator<Item = Column> + '_ {
 }
 
 /// The critical speeds of each kind, and the stable ranges, of all designs.
-pub fn critical_speeds(comparison: &Comparison) -> Table {
+pub fn critical_speeds(comparison: &Comparison, units: &Units) -> Table {
+    let unit = units.of(SPEED);
     let of = |compared: &Compared| -> Vec<(&'static str, f64)> {
         let Compared { analysis, .. } = compared;
         let named = |critical: &CriticalSpeed| (name(critical, analysis.design.info()), critical.speed);
@@ -47,7 +53,7 @@ pub fn critical_speeds(comparison: &Comparison) -> Table {
     kinds.sort_by_key(|kind| rank(kind));
     let row = |kind: &&str| {
         let of_kind = |speeds: &Vec<(&str, f64)>| -> Vec<String> {
-            speeds.iter().filter(|(other, _)| other == kind).map(|(_, speed)| fixed(*speed, 4)).collect()
+            speeds.iter().filter(|(other, _)| other == kind).map(|(_, speed)| fixed(unit.value(*speed), 4)).collect()
         };
         let cells = speeds.iter().map(of_kind);
         let cell =
@@ -56,27 +62,25 @@ pub fn critical_speeds(comparison: &Comparison) -> Table {
     };
     let stable = |Compared { analysis, .. }: &Compared| {
         let is_same = !analysis.design.model.depends_on_speed() && !analysis.stable_ranges().is_empty();
-        Cell::words(if is_same {
-            "at every speed".to_owned()
-        } else {
-            ranges(analysis.stable_ranges(), &analysis.unit)
-        })
+        Cell::words(if is_same { "at every speed".to_owned() } else { ranges(analysis.stable_ranges(), &unit) })
     };
     let stable = comparison.designs.iter().map(stable);
     let stable = [Cell::words("self-stable")].into_iter().chain(stable).collect();
     Table {
-        title: "Critical speeds (m/s)".to_owned(),
+        title: format!("Critical speeds ({})", unit.unit()),
         columns: [Column::left("")].into_iter().chain(columns(comparison)).collect(),
         rows: kinds.iter().map(row).chain([stable]).collect(),
         notes: Vec::new(),
     }
 }
 
-fn parameters(comparison: &Comparison, all: bool) -> Table {
+fn parameters(comparison: &Comparison, all: bool, units: &Units) -> Table {
     let shown = comparison.parameters(all);
     let row = |Parameter { info, values }: &Parameter| {
-        let value = |value: &Option<f64>| Cell::number(value.map_or("-".to_owned(), |value| shortest(value + 0.0)));
-        let head = [Cell::parameter(info), Cell::words(unit(info.unit))];
+        let unit = units.of(info.unit);
+        let shown = |value: f64| shortest(unit.value(value) + 0.0);
+        let value = |value: &Option<f64>| Cell::number(value.map_or("-".to_owned(), shown));
+        let head = [Cell::parameter(info), Cell::words(unit.unit())];
         head.into_iter().chain(values.iter().map(value)).collect()
     };
     let every = comparison.parameters(true);
@@ -105,8 +109,9 @@ fn parameters(comparison: &Comparison, all: bool) -> Table {
 }
 
 /// What each parameter contributes to the differences of the critical speeds, the largest contribution first.
-pub fn explained(first: &Compared, other: &Compared, difference: &Difference) -> Table {
-    let title = format!("What makes the difference of {} from {} (m/s)", other.label, first.label);
+pub fn explained(first: &Compared, other: &Compared, difference: &Difference, units: &Units) -> Table {
+    let speed = units.of(SPEED);
+    let title = format!("What makes the difference of {} from {} ({})", other.label, first.label, speed.unit());
     let (parameters, ways) = match difference {
         Difference::Explained { parameters, ways } => (parameters, ways),
         Difference::Unexplained(reason) => {
@@ -117,20 +122,22 @@ pub fn explained(first: &Compared, other: &Compared, difference: &Difference) ->
     let whole = difference.whole();
     let heading = |Whole { from, to, .. }: &&Whole| {
         let kind = name(from, info).replace('_', " ");
-        Column::right(format!("{kind} {} → {}", fixed(from.speed, 4), fixed(to.speed, 4)))
+        Column::right(format!("{kind} {} → {}", fixed(speed.value(from.speed), 4), fixed(speed.value(to.speed), 4)))
     };
     let order = difference.order();
     let row = |&place: &usize| {
         let parameter: &ParameterInfo = &info.parameters[parameters[place]];
         let [from, to] = [first, other].map(|compared| &compared.analysis.design.parameters[parameters[place]]);
-        let change = format!("{} → {}", rounded(from.value), rounded(to.value));
-        let head = [Cell::parameter(parameter), Cell::words(format!("{change} {}", unit(parameter.unit)).trim_end())];
-        head.into_iter().chain(whole.iter().map(|whole| Cell::number(signed(whole.contributions[place])))).collect()
+        let unit = units.of(parameter.unit);
+        let change = format!("{} → {}", rounded(unit.value(from.value)), rounded(unit.value(to.value)));
+        let head = [Cell::parameter(parameter), Cell::words(format!("{change} {}", unit.unit()).trim_end())];
+        let contribution = |whole: &&Whole| Cell::number(signed(speed.value(whole.contributions[place])));
+        head.into_iter().chain(whole.iter().map(contribution)).collect()
     };
-    let sum = |Whole { from, to, .. }: &&Whole| Cell::number(signed(to.speed - from.speed));
+    let sum = |Whole { from, to, .. }: &&Whole| Cell::number(signed(speed.value(to.speed - from.speed)));
     let sum = [Cell::words("in sum"), Cell::words("")].into_iter().chain(whole.iter().map(sum)).collect();
     let rows: Vec<Vec<Cell>> = if whole.is_empty() { Vec::new() } else { order.iter().map(row).chain([sum]).collect() };
-    let mut notes: Vec<String> = ways.iter().filter_map(|way| part(way, first, other)).collect();
+    let mut notes: Vec<String> = ways.iter().filter_map(|way| part(way, first, other, &speed)).collect();
     let without = (0..parameters.len()).filter(|place| !order.contains(place));
     let without: Vec<&str> = without.map(|place| info.parameters[parameters[place]].name).collect();
     if !without.is_empty() && !whole.is_empty() {
@@ -151,7 +158,7 @@ pub fn explained(first: &Compared, other: &Compared, difference: &Difference) ->
 }
 
 /// What becomes of a critical speed that one of the designs has alone.
-fn part(way: &Way, first: &Compared, other: &Compared) -> Option<String> {
+fn part(way: &Way, first: &Compared, other: &Compared, unit: &DisplayUnit) -> Option<String> {
     let (critical, label, happens, Event { place, speed, end }) = match way {
         Way::Whole(_) => return None,
         Way::Lost { from, event } => (from, &first.label, "vanishes", event),
@@ -160,9 +167,9 @@ fn part(way: &Way, first: &Compared, other: &Compared) -> Option<String> {
     let kind = name(critical, other.analysis.design.info()).replace('_', " ");
     let near = match end {
         End::Endless | End::AtRest => String::new(),
-        _ => format!(" near {} m/s", fixed(*speed, 4)),
+        _ => format!(" near {} {}", fixed(unit.value(*speed), 4), unit.unit()),
     };
-    let speed = fixed(critical.speed, 4);
+    let speed = fixed(unit.value(critical.speed), 4);
     Some(format!("the {kind} speed {speed} of {label} {happens} at {:.4} % of the way{near}: {end}", 100.0 * place))
 }
 

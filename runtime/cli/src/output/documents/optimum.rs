@@ -1,6 +1,7 @@
 //! The best design within ranges, in tables: what was best, what changed, and how the critical speeds came from those before.
 
-use carvallo_design::number::{shortest, unit, with_unit};
+use carvallo_design::number::{shortest, with_unit};
+use carvallo_design::units::Units;
 use carvallo_optimize::{End, Measure, Optimum, Problem};
 use carvallo_plot::analysis::compare::Comparison;
 
@@ -8,23 +9,25 @@ use super::compare::{critical_speeds, explained, rounded};
 use crate::output::typeset::{Cell, Column, Document, Table};
 
 /// Compared is the design before with the one that is best.
-pub fn of_optimum(problem: &Problem, optimum: &Optimum, comparison: &Comparison) -> Document {
+pub fn of_optimum(problem: &Problem, optimum: &Optimum, comparison: &Comparison, units: &Units) -> Document {
     let aim = if problem.goal.maximize { "maximize" } else { "minimize" };
-    let mut tables = vec![goal(problem, optimum), parameters(problem, optimum)];
+    let mut tables = vec![goal(problem, optimum, units), parameters(problem, optimum, units)];
     if !problem.constraints.is_empty() {
         tables.push(constraints(problem, optimum));
     }
-    tables.push(critical_speeds(comparison));
-    tables.push(explained(&comparison.designs[0], &comparison.designs[1], &comparison.differences[0]));
+    tables.push(critical_speeds(comparison, units));
+    tables.push(explained(&comparison.designs[0], &comparison.designs[1], &comparison.differences[0], units));
     let the = if matches!(problem.goal.measure, Measure::Parameter(..)) { "" } else { "the " };
     let title = format!("{}: {aim} {the}{}", problem.design.title(), problem.goal.measure);
     Document { title, about: problem.design.source.iter().cloned().collect(), tables }
 }
 
-fn goal(problem: &Problem, optimum: &Optimum) -> Table {
-    let in_unit = |value: f64| with_unit(value, problem.goal.measure.unit());
+fn goal(problem: &Problem, optimum: &Optimum, units: &Units) -> Table {
+    let unit = units.of(problem.goal.measure.unit());
+    let in_unit = |value: f64| with_unit(unit.value(value), &unit.written);
     let before = optimum.before.map_or("there is none".to_owned(), in_unit);
-    let [low, high] = problem.settings.speeds.map(shortest);
+    let speed = units.of("m/s");
+    let [low, high] = problem.settings.speeds.map(|end| shortest(speed.value(end)));
     let Optimum { starts, agreeing, evaluations, .. } = optimum;
     Table {
         title: "Goal".to_owned(),
@@ -36,24 +39,26 @@ fn goal(problem: &Problem, optimum: &Optimum) -> Table {
         ]],
         notes: vec![
             format!("{agreeing} of {starts} searches came to this value, in {evaluations} designs"),
-            format!("the speeds that count for stable ranges are from {low} to {high} m/s"),
+            format!("the speeds that count for stable ranges are from {low} to {high} {}", speed.unit()),
         ],
     }
 }
 
-fn parameters(problem: &Problem, optimum: &Optimum) -> Table {
+fn parameters(problem: &Problem, optimum: &Optimum, units: &Units) -> Table {
     let row = |(range, end): (&carvallo_optimize::Range, &Option<End>)| {
         let at = match end {
             Some(End::Low) => "at the low end",
             Some(End::High) => "at the high end",
             None => "",
         };
+        let unit = units.of(range.parameter.unit);
+        let value = |value: f64| Cell::number(shortest(unit.value(value)));
         vec![
             Cell::parameter(range.parameter),
-            Cell::words(unit(range.parameter.unit)),
-            Cell::number(shortest(problem.design.parameters[range.position].value)),
-            Cell::number(shortest(optimum.values[range.position])),
-            Cell::words(format!("{} to {}", rounded(range.low), rounded(range.high))),
+            Cell::words(unit.unit()),
+            value(problem.design.parameters[range.position].value),
+            value(optimum.values[range.position]),
+            Cell::words(format!("{} to {}", rounded(unit.value(range.low)), rounded(unit.value(range.high)))),
             Cell::words(at),
         ]
     };

@@ -65,8 +65,14 @@ fn words(text: &str) -> String {
         '²' => "$^2$".to_owned(),
         '³' => "$^3$".to_owned(),
         '°' => "$^\\circ$".to_owned(),
-        'λ' => "$\\lambda$".to_owned(),
-        'σ' => "$\\sigma$".to_owned(),
+        '⁴' => "$^4$".to_owned(),
+        '≤' => "$\\le$".to_owned(),
+        '≥' => "$\\ge$".to_owned(),
+        '×' => "$\\times$".to_owned(),
+        '·' => "$\\cdot$".to_owned(),
+        '∞' => "$\\infty$".to_owned(),
+        '√' => "$\\surd$".to_owned(),
+        'α'..='ω' | 'Α'..='Ω' => format!("${}$", Notation::Latex.symbol(&c.to_string())),
         // Quotes of LaTeX are a pair.
         '"' => "''".to_owned(),
         c => c.to_string(),
@@ -142,6 +148,7 @@ mod tests {
     #[test]
     fn signs_of_latex_are_text() {
         assert_eq!(words("50 % of A_1 & {B}, kg m²"), "50 \\% of A\\_1 \\& \\{B\\}, kg m$^2$");
+        assert_eq!(words("θ of ψ ≤ λ"), "$\\theta$ of $\\psi$ $\\le$ $\\lambda$");
         assert_eq!(words("a\\b ~ 5°"), "a\\textbackslash{}b \\textasciitilde{} 5$^\\circ$");
     }
 
