@@ -58,12 +58,13 @@ const GREEK: [(&str, &str); 34] = [
 
 impl Symbol {
     /// The symbol of a name. Behind underscores stand indices, and so do letters and digits behind the first letter:
-    /// `J_xx`, `Jxx` and `l1`, `deltaF`; a name of small letters is a word.
+    /// `J_xx`, `Jxx` and `l1`, `deltaF`, `kθ`; a name of small letters is a word.
     pub fn of(name: &str) -> Self {
         let mut parts = name.split('_').filter(|part| !part.is_empty());
         let first = parts.next().unwrap_or(name);
         let (base, rest) = split(first);
-        let rest = (!rest.is_empty()).then(|| Part::Letters(rest.into()));
+        let greek = GREEK.iter().find(|(letter, _)| *letter == rest).map(|(_, name)| Part::Greek(name));
+        let rest = greek.or_else(|| (!rest.is_empty()).then(|| Part::Letters(rest.into())));
         Self { base, indices: rest.into_iter().chain(parts.map(index)).collect() }
     }
 }
