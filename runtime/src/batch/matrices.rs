@@ -57,8 +57,7 @@ impl Batch {
     /// The matrices of designs that are given by columns, one for each parameter, into columns, one for each of the
     /// [entries](crate::ModelInfo::entries) of the model's matrices.
     ///
-    /// All columns are of equal length, the number of designs. In cache this is as fast as `matrices`; from memory, blocks
-    /// are read faster. The parameters are not validated.
+    /// All columns are of equal length, the number of designs. Blocks are read faster. The parameters are not validated.
     ///
     /// # Errors
     /// If there is not a column for each parameter and each entry, or if they differ in length. Nothing is written then.
@@ -74,8 +73,8 @@ impl Batch {
 
     /// The coefficient matrices of a slice of designs into a slice of equal length.
     ///
-    /// Numbers have to be brought from one design after the other into the lanes and back, which takes longer than the
-    /// arithmetic: where it matters, keep designs in blocks or columns. The parameters are not validated.
+    /// Numbers are brought from one design after the other into the lanes and back, in registers, which takes longer than the
+    /// arithmetic: where it matters, keep designs in blocks. The parameters are not validated.
     ///
     /// # Errors
     /// If the slices differ in length. Nothing is written then.

@@ -2,7 +2,7 @@
 //!
 //! A [`Batch`] runs the same straight-line code as a single design, in as many lanes as the processor has, which is found
 //! out when the program runs: 2 lanes at the baseline of x86-64 (SSE2), of ARM (NEON) and of WebAssembly, 4 with AVX2, 8
-//! with AVX-512. Every lane computes what the scalar evaluator computes, to the last bit, at every level: no multiplication
+//! with AVX-512, and twice as many of `f32`. Every lane computes what the scalar evaluator computes, to the last bit, at every level: no multiplication
 //! is fused with an addition, and sine and cosine are the same code.
 
 #[cfg(feature = "std")]
@@ -59,7 +59,7 @@ impl Batch {
         narrower.into_iter().flatten().map(|level| Self { level })
     }
 
-    /// How many designs are computed side by side.
+    /// How many designs are computed side by side in `f64`; twice as many are in `f32`.
     #[must_use]
     pub fn lanes(&self) -> usize {
         fn count<S: fearless_simd::Simd>(_: S) -> usize {
