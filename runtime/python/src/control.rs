@@ -2,7 +2,9 @@
 
 use carvallo::nalgebra::DMatrix;
 use carvallo::{Complex, SystemError, Verdict};
-use carvallo_control::{FrequencyResponse, Margins, Output, Ports, Signal, StateSpace, TransferFunction};
+use carvallo_control::{
+    FrequencyResponse, Margins, Output, Ports, Signal, StateSpace, TransferFunction, transmission_zeros,
+};
 use carvallo_design::number::shortest;
 use carvallo_design::{Design, Failure, Place, Problem};
 use numpy::{PyArray1, PyArray3, PyArrayMethods as _};
@@ -135,6 +137,24 @@ impl Designs {
         });
         let TransferFunction { zeros, poles, gain, .. } = found.map_err(raise)?;
         Ok((PyArray1::from_vec(py, zeros), PyArray1::from_vec(py, poles), gain))
+    }
+
+    /// The transmission zeros of one design at a speed between inputs and outputs, if there are as many of both.
+    fn transmission_zeros<'py>(
+        &self,
+        py: Python<'py>,
+        about: About,
+        speed: f64,
+        inputs: Option<Vec<String>>,
+        outputs: Option<Vec<String>>,
+    ) -> PyResult<Option<Bound<'py, PyArray1<Complex<f64>>>>> {
+        let design = self.described(py, about)?;
+        let found = py.detach(|| {
+            let design = design.build()?;
+            let space = space(&design, speed, inputs.as_deref(), outputs.as_deref(), Ports::coordinates)?;
+            transmission_zeros(&space).map_err(|error| fail(&design, speed, error))
+        });
+        Ok(found.map_err(raise)?.map(|zeros| PyArray1::from_vec(py, zeros)))
     }
 
     /// The gain and phase margins of one design at a speed, and whether the loop is stable.

@@ -42,6 +42,16 @@ def test_python_control_agrees(benchmark):
     assert margins.stable == bool((control.feedback(system, 1).poles().real < 0.0).all())
 
 
+def test_transmission_zeros_are_those_of_python_control(benchmark):
+    control = pytest.importorskip("control", reason="python-control is not installed")
+    ports = {"inputs": ["Tphi", "Tdelta"], "outputs": ["phi_acceleration", "psi"]}
+    zeros = benchmark.transmission_zeros(5.0, **ports)
+    expected = control.ss(*benchmark.state_space(5.0, **ports)).zeros()
+    assert len(zeros) == len(expected) > 0
+    np.testing.assert_allclose(zeros, sorted(expected, key=lambda zero: (round(zero.real, 9), zero.imag)), atol=1e-7)
+    assert benchmark.transmission_zeros(5.0, "Tdelta", ["phi", "delta"]) is None
+
+
 def test_scipy_takes_the_transfer_function(benchmark):
     signal = pytest.importorskip("scipy.signal", reason="SciPy is not installed")
     function = benchmark.transfer_function(5.0, "steer", "lean")

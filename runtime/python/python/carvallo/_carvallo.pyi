@@ -116,6 +116,9 @@ class Designs:
     def transfer_function(
         self, about: About, speed: float, input: str, output: str
     ) -> tuple[NDArray[np.complex128], NDArray[np.complex128], float]: ...
+    def transmission_zeros(
+        self, about: About, speed: float, inputs: Sequence[str] | None, outputs: Sequence[str] | None
+    ) -> NDArray[np.complex128] | None: ...
     def margins(
         self, about: About, speed: float, input: str, output: str
     ) -> tuple[list[tuple[float, float]], list[tuple[float, float]], bool]: ...

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from numpy.typing import ArrayLike
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from ._described import Described
 from .control import Margins, TransferFunction, margins_of, names_of, transfer_function_of, transfer_picture
@@ -34,6 +35,15 @@ class Controlled(Described):
             If there are no equations of motion at the speed, or no input or output of the name.
         """
         return transfer_function_of(self, v, input, output)
+
+    def transmission_zeros(self, v: float, inputs: Names | None = None,
+                           outputs: Names | None = None) -> NDArray[np.complex128] | None:
+        """The transmission zeros in 1/s of one design at a forward speed in m/s, between all inputs and outputs together, sorted by
+        real part, then by imaginary part: where the matrix of transfer functions loses its rank.
+
+        None where there are not as many outputs as inputs, or where outputs depend on each other at every frequency.
+        """
+        return self._one().transmission_zeros(self._about, float(v), names_of(inputs), names_of(outputs))
 
     def margins(self, v: float, input: str, output: str) -> Margins:
         """The gain and phase margins of the loop ``u = -y`` of one design at a forward speed in m/s, wherever its gain is one or
