@@ -162,20 +162,31 @@ impl Formulas {
         values
     }
 
-    /// Makes the values into those where some formulas have another text, which all have the same one: `values` are those
-    /// of the formulas as they are. Whether there are any: not if one would depend on itself.
-    pub fn change(&self, formulas: &[usize], text: &Expression, parameters: &[f64], values: &mut Values) -> bool {
+    /// Whether one formula is another, or depends on it.
+    pub fn feeds(&self, formula: usize, other: usize) -> bool {
+        formula == other || self.dependents(formula).contains(&other)
+    }
+
+    /// The formula of an entry.
+    pub fn entry(&self, matrix: MatrixName, row: usize, column: usize) -> Option<usize> {
+        self.formulas.iter().position(|own| own.subject == Subject::Entry(matrix, row, column))
+    }
+
+    /// Whether one of some formulas would depend on itself if it had this text.
+    pub fn is_circular(&self, formulas: &[usize], text: &Expression) -> bool {
         let uses = definitions_of(text);
+        formulas.iter().any(|&formula| uses.iter().any(|&used| self.feeds(formula, used)))
+    }
+
+    /// Makes the values into those where some formulas have another text, which all have the same one and which
+    /// [is not circular](Self::is_circular): `values` are those of the formulas as they are.
+    pub fn change(&self, formulas: &[usize], text: &Expression, parameters: &[f64], values: &mut Values) {
         for &formula in formulas {
-            if uses.iter().any(|used| *used == formula || self.dependents(formula).contains(used)) {
-                return false;
-            }
             self.evaluate(formula, Some(text), parameters, values);
             for &dependent in self.dependents(formula) {
                 self.evaluate(dependent, None, parameters, values);
             }
         }
-        true
     }
 
     fn evaluate(&self, at: usize, text: Option<&Expression>, parameters: &[f64], values: &mut Values) {

@@ -16,7 +16,7 @@ use carvallo_design::Design;
 pub use self::given::Given;
 pub use self::report::{Comparison, Explanation, Group, Part, Report, Suspects, words};
 
-use self::explain::{Cause, Found};
+use self::explain::Search;
 use self::machine::Machine;
 use self::predict::Predictor;
 
@@ -37,36 +37,39 @@ pub fn check_machine(given: &Given, machine: &Machine) -> Result<Report, String>
     given.fits(machine.info)?;
     let rounded = Predictor::new(given, machine.info);
     let here = rounded.predict(&machine.world());
-    let found = |meant: &Predictor| match meant.agreeing(&here) == here.len() {
-        true => Vec::new(),
-        false => explain::explain(machine, meant),
-    };
-    let explained = found(&rounded);
-    let is_one = |found: &Found| matches!(found.causes[..], [Cause::Convention(_) | Cause::Slip(_)]);
-    let is_one_cause = explained.iter().any(is_one);
+    if rounded.agreeing(&here) == here.len() {
+        return Ok(Report::new(machine, &rounded, &rounded, Vec::new()));
+    }
     // Numbers that may have been cut off: some of them, by hand, or all.
     let all = given.cut_off(&mut |_| true);
     let of_all = Predictor::new(&all, machine.info);
     let some = given.cut_off(&mut |at| !rounded.agrees(at, here[at]) && of_all.agrees(at, here[at]));
     let of_some = Predictor::new(&some, machine.info);
     if of_some.agreeing(&here) == rounded.agreeing(&here) {
-        return Ok(Report::new(machine, &rounded, &rounded, explained));
+        let found = Search::new(machine, &rounded, &rounded).explain(&rounded);
+        return Ok(Report::new(machine, &rounded, &rounded, found));
     }
+    let any = given.in_any_way();
+    let of_any = Predictor::new(&any, machine.info);
+    let search = Search::new(machine, &rounded, &of_any);
+    let is_one_cause = search.has_one_cause(&rounded);
     // Who cuts off needs no other cause; but a slip that makes the very same numbers is told beside that.
     if of_some.agreeing(&here) == here.len() {
-        return Ok(Report::new(machine, &rounded, &of_some, if is_one_cause { explained } else { Vec::new() }));
+        let found = if is_one_cause { search.explain(&rounded) } else { Vec::new() };
+        return Ok(Report::new(machine, &rounded, &of_some, found));
     }
     // One slip or convention is likelier than it beside a slip; two causes, or a definition of another value, are not.
     if !is_one_cause {
         for cut in [&of_all, &of_some] {
             if cut.agreeing(&here) > rounded.agreeing(&here) {
-                let others = found(cut);
+                let others = search.explain(cut);
                 if !others.is_empty() {
                     return Ok(Report::new(machine, &rounded, cut, others));
                 }
             }
         }
     }
+    let explained = search.explain(&rounded);
     let meant = if explained.is_empty() { &of_some } else { &rounded };
     Ok(Report::new(machine, &rounded, meant, explained))
 }

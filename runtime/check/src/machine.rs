@@ -49,6 +49,8 @@ pub struct FormulaSlip {
     pub slip: Slip,
     /// The formula with the slip.
     pub changed: Expression,
+    /// Whether it uses itself so, and has no value.
+    pub is_circular: bool,
 }
 
 impl Machine {
@@ -94,11 +96,14 @@ impl Machine {
             for slip in slips(formula.text, &self.formulas.names) {
                 // What is no formula any more is nobody's.
                 let Some(changed) = self.formulas.parse(&slip.apply(formula.text)) else { continue };
+                let mut push = |formulas: Vec<usize>, slip: Slip, changed: Expression| {
+                    let is_circular = self.formulas.is_circular(&formulas, &changed);
+                    found.push(FormulaSlip { formulas, slip, changed, is_circular });
+                };
                 if is_shared && formula.shared[0] == at {
-                    let formulas = formula.shared.clone();
-                    found.push(FormulaSlip { formulas, slip: slip.clone(), changed: changed.clone() });
+                    push(formula.shared.clone(), slip.clone(), changed.clone());
                 }
-                found.push(FormulaSlip { formulas: vec![at], slip, changed });
+                push(vec![at], slip, changed);
             }
         }
         found
@@ -169,8 +174,11 @@ impl Machine {
 
     /// Makes the matrices those with a slip, for parameters of which the formulas have these values; whether there are any.
     pub fn slip(&self, slip: &FormulaSlip, parameters: &[f64], base: &Values, own: &mut Values) -> bool {
-        own.clone_from(base);
-        self.formulas.change(&slip.formulas, &slip.changed, parameters, own)
+        if !slip.is_circular {
+            own.clone_from(base);
+            self.formulas.change(&slip.formulas, &slip.changed, parameters, own);
+        }
+        !slip.is_circular
     }
 
     /// What a formula is of: `IAzz`, `M_12`, or `M_12 and M_21`.

@@ -105,7 +105,8 @@ impl<'a> Predictor<'a> {
         values
     }
 
-    fn entry(&self, quantity: Quantity, world: &World) -> Option<f64> {
+    /// That of an entry of a matrix; of others `None`.
+    pub fn entry(&self, quantity: Quantity, world: &World) -> Option<f64> {
         match quantity {
             Quantity::Entry(matrix, row, column) => {
                 Some(world.entries[index(matrix, row, column, self.info.coordinates.len())])

@@ -39,13 +39,11 @@ pub fn find<'a>(machine: &Machine, predictor: &Predictor, definition: usize, val
             let double = DoubleSlip { formula: definition, slips: [first.clone(), second.clone()] };
             let Some(changed) = machine.formulas.parse(&double.apply(text)) else { continue };
             let here = machine.values.of(&changed, &machine.parameters);
-            if (here - value).abs() > 1e-2 * value.abs() {
+            if (here - value).abs() > 1e-2 * value.abs() || machine.formulas.is_circular(&[definition], &changed) {
                 continue;
             }
             let mut values = machine.values.clone();
-            if !machine.formulas.change(&[definition], &changed, &machine.parameters, &mut values) {
-                continue;
-            }
+            machine.formulas.change(&[definition], &changed, &machine.parameters, &mut values);
             let world = World { entries: values.entries, gravity: machine.gravity(&machine.parameters) };
             if predictor.fits(&world) {
                 found.push(Found { causes: vec![Cause::Slips(double)], world });

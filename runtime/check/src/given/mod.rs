@@ -157,6 +157,18 @@ impl Given {
         own
     }
 
+    /// The same with every number so that it agrees with whatever it agrees with rounded or cut off.
+    pub fn in_any_way(&self) -> Self {
+        let mut own = self.clone();
+        own.each_reading(&mut |reading| {
+            if let Some(cut) = reading.cut_off() {
+                let value = (reading.value + cut.value) / 2.0;
+                *reading = Reading { value, tolerance: 2.0 * reading.tolerance, ..cut };
+            }
+        });
+        own
+    }
+
     /// What a number is called: `M_12`, or `Re s2 at 5 m/s`.
     pub fn name(&self, quantity: Quantity, info: &ModelInfo) -> String {
         let part = |part: &str, at: usize, index: usize| {

@@ -148,7 +148,7 @@ fn world(other: &Machine, machine: &Machine, found: &Found) -> Option<World> {
     }
     let mut values = other.formulas.values(&parameters);
     if let Some((formulas, changed)) = slip {
-        other.formulas.change(&formulas, &changed, &parameters, &mut values).then_some(())?;
+        other.formulas.change(&formulas, &changed, &parameters, &mut values);
     }
     let old = World { entries: values.entries, gravity: other.gravity(&parameters) };
     let Some(convention) = of_matrices else { return Some(old) };

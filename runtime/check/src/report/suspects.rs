@@ -4,7 +4,6 @@ use serde::Serialize;
 
 use super::words::words;
 use crate::explain::Cause;
-use crate::formulas::Subject;
 use crate::given::Quantity;
 use crate::machine::Machine;
 use crate::predict::Predictor;
@@ -52,14 +51,13 @@ fn formulas(machine: &Machine, predictor: &Predictor, wrong: &[usize]) -> Vec<St
     let entries: Vec<(usize, bool)> = given
         .filter_map(|(at, (quantity, _))| {
             let Quantity::Entry(matrix, row, column) = *quantity else { return None };
-            let formula = all.iter().position(|own| own.subject == Subject::Entry(matrix, row, column))?;
-            Some((formula, wrong.contains(&at)))
+            Some((machine.formulas.entry(matrix, row, column)?, wrong.contains(&at)))
         })
         .collect();
     if !entries.iter().any(|(_, is_wrong)| *is_wrong) {
         return Vec::new();
     }
-    let feeds = |own: usize, entry: usize| own == entry || machine.formulas.dependents(own).contains(&entry);
+    let feeds = |own: usize, entry: usize| machine.formulas.feeds(own, entry);
     let is_suspect = |own: &usize| entries.iter().all(|&(entry, is_wrong)| feeds(*own, entry) == is_wrong);
     (0..all.len()).filter(is_suspect).map(|own| format!("{} = {}", all[own].subject, all[own].text)).collect()
 }
