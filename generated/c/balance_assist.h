@@ -358,7 +358,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 161 additions, 243 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 410 operations.
+ * 127 additions, 194 multiplications, 3 divisions, 7 negations and 2 trigonometric functions: 333 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -596,7 +596,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 161 additions, 243 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 410 operations.
+ * 127 additions, 194 multiplications, 3 divisions, 7 negations and 2 trigonometric functions: 333 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

@@ -180,7 +180,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 14 additions, 14 multiplications and 4 negations: 32 operations.
+ * 13 additions, 14 multiplications and 4 negations: 31 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -383,7 +383,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 14 additions, 14 multiplications and 4 negations: 32 operations.
+ * 13 additions, 14 multiplications and 4 negations: 31 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.

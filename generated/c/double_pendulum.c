@@ -155,14 +155,15 @@ double_pendulum_validity_t double_pendulum_f64_validate(const double_pendulum_f6
 
 void double_pendulum_f64_matrices(const double_pendulum_f64_t *p, double_pendulum_f64_matrices_t *matrices)
 {
-    const double t4 = p->a2 * p->m2;
-    const double Jxx_theta2 = p->I2 + (p->a2 * t4);
-    const double t9 = t4 + (p->m2 * p->l1);
-    const double t14 = p->a1 * p->m1;
-    const double Jxx_theta1 = p->I1 + Jxx_theta2 + (p->l1 * (t4 + t9)) + (p->a1 * t14);
-    const double M_theta1_theta2 = Jxx_theta2 + (t4 * p->l1);
-    const double K0_11 = -(t9 + t14);
-    const double K0_12 = -t4;
+    const double t3 = p->a1 * p->m1;
+    const double t9 = p->a2 + p->l1;
+    const double t10 = p->m2 * t9;
+    const double Jxx_theta1 = p->I1 + ((p->a1 * t3) + (p->I2 + (t10 * t9)));
+    const double t15 = p->a2 * p->m2;
+    const double M_theta1_theta2 = p->I2 + (t15 * t9);
+    const double Jxx_theta2 = p->I2 + (p->a2 * t15);
+    const double K0_11 = -(t10 + t3);
+    const double K0_12 = -t15;
     matrices->m[0][0] = Jxx_theta1;
     matrices->m[0][1] = M_theta1_theta2;
     matrices->m[1][0] = M_theta1_theta2;
@@ -281,15 +282,15 @@ void double_pendulum_f64_derivatives(const double_pendulum_f64_t *p,
     const double t9 = p->m2 * t8;
     const double M_12_a2 = M_12_l1 + t9;
     const double t14 = p->a1 * p->m1;
-    const double Jxx_theta1 = p->I1 + Jxx_theta2 + (p->l1 * M_12_a2) + (p->a1 * t14);
-    const double M_theta1_theta2 = Jxx_theta2 + (M_12_l1 * p->l1);
+    const double Jxx_theta1 = Jxx_theta2 + p->I1 + (p->l1 * M_12_a2) + (p->a1 * t14);
+    const double M_theta1_theta2 = p->I2 + (p->a2 * t9);
     const double M_11_l1 = t9 + t9;
     const double M_11_a1 = t14 + t14;
     const double M_11_m1 = p->a1 * p->a1;
-    const double M_22_a2 = M_12_l1 + M_12_l1;
+    const double Jxx_theta2_a2 = M_12_l1 + M_12_l1;
     const double M_11_m2 = t8 * t8;
     const double M_12_m2 = p->a2 * t8;
-    const double M_22_m2 = p->a2 * p->a2;
+    const double Jxx_theta2_m2 = p->a2 * p->a2;
     const double K0_11 = -(t9 + t14);
     const double K0_12 = -M_12_l1;
     matrices->m[0][0] = Jxx_theta1;
@@ -309,10 +310,10 @@ void double_pendulum_f64_derivatives(const double_pendulum_f64_t *p,
     derivatives->values[6] = p->a1;
     derivatives->values[7] = 1.0;
     derivatives->values[8] = M_12_a2;
-    derivatives->values[9] = M_22_a2;
+    derivatives->values[9] = Jxx_theta2_a2;
     derivatives->values[10] = M_11_m2;
     derivatives->values[11] = M_12_m2;
-    derivatives->values[12] = M_22_m2;
+    derivatives->values[12] = Jxx_theta2_m2;
     derivatives->values[13] = t8;
     derivatives->values[14] = p->a2;
 }
@@ -809,14 +810,15 @@ double_pendulum_validity_t double_pendulum_f32_validate(const double_pendulum_f3
 
 void double_pendulum_f32_matrices(const double_pendulum_f32_t *p, double_pendulum_f32_matrices_t *matrices)
 {
-    const float t4 = p->a2 * p->m2;
-    const float Jxx_theta2 = p->I2 + (p->a2 * t4);
-    const float t9 = t4 + (p->m2 * p->l1);
-    const float t14 = p->a1 * p->m1;
-    const float Jxx_theta1 = p->I1 + Jxx_theta2 + (p->l1 * (t4 + t9)) + (p->a1 * t14);
-    const float M_theta1_theta2 = Jxx_theta2 + (t4 * p->l1);
-    const float K0_11 = -(t9 + t14);
-    const float K0_12 = -t4;
+    const float t3 = p->a1 * p->m1;
+    const float t9 = p->a2 + p->l1;
+    const float t10 = p->m2 * t9;
+    const float Jxx_theta1 = p->I1 + ((p->a1 * t3) + (p->I2 + (t10 * t9)));
+    const float t15 = p->a2 * p->m2;
+    const float M_theta1_theta2 = p->I2 + (t15 * t9);
+    const float Jxx_theta2 = p->I2 + (p->a2 * t15);
+    const float K0_11 = -(t10 + t3);
+    const float K0_12 = -t15;
     matrices->m[0][0] = Jxx_theta1;
     matrices->m[0][1] = M_theta1_theta2;
     matrices->m[1][0] = M_theta1_theta2;
@@ -935,15 +937,15 @@ void double_pendulum_f32_derivatives(const double_pendulum_f32_t *p,
     const float t9 = p->m2 * t8;
     const float M_12_a2 = M_12_l1 + t9;
     const float t14 = p->a1 * p->m1;
-    const float Jxx_theta1 = p->I1 + Jxx_theta2 + (p->l1 * M_12_a2) + (p->a1 * t14);
-    const float M_theta1_theta2 = Jxx_theta2 + (M_12_l1 * p->l1);
+    const float Jxx_theta1 = Jxx_theta2 + p->I1 + (p->l1 * M_12_a2) + (p->a1 * t14);
+    const float M_theta1_theta2 = p->I2 + (p->a2 * t9);
     const float M_11_l1 = t9 + t9;
     const float M_11_a1 = t14 + t14;
     const float M_11_m1 = p->a1 * p->a1;
-    const float M_22_a2 = M_12_l1 + M_12_l1;
+    const float Jxx_theta2_a2 = M_12_l1 + M_12_l1;
     const float M_11_m2 = t8 * t8;
     const float M_12_m2 = p->a2 * t8;
-    const float M_22_m2 = p->a2 * p->a2;
+    const float Jxx_theta2_m2 = p->a2 * p->a2;
     const float K0_11 = -(t9 + t14);
     const float K0_12 = -M_12_l1;
     matrices->m[0][0] = Jxx_theta1;
@@ -963,10 +965,10 @@ void double_pendulum_f32_derivatives(const double_pendulum_f32_t *p,
     derivatives->values[6] = p->a1;
     derivatives->values[7] = 1.0F;
     derivatives->values[8] = M_12_a2;
-    derivatives->values[9] = M_22_a2;
+    derivatives->values[9] = Jxx_theta2_a2;
     derivatives->values[10] = M_11_m2;
     derivatives->values[11] = M_12_m2;
-    derivatives->values[12] = M_22_m2;
+    derivatives->values[12] = Jxx_theta2_m2;
     derivatives->values[13] = t8;
     derivatives->values[14] = p->a2;
 }

@@ -183,7 +183,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 8 additions, 7 multiplications and 2 negations: 17 operations.
+ * 7 additions, 7 multiplications and 2 negations: 16 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -484,7 +484,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 8 additions, 7 multiplications and 2 negations: 17 operations.
+ * 7 additions, 7 multiplications and 2 negations: 16 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.

@@ -137,112 +137,112 @@ const carvallo_partial_t motorcycle_partials[MOTORCYCLE_PARTIALS] = {
     {CARVALLO_MATRIX_M, 0U, 3U, 0U, 3U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 0U, 1U, false},
     {CARVALLO_MATRIX_M, 1U, 1U, 0U, 4U, false},
-    {CARVALLO_MATRIX_M, 1U, 2U, 0U, 5U, false},
+    {CARVALLO_MATRIX_M, 1U, 2U, 0U, 5U, true},
     {CARVALLO_MATRIX_M, 1U, 3U, 0U, 6U, false},
     {CARVALLO_MATRIX_M, 2U, 0U, 0U, 2U, false},
-    {CARVALLO_MATRIX_M, 2U, 1U, 0U, 5U, false},
+    {CARVALLO_MATRIX_M, 2U, 1U, 0U, 5U, true},
     {CARVALLO_MATRIX_M, 2U, 2U, 0U, 7U, false},
-    {CARVALLO_MATRIX_M, 2U, 3U, 0U, 8U, false},
+    {CARVALLO_MATRIX_M, 2U, 3U, 0U, 8U, true},
     {CARVALLO_MATRIX_M, 3U, 0U, 0U, 3U, false},
     {CARVALLO_MATRIX_M, 3U, 1U, 0U, 6U, false},
-    {CARVALLO_MATRIX_M, 3U, 2U, 0U, 8U, false},
+    {CARVALLO_MATRIX_M, 3U, 2U, 0U, 8U, true},
     {CARVALLO_MATRIX_M, 3U, 3U, 0U, 9U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 0U, false},
     {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 1U, false},
     {CARVALLO_MATRIX_C1, 2U, 1U, 0U, 2U, false},
     {CARVALLO_MATRIX_C1, 3U, 1U, 0U, 3U, false},
     {CARVALLO_MATRIX_K0, 2U, 2U, 0U, 2U, true},
-    {CARVALLO_MATRIX_K0, 2U, 3U, 0U, 3U, true},
-    {CARVALLO_MATRIX_K0, 3U, 2U, 0U, 3U, true},
-    {CARVALLO_MATRIX_K0, 3U, 3U, 0U, 10U, true},
+    {CARVALLO_MATRIX_K0, 2U, 3U, 0U, 10U, false},
+    {CARVALLO_MATRIX_K0, 3U, 2U, 0U, 10U, false},
+    {CARVALLO_MATRIX_K0, 3U, 3U, 0U, 11U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 1U, 0U, false},
-    {CARVALLO_MATRIX_M, 0U, 2U, 1U, 11U, false},
-    {CARVALLO_MATRIX_M, 2U, 0U, 1U, 11U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 1U, 12U, false},
+    {CARVALLO_MATRIX_M, 0U, 2U, 1U, 12U, false},
+    {CARVALLO_MATRIX_M, 2U, 0U, 1U, 12U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 1U, 13U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 0U, false},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 1U, 11U, false},
-    {CARVALLO_MATRIX_K0, 2U, 2U, 1U, 11U, true},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 1U, 12U, false},
+    {CARVALLO_MATRIX_K0, 2U, 2U, 1U, 12U, true},
     {CARVALLO_MATRIX_M, 2U, 2U, 2U, 0U, false},
     {CARVALLO_MATRIX_M, 1U, 1U, 3U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 2U, 4U, 13U, false},
-    {CARVALLO_MATRIX_M, 2U, 1U, 4U, 13U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 5U, 14U, false},
-    {CARVALLO_MATRIX_M, 1U, 2U, 5U, 15U, true},
-    {CARVALLO_MATRIX_M, 2U, 1U, 5U, 15U, true},
-    {CARVALLO_MATRIX_M, 2U, 2U, 5U, 16U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 6U, 16U, false},
-    {CARVALLO_MATRIX_M, 1U, 2U, 6U, 15U, false},
-    {CARVALLO_MATRIX_M, 1U, 3U, 6U, 17U, false},
-    {CARVALLO_MATRIX_M, 2U, 1U, 6U, 15U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 6U, 14U, false},
-    {CARVALLO_MATRIX_M, 2U, 3U, 6U, 18U, false},
-    {CARVALLO_MATRIX_M, 3U, 1U, 6U, 17U, false},
-    {CARVALLO_MATRIX_M, 3U, 2U, 6U, 18U, false},
-    {CARVALLO_MATRIX_M, 3U, 3U, 6U, 19U, false},
-    {CARVALLO_MATRIX_C1, 1U, 2U, 7U, 20U, true},
-    {CARVALLO_MATRIX_C1, 1U, 3U, 7U, 21U, true},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 7U, 20U, false},
-    {CARVALLO_MATRIX_C1, 2U, 3U, 7U, 22U, false},
-    {CARVALLO_MATRIX_C1, 3U, 1U, 7U, 21U, false},
-    {CARVALLO_MATRIX_C1, 3U, 2U, 7U, 22U, true},
-    {CARVALLO_MATRIX_C1, 1U, 2U, 8U, 23U, true},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 8U, 23U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 9U, 24U, false},
-    {CARVALLO_MATRIX_M, 0U, 2U, 9U, 25U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 9U, 24U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 9U, 26U, false},
-    {CARVALLO_MATRIX_M, 1U, 2U, 9U, 27U, false},
-    {CARVALLO_MATRIX_M, 1U, 3U, 9U, 28U, false},
-    {CARVALLO_MATRIX_M, 2U, 0U, 9U, 25U, false},
-    {CARVALLO_MATRIX_M, 2U, 1U, 9U, 27U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 9U, 29U, false},
-    {CARVALLO_MATRIX_M, 2U, 3U, 9U, 30U, false},
-    {CARVALLO_MATRIX_M, 3U, 1U, 9U, 28U, false},
-    {CARVALLO_MATRIX_M, 3U, 2U, 9U, 30U, false},
-    {CARVALLO_MATRIX_C0, 5U, 1U, 9U, 31U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 9U, 24U, false},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 9U, 25U, false},
-    {CARVALLO_MATRIX_KC, 1U, 5U, 9U, 31U, false},
-    {CARVALLO_MATRIX_K0, 2U, 2U, 9U, 25U, true},
-    {CARVALLO_MATRIX_C0, 4U, 1U, 10U, 32U, false},
-    {CARVALLO_MATRIX_KC, 1U, 4U, 10U, 32U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 11U, 24U, false},
-    {CARVALLO_MATRIX_M, 0U, 2U, 11U, 25U, false},
-    {CARVALLO_MATRIX_M, 0U, 3U, 11U, 33U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 11U, 24U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 11U, 26U, false},
-    {CARVALLO_MATRIX_M, 1U, 2U, 11U, 34U, false},
+    {CARVALLO_MATRIX_M, 1U, 2U, 4U, 14U, false},
+    {CARVALLO_MATRIX_M, 2U, 1U, 4U, 14U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 5U, 15U, false},
+    {CARVALLO_MATRIX_M, 1U, 2U, 5U, 16U, true},
+    {CARVALLO_MATRIX_M, 2U, 1U, 5U, 16U, true},
+    {CARVALLO_MATRIX_M, 2U, 2U, 5U, 17U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 6U, 17U, false},
+    {CARVALLO_MATRIX_M, 1U, 2U, 6U, 16U, false},
+    {CARVALLO_MATRIX_M, 1U, 3U, 6U, 18U, false},
+    {CARVALLO_MATRIX_M, 2U, 1U, 6U, 16U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 6U, 15U, false},
+    {CARVALLO_MATRIX_M, 2U, 3U, 6U, 19U, false},
+    {CARVALLO_MATRIX_M, 3U, 1U, 6U, 18U, false},
+    {CARVALLO_MATRIX_M, 3U, 2U, 6U, 19U, false},
+    {CARVALLO_MATRIX_M, 3U, 3U, 6U, 20U, false},
+    {CARVALLO_MATRIX_C1, 1U, 2U, 7U, 21U, true},
+    {CARVALLO_MATRIX_C1, 1U, 3U, 7U, 22U, true},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 7U, 21U, false},
+    {CARVALLO_MATRIX_C1, 2U, 3U, 7U, 23U, false},
+    {CARVALLO_MATRIX_C1, 3U, 1U, 7U, 22U, false},
+    {CARVALLO_MATRIX_C1, 3U, 2U, 7U, 23U, true},
+    {CARVALLO_MATRIX_C1, 1U, 2U, 8U, 24U, true},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 8U, 24U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 9U, 25U, false},
+    {CARVALLO_MATRIX_M, 0U, 2U, 9U, 26U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 9U, 25U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 9U, 27U, true},
+    {CARVALLO_MATRIX_M, 1U, 2U, 9U, 28U, false},
+    {CARVALLO_MATRIX_M, 1U, 3U, 9U, 29U, false},
+    {CARVALLO_MATRIX_M, 2U, 0U, 9U, 26U, false},
+    {CARVALLO_MATRIX_M, 2U, 1U, 9U, 28U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 9U, 30U, false},
+    {CARVALLO_MATRIX_M, 2U, 3U, 9U, 31U, false},
+    {CARVALLO_MATRIX_M, 3U, 1U, 9U, 29U, false},
+    {CARVALLO_MATRIX_M, 3U, 2U, 9U, 31U, false},
+    {CARVALLO_MATRIX_C0, 5U, 1U, 9U, 32U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 9U, 25U, false},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 9U, 26U, false},
+    {CARVALLO_MATRIX_KC, 1U, 5U, 9U, 32U, false},
+    {CARVALLO_MATRIX_K0, 2U, 2U, 9U, 26U, true},
+    {CARVALLO_MATRIX_C0, 4U, 1U, 10U, 33U, false},
+    {CARVALLO_MATRIX_KC, 1U, 4U, 10U, 33U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 11U, 25U, false},
+    {CARVALLO_MATRIX_M, 0U, 2U, 11U, 26U, false},
+    {CARVALLO_MATRIX_M, 0U, 3U, 11U, 34U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 11U, 25U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 11U, 27U, true},
+    {CARVALLO_MATRIX_M, 1U, 2U, 11U, 28U, false},
     {CARVALLO_MATRIX_M, 1U, 3U, 11U, 35U, false},
-    {CARVALLO_MATRIX_M, 2U, 0U, 11U, 25U, false},
-    {CARVALLO_MATRIX_M, 2U, 1U, 11U, 34U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 11U, 29U, false},
+    {CARVALLO_MATRIX_M, 2U, 0U, 11U, 26U, false},
+    {CARVALLO_MATRIX_M, 2U, 1U, 11U, 28U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 11U, 30U, false},
     {CARVALLO_MATRIX_M, 2U, 3U, 11U, 36U, false},
-    {CARVALLO_MATRIX_M, 3U, 0U, 11U, 33U, false},
+    {CARVALLO_MATRIX_M, 3U, 0U, 11U, 34U, false},
     {CARVALLO_MATRIX_M, 3U, 1U, 11U, 35U, false},
     {CARVALLO_MATRIX_M, 3U, 2U, 11U, 36U, false},
     {CARVALLO_MATRIX_M, 3U, 3U, 11U, 37U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 11U, 24U, false},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 11U, 25U, false},
-    {CARVALLO_MATRIX_C1, 3U, 1U, 11U, 33U, false},
-    {CARVALLO_MATRIX_K0, 2U, 2U, 11U, 25U, true},
-    {CARVALLO_MATRIX_K0, 2U, 3U, 11U, 33U, true},
-    {CARVALLO_MATRIX_K0, 3U, 2U, 11U, 33U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 11U, 25U, false},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 11U, 26U, false},
+    {CARVALLO_MATRIX_C1, 3U, 1U, 11U, 34U, false},
+    {CARVALLO_MATRIX_K0, 2U, 2U, 11U, 26U, true},
+    {CARVALLO_MATRIX_K0, 2U, 3U, 11U, 34U, true},
+    {CARVALLO_MATRIX_K0, 3U, 2U, 11U, 34U, true},
     {CARVALLO_MATRIX_K0, 3U, 3U, 11U, 38U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 12U, 25U, true},
-    {CARVALLO_MATRIX_M, 0U, 2U, 12U, 24U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 12U, 25U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 12U, 39U, true},
-    {CARVALLO_MATRIX_M, 1U, 2U, 12U, 40U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 12U, 26U, true},
+    {CARVALLO_MATRIX_M, 0U, 2U, 12U, 25U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 12U, 26U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 12U, 39U, false},
+    {CARVALLO_MATRIX_M, 1U, 2U, 12U, 40U, true},
     {CARVALLO_MATRIX_M, 1U, 3U, 12U, 41U, false},
-    {CARVALLO_MATRIX_M, 2U, 0U, 12U, 24U, false},
-    {CARVALLO_MATRIX_M, 2U, 1U, 12U, 40U, false},
+    {CARVALLO_MATRIX_M, 2U, 0U, 12U, 25U, false},
+    {CARVALLO_MATRIX_M, 2U, 1U, 12U, 40U, true},
     {CARVALLO_MATRIX_M, 2U, 2U, 12U, 42U, false},
-    {CARVALLO_MATRIX_M, 2U, 3U, 12U, 43U, false},
+    {CARVALLO_MATRIX_M, 2U, 3U, 12U, 43U, true},
     {CARVALLO_MATRIX_M, 3U, 1U, 12U, 41U, false},
-    {CARVALLO_MATRIX_M, 3U, 2U, 12U, 43U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 12U, 25U, true},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 12U, 24U, false},
-    {CARVALLO_MATRIX_K0, 2U, 2U, 12U, 24U, true},
+    {CARVALLO_MATRIX_M, 3U, 2U, 12U, 43U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 12U, 26U, true},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 12U, 25U, false},
+    {CARVALLO_MATRIX_K0, 2U, 2U, 12U, 25U, true},
     {CARVALLO_MATRIX_M, 0U, 2U, 13U, 44U, false},
     {CARVALLO_MATRIX_M, 2U, 0U, 13U, 44U, false},
     {CARVALLO_MATRIX_M, 2U, 2U, 13U, 45U, false},
@@ -256,78 +256,78 @@ const carvallo_partial_t motorcycle_partials[MOTORCYCLE_PARTIALS] = {
     {CARVALLO_MATRIX_C1, 3U, 2U, 14U, 48U, false},
     {CARVALLO_MATRIX_C1, 1U, 2U, 15U, 49U, false},
     {CARVALLO_MATRIX_C1, 2U, 1U, 15U, 49U, true},
-    {CARVALLO_MATRIX_C0, 5U, 1U, 16U, 31U, false},
+    {CARVALLO_MATRIX_C0, 5U, 1U, 16U, 32U, false},
     {CARVALLO_MATRIX_C0, 5U, 3U, 16U, 50U, false},
-    {CARVALLO_MATRIX_KC, 1U, 5U, 16U, 31U, true},
+    {CARVALLO_MATRIX_KC, 1U, 5U, 16U, 32U, true},
     {CARVALLO_MATRIX_KC, 3U, 5U, 16U, 50U, true},
     {CARVALLO_MATRIX_K0, 2U, 3U, 16U, 51U, false},
     {CARVALLO_MATRIX_K0, 3U, 2U, 16U, 51U, false},
     {CARVALLO_MATRIX_K0, 3U, 3U, 16U, 52U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 17U, 53U, true},
-    {CARVALLO_MATRIX_M, 0U, 2U, 17U, 54U, false},
+    {CARVALLO_MATRIX_M, 0U, 2U, 17U, 54U, true},
     {CARVALLO_MATRIX_M, 1U, 0U, 17U, 53U, true},
     {CARVALLO_MATRIX_M, 1U, 1U, 17U, 55U, false},
     {CARVALLO_MATRIX_M, 1U, 2U, 17U, 56U, false},
     {CARVALLO_MATRIX_M, 1U, 3U, 17U, 57U, false},
-    {CARVALLO_MATRIX_M, 2U, 0U, 17U, 54U, false},
+    {CARVALLO_MATRIX_M, 2U, 0U, 17U, 54U, true},
     {CARVALLO_MATRIX_M, 2U, 1U, 17U, 56U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 17U, 58U, false},
-    {CARVALLO_MATRIX_M, 2U, 3U, 17U, 59U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 17U, 55U, true},
+    {CARVALLO_MATRIX_M, 2U, 3U, 17U, 58U, false},
     {CARVALLO_MATRIX_M, 3U, 1U, 17U, 57U, false},
-    {CARVALLO_MATRIX_M, 3U, 2U, 17U, 59U, false},
-    {CARVALLO_MATRIX_C0, 5U, 1U, 17U, 60U, true},
+    {CARVALLO_MATRIX_M, 3U, 2U, 17U, 58U, false},
+    {CARVALLO_MATRIX_C0, 5U, 1U, 17U, 59U, true},
     {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 53U, true},
-    {CARVALLO_MATRIX_C1, 1U, 3U, 17U, 61U, true},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 17U, 54U, false},
-    {CARVALLO_MATRIX_C1, 2U, 3U, 17U, 62U, true},
-    {CARVALLO_MATRIX_C1, 3U, 1U, 17U, 61U, false},
-    {CARVALLO_MATRIX_C1, 3U, 2U, 17U, 62U, false},
-    {CARVALLO_MATRIX_KC, 1U, 5U, 17U, 60U, false},
-    {CARVALLO_MATRIX_K0, 2U, 2U, 17U, 54U, true},
-    {CARVALLO_MATRIX_K0, 3U, 3U, 17U, 63U, false},
-    {CARVALLO_MATRIX_K1, 5U, 3U, 17U, 64U, false},
-    {CARVALLO_MATRIX_C0, 5U, 0U, 18U, 65U, true},
-    {CARVALLO_MATRIX_C0, 5U, 1U, 18U, 66U, true},
-    {CARVALLO_MATRIX_C0, 5U, 3U, 18U, 67U, false},
-    {CARVALLO_MATRIX_C0, 5U, 5U, 18U, 65U, false},
-    {CARVALLO_MATRIX_KC, 0U, 5U, 18U, 65U, false},
-    {CARVALLO_MATRIX_KC, 1U, 5U, 18U, 66U, false},
-    {CARVALLO_MATRIX_KC, 3U, 5U, 18U, 67U, true},
-    {CARVALLO_MATRIX_K1, 5U, 3U, 18U, 68U, false},
-    {CARVALLO_MATRIX_K1, 5U, 5U, 18U, 69U, false},
-    {CARVALLO_MATRIX_K1, 5U, 2U, 19U, 65U, false},
-    {CARVALLO_MATRIX_K1, 5U, 3U, 19U, 70U, false},
-    {CARVALLO_MATRIX_C0, 4U, 0U, 20U, 65U, true},
-    {CARVALLO_MATRIX_C0, 4U, 1U, 20U, 71U, false},
-    {CARVALLO_MATRIX_C0, 4U, 4U, 20U, 65U, false},
-    {CARVALLO_MATRIX_KC, 0U, 4U, 20U, 65U, false},
-    {CARVALLO_MATRIX_KC, 1U, 4U, 20U, 71U, true},
-    {CARVALLO_MATRIX_K1, 4U, 4U, 20U, 69U, false},
-    {CARVALLO_MATRIX_K1, 4U, 2U, 21U, 65U, false},
+    {CARVALLO_MATRIX_C1, 1U, 3U, 17U, 60U, true},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 17U, 54U, true},
+    {CARVALLO_MATRIX_C1, 2U, 3U, 17U, 61U, true},
+    {CARVALLO_MATRIX_C1, 3U, 1U, 17U, 60U, false},
+    {CARVALLO_MATRIX_C1, 3U, 2U, 17U, 61U, false},
+    {CARVALLO_MATRIX_KC, 1U, 5U, 17U, 59U, false},
+    {CARVALLO_MATRIX_K0, 2U, 2U, 17U, 54U, false},
+    {CARVALLO_MATRIX_K0, 3U, 3U, 17U, 62U, true},
+    {CARVALLO_MATRIX_K1, 5U, 3U, 17U, 63U, false},
+    {CARVALLO_MATRIX_C0, 5U, 0U, 18U, 64U, true},
+    {CARVALLO_MATRIX_C0, 5U, 1U, 18U, 65U, true},
+    {CARVALLO_MATRIX_C0, 5U, 3U, 18U, 66U, false},
+    {CARVALLO_MATRIX_C0, 5U, 5U, 18U, 64U, false},
+    {CARVALLO_MATRIX_KC, 0U, 5U, 18U, 64U, false},
+    {CARVALLO_MATRIX_KC, 1U, 5U, 18U, 65U, false},
+    {CARVALLO_MATRIX_KC, 3U, 5U, 18U, 66U, true},
+    {CARVALLO_MATRIX_K1, 5U, 3U, 18U, 67U, false},
+    {CARVALLO_MATRIX_K1, 5U, 5U, 18U, 68U, false},
+    {CARVALLO_MATRIX_K1, 5U, 2U, 19U, 64U, false},
+    {CARVALLO_MATRIX_K1, 5U, 3U, 19U, 69U, false},
+    {CARVALLO_MATRIX_C0, 4U, 0U, 20U, 64U, true},
+    {CARVALLO_MATRIX_C0, 4U, 1U, 20U, 70U, false},
+    {CARVALLO_MATRIX_C0, 4U, 4U, 20U, 64U, false},
+    {CARVALLO_MATRIX_KC, 0U, 4U, 20U, 64U, false},
+    {CARVALLO_MATRIX_KC, 1U, 4U, 20U, 70U, true},
+    {CARVALLO_MATRIX_K1, 4U, 4U, 20U, 68U, false},
+    {CARVALLO_MATRIX_K1, 4U, 2U, 21U, 64U, false},
     {CARVALLO_MATRIX_C0, 3U, 3U, 22U, 0U, false},
-    {CARVALLO_MATRIX_C0, 4U, 0U, 23U, 72U, false},
-    {CARVALLO_MATRIX_C0, 4U, 1U, 23U, 73U, true},
-    {CARVALLO_MATRIX_C0, 4U, 4U, 23U, 72U, true},
-    {CARVALLO_MATRIX_C0, 5U, 0U, 23U, 74U, false},
-    {CARVALLO_MATRIX_C0, 5U, 1U, 23U, 75U, false},
-    {CARVALLO_MATRIX_C0, 5U, 3U, 23U, 76U, true},
-    {CARVALLO_MATRIX_C0, 5U, 5U, 23U, 74U, true},
-    {CARVALLO_MATRIX_KC, 0U, 4U, 23U, 72U, true},
-    {CARVALLO_MATRIX_KC, 0U, 5U, 23U, 74U, true},
-    {CARVALLO_MATRIX_KC, 1U, 4U, 23U, 73U, false},
-    {CARVALLO_MATRIX_KC, 1U, 5U, 23U, 75U, true},
-    {CARVALLO_MATRIX_KC, 3U, 5U, 23U, 76U, false},
-    {CARVALLO_MATRIX_K1, 4U, 2U, 23U, 77U, true},
-    {CARVALLO_MATRIX_K1, 4U, 4U, 23U, 78U, true},
-    {CARVALLO_MATRIX_K1, 5U, 2U, 23U, 79U, true},
-    {CARVALLO_MATRIX_K1, 5U, 3U, 23U, 80U, true},
-    {CARVALLO_MATRIX_K1, 5U, 5U, 23U, 81U, true},
-    {CARVALLO_MATRIX_K0, 2U, 3U, 24U, 82U, true},
-    {CARVALLO_MATRIX_K0, 3U, 2U, 24U, 82U, true},
-    {CARVALLO_MATRIX_K0, 3U, 3U, 24U, 83U, true},
-    {CARVALLO_MATRIX_K0, 2U, 3U, 25U, 84U, false},
-    {CARVALLO_MATRIX_K0, 3U, 2U, 25U, 84U, false},
-    {CARVALLO_MATRIX_K0, 3U, 3U, 25U, 85U, false}
+    {CARVALLO_MATRIX_C0, 4U, 0U, 23U, 71U, false},
+    {CARVALLO_MATRIX_C0, 4U, 1U, 23U, 72U, true},
+    {CARVALLO_MATRIX_C0, 4U, 4U, 23U, 71U, true},
+    {CARVALLO_MATRIX_C0, 5U, 0U, 23U, 73U, false},
+    {CARVALLO_MATRIX_C0, 5U, 1U, 23U, 74U, false},
+    {CARVALLO_MATRIX_C0, 5U, 3U, 23U, 75U, true},
+    {CARVALLO_MATRIX_C0, 5U, 5U, 23U, 73U, true},
+    {CARVALLO_MATRIX_KC, 0U, 4U, 23U, 71U, true},
+    {CARVALLO_MATRIX_KC, 0U, 5U, 23U, 73U, true},
+    {CARVALLO_MATRIX_KC, 1U, 4U, 23U, 72U, false},
+    {CARVALLO_MATRIX_KC, 1U, 5U, 23U, 74U, true},
+    {CARVALLO_MATRIX_KC, 3U, 5U, 23U, 75U, false},
+    {CARVALLO_MATRIX_K1, 4U, 2U, 23U, 76U, true},
+    {CARVALLO_MATRIX_K1, 4U, 4U, 23U, 77U, true},
+    {CARVALLO_MATRIX_K1, 5U, 2U, 23U, 78U, true},
+    {CARVALLO_MATRIX_K1, 5U, 3U, 23U, 79U, true},
+    {CARVALLO_MATRIX_K1, 5U, 5U, 23U, 80U, true},
+    {CARVALLO_MATRIX_K0, 2U, 3U, 24U, 81U, true},
+    {CARVALLO_MATRIX_K0, 3U, 2U, 24U, 81U, true},
+    {CARVALLO_MATRIX_K0, 3U, 3U, 24U, 82U, true},
+    {CARVALLO_MATRIX_K0, 2U, 3U, 25U, 83U, false},
+    {CARVALLO_MATRIX_K0, 3U, 2U, 25U, 83U, false},
+    {CARVALLO_MATRIX_K0, 3U, 3U, 25U, 84U, false}
 };
 
 const motorcycle_f64_t motorcycle_f64_sets[MOTORCYCLE_SETS] = {
@@ -863,163 +863,159 @@ void motorcycle_f64_derivatives(const motorcycle_f64_t *p, motorcycle_f64_matric
     double s = 0.0;
     double c = 0.0;
     carvallo_sin_cos_f64(p->eps, &s, &c);
+    const double t6 = p->f * s;
     const double t10 = p->a + p->e;
-    const double k = (c * t10) - (p->f * s);
-    const double Sx_all = p->Mf * k;
+    const double t11 = c * t10;
+    const double t12 = t6 - t11;
+    const double K0_33_eps = p->Mf * t12;
     const double j = (p->f * c) + (s * t10);
     const double t17 = p->Mf * j;
     const double t19 = p->Mr * p->h;
     const double M_13 = t17 + t19;
-    const double t21 = s * t17;
-    const double t22 = 1.0 / c;
-    const double t23 = p->a * t22;
-    const double t24 = k - t23;
-    const double t25 = p->Mf * t24;
-    const double t26 = c * t25;
-    const double py_delta = t21 + t26;
+    const double t21 = 1.0 / c;
+    const double t22 = p->a * t21;
+    const double t23 = t12 + t22;
+    const double t24 = c * t23;
+    const double t25 = s * j;
+    const double K0_34_Mf = t24 - t25;
+    const double t27 = p->Mf * K0_34_Mf;
+    const double t29 = t12 * K0_33_eps;
     const double M_22_Ifx = s * s;
     const double M_33_Ifx = c * c;
-    const double t36 = (p->Ifx * M_22_Ifx) + (p->Ifz * M_33_Ifx);
-    const double M_22 = p->Irz + t36 + (k * Sx_all);
-    const double t40 = p->Ifz - p->Ifx;
+    const double t37 = (p->Ifx * M_22_Ifx) + (p->Ifz * M_33_Ifx);
+    const double M_22 = t29 + p->Irz + t37;
+    const double t41 = p->Ifx - p->Ifz;
     const double Jxz_delta_Ifz = s * c;
-    const double Jxz_delta = (t40 * Jxz_delta_Ifz) + (j * t25);
-    const double Jxz_all = Jxz_delta + (t17 * t23) - p->Crxz;
-    const double t49 = s * Jxz_delta;
-    const double t51 = t36 + (t24 * t25);
-    const double hz_delta = t49 + (c * t51);
-    const double M_psi_delta = hz_delta + (t23 * py_delta);
-    const double Jxx_delta = (p->Ifx * M_33_Ifx) + (M_22_Ifx * p->Ifz) + (j * t17);
-    const double M_33 = p->Irx + Jxx_delta + (p->h * t19);
-    const double t66 = c * Jxz_delta;
-    const double hx_delta = (s * Jxx_delta) + t66;
-    const double M_44 = (s * hx_delta) + (c * hz_delta);
+    const double t43 = t41 * Jxz_delta_Ifz;
+    const double t45 = t43 + (K0_33_eps * j);
+    const double t48 = t43 + (t17 * t23);
+    const double t50 = p->Mf * t23;
+    const double t52 = t37 + (t23 * t50);
+    const double t54 = (s * t48) - (c * t52);
+    const double Jxx_delta_Mf = j * j;
+    const double t60 = p->Mf * Jxx_delta_Mf;
+    const double Jxx_delta = (M_22_Ifx * p->Ifz) + (p->Ifx * M_33_Ifx) + t60;
+    const double M_33 = Jxx_delta + p->Irx + (p->h * t19);
+    const double hx_delta = (s * Jxx_delta) - (c * t48);
+    const double M_44 = (s * hx_delta) - (c * t54);
     const double C0_66_Cf1 = 1.0 / p->sigma;
     const double C0_55 = p->Cr1 * C0_66_Cf1;
-    const double C0_52 = C0_55 * p->b;
+    const double C0_52_Cr1 = C0_66_Cf1 * p->b;
+    const double C0_52 = p->Cr1 * C0_52_Cr1;
     const double C0_66 = C0_66_Cf1 * p->Cf1;
-    const double t81 = p->a - p->t;
-    const double l = t22 * t81;
+    const double t84 = p->a - p->t;
+    const double l = t21 * t84;
     const double Kc_26 = C0_66 * l;
-    const double t85 = p->a - (c * l);
-    const double C0_64 = C0_66 * t85;
+    const double t87 = c * t21;
+    const double t89 = p->a - (t84 * t87);
+    const double C0_64_Cf1 = C0_66_Cf1 * t89;
+    const double C0_64 = p->Cf1 * C0_64_Cf1;
     const double C1_32_ify = 1.0 / p->Rf;
     const double h_spin_F = p->ify * C1_32_ify;
     const double C1_32_iry = 1.0 / p->Rr;
-    const double t94 = p->iry * C1_32_iry;
-    const double h_wheels_all = h_spin_F + t94;
-    const double C1_43_eps = s * h_spin_F;
+    const double t99 = p->iry * C1_32_iry;
+    const double h_wheels_all = h_spin_F + t99;
+    const double C1_42_ify = s * C1_32_ify;
+    const double C1_43_eps = p->ify * C1_42_ify;
     const double C1_32 = M_13 + h_wheels_all;
     const double C1_34 = c * h_spin_F;
-    const double C1_42 = py_delta + C1_43_eps;
-    const double t103 = (Sx_all + (m_all * p->b)) / (p->b + l);
-    const double t107 = 1.0 / p->g;
-    const double t108 = p->Zf * t107;
-    const double rest = t103 - t108;
-    const double K0_34 = (p->t * rest) - py_delta - (t85 * t103);
-    const double K0_44 = s * K0_34;
+    const double C1_42 = C1_43_eps - t27;
+    const double t109 = (K0_33_eps - (m_all * p->b)) / (p->b + l);
+    const double t112 = 1.0 / p->g;
+    const double t113 = p->Zf * t112;
+    const double t114 = t109 + t113;
+    const double t116 = (p->t * t114) - t27;
+    const double t117 = t89 * t109;
+    const double t118 = t116 - t117;
     const double K1_53 = C0_66_Cf1 * p->Cr2;
-    const double t116 = p->sigma * p->sigma;
-    const double K1_66_Cf1 = 1.0 / t116;
+    const double t122 = p->sigma * p->sigma;
+    const double K1_66_Cf1 = 1.0 / t122;
     const double K1_55 = p->Cr1 * K1_66_Cf1;
     const double K1_63 = C0_66_Cf1 * p->Cf2;
-    const double t123 = (c * p->Cf1) + (s * p->Cf2);
-    const double K1_64 = C0_66_Cf1 * t123;
+    const double K1_64_Cf1 = c * C0_66_Cf1;
+    const double t129 = p->Cf1 * K1_64_Cf1;
+    const double K1_64 = (s * K1_63) + t129;
     const double K1_66 = p->Cf1 * K1_66_Cf1;
-    const double t127 = c * t24;
-    const double py_delta_Mf = t127 + (s * j);
-    const double M_22_Mf = k * k;
-    const double Jxz_delta_Mf = j * t24;
-    const double M_23_Mf = Jxz_delta_Mf + (j * t23);
-    const double hz_delta_Mf = (s * Jxz_delta_Mf) + (t24 * t127);
-    const double M_24_Mf = hz_delta_Mf + (t23 * py_delta_Mf);
-    const double Jxx_delta_Mf = j * j;
-    const double hx_delta_Mf = (s * Jxx_delta_Mf) + (c * Jxz_delta_Mf);
-    const double M_44_Mf = (s * hx_delta_Mf) + (c * hz_delta_Mf);
-    const double t146 = s * py_delta_Mf;
+    const double M_22_Mf = t12 * t12;
+    const double t134 = t12 * j;
+    const double M_24_Mf = t12 * K0_34_Mf;
+    const double t136 = j * K0_34_Mf;
+    const double M_44_Mf = K0_34_Mf * K0_34_Mf;
+    const double K0_44_Mf = s * K0_34_Mf;
     const double M_33_Mr = p->h * p->h;
-    const double hz_delta_Ifz = (s * Jxz_delta_Ifz) + (c * M_33_Ifx);
-    const double hx_delta_Ifz = (s * M_22_Ifx) + (c * Jxz_delta_Ifz);
-    const double M_44_Ifz = (s * hx_delta_Ifz) + (c * hz_delta_Ifz);
-    const double C1_42_ify = s * C1_32_ify;
+    const double t140 = M_22_Ifx + M_33_Ifx;
+    const double hz_delta_Ifz = c * t140;
+    const double hx_delta_Ifz = s * t140;
+    const double M_44_Ifz = t140 * t140;
     const double C1_34_ify = c * C1_32_ify;
     const double M_12_a = p->Mf * c;
     const double M_13_a = p->Mf * s;
-    const double M_22_k = Sx_all + Sx_all;
-    const double M_22_a = c * M_22_k;
-    const double M_23_j = p->Mf * t23;
-    const double t164 = s * M_23_j;
-    const double t165 = s * t25;
-    const double t166 = c - t22;
-    const double Jxz_delta_a = t165 + (t17 * t166);
-    const double M_23_a = t164 + Jxz_delta_a + (t17 * t22);
-    const double t174 = t26 + (p->Mf * t127);
-    const double M_24_a = (s * Jxz_delta_a) + (t166 * t174) + (t22 * py_delta);
-    const double Jxx_delta_j = t17 + t17;
-    const double hx_delta_j = s * Jxx_delta_j;
-    const double t181 = s * hx_delta_j;
-    const double hx_delta_a = t181 + (c * Jxz_delta_a);
-    const double Kc_26_a = t22 * C0_66;
-    const double py_delta_e = (p->Mf * M_33_Ifx) + (p->Mf * M_22_Ifx);
-    const double Jxz_delta_e = t165 + (c * t17);
-    const double M_23_e = t164 + Jxz_delta_e;
-    const double hz_delta_e = (s * Jxz_delta_e) + (c * t174);
-    const double M_24_e = hz_delta_e + (t23 * py_delta_e);
-    const double hx_delta_e = t181 + (c * Jxz_delta_e);
-    const double M_44_e = (s * hx_delta_e) + (c * hz_delta_e);
-    const double t201 = s * py_delta_e;
-    const double t202 = s * M_22_k;
-    const double Jxz_delta_f = t26 - t21;
-    const double M_23_f = Jxz_delta_f + (c * M_23_j);
-    const double hz_delta_f = s * (Jxz_delta_f - t174);
-    const double M_33_f = c * Jxx_delta_j;
-    const double hx_delta_f = c * (hx_delta_j + Jxz_delta_f);
+    const double t147 = c * K0_33_eps;
+    const double t148 = t147 + t147;
+    const double t149 = j * M_12_a;
+    const double t150 = t12 * M_13_a;
+    const double M_23_a = t149 - t150;
+    const double t152 = t50 * t87;
+    const double t153 = s * t17;
+    const double t157 = (c * t153) - (t50 * (M_33_Ifx + t140));
+    const double M_24_a = t152 + t157;
+    const double hx_delta_j = t153 + t153;
+    const double hz_delta_f = s * t27;
+    const double hx_delta_e = (t17 * t140) - hz_delta_f;
+    const double M_34_a = hx_delta_e - (t17 * t87);
+    const double Kc_26_a = t21 * C0_66;
+    const double py_delta_e = p->Mf * t140;
+    const double Jxx_delta_j = t22 * py_delta_e;
+    const double M_24_e = t157 + Jxx_delta_j;
+    const double M_44_e = (c * t157) + (s * hx_delta_e);
+    const double t172 = t140 * M_13_a;
+    const double M_22_f = t150 + t150;
+    const double t174 = t147 + t153;
+    const double M_33_f = t149 + t149;
+    const double t176 = c * t27;
     const double M_33_h = t19 + t19;
     const double C1_23_Rf = C1_32_ify * h_spin_F;
     const double C1_24_Rf = s * C1_23_Rf;
     const double C1_43_Rf = c * C1_23_Rf;
-    const double C1_23_Rr = C1_32_iry * t94;
-    const double C0_64_t = c * Kc_26_a;
-    const double K0_34_t = rest - (c * t22 * t103);
+    const double C1_23_Rr = C1_32_iry * t99;
+    const double C0_64_t = t21 * t129;
+    const double K0_34_t = (t87 * t109) - t114;
     const double K0_44_t = s * K0_34_t;
-    const double t221 = Jxz_delta_Ifz + Jxz_delta_Ifz;
-    const double t224 = (p->Ifx * t221) - (p->Ifz * t221);
-    const double M_22_eps = t224 - (j * M_22_k);
-    const double t231 = s * t22 * t22;
-    const double t232 = p->a * t231;
-    const double t233 = j + t232;
-    const double Jxz_delta_eps = (M_33_Ifx * t40) + (k * t25) - (M_22_Ifx * t40) - (t17 * t233);
-    const double M_23_eps = Jxz_delta_eps + (t17 * t232) + (k * M_23_j);
-    const double M_24_eps = t66 + (s * Jxz_delta_eps) + (c * t224) + (py_delta * t232) - (s * t51) -
-        (t174 * t233);
-    const double M_33_eps = (k * Jxx_delta_j) - t224;
-    const double hx_delta_eps = (c * Jxz_delta_eps) + (c * Jxx_delta) + (k * hx_delta_j) - t49 -
-        (s * t224);
-    const double Kc_26_eps = C0_66 * t81 * t231;
-    const double K0_44_eps = c * K0_34;
-    const double K1_64_eps = C0_66_Cf1 * ((c * p->Cf2) - (s * p->Cf1));
-    const double Kc_26_Cf1 = C0_66_Cf1 * l;
-    const double C0_64_Cf1 = C0_66_Cf1 * t85;
-    const double K1_64_Cf1 = c * C0_66_Cf1;
+    const double M_22_eps = t45 + t45;
+    const double t188 = t41 * (M_22_Ifx - M_33_Ifx);
+    const double M_23_eps = t29 + t188 - t60;
+    const double t196 = s * t21;
+    const double t197 = t22 * t196;
+    const double t198 = j + t197;
+    const double M_24_eps = (c * (t43 + (t50 * (t197 + t198)))) - (s * (t52 - M_23_eps - (t22 *
+        (K0_33_eps - t152))));
+    const double M_34_eps = (s * (t48 - M_22_eps)) + (c * (Jxx_delta + t188 + (t12 * t50) - (t17 *
+        t198)));
+    const double Kc_26_eps = Kc_26 * t196;
+    const double t214 = c * t118;
     const double K1_64_Cf2 = s * C0_66_Cf1;
-    const double C0_52_Cr1 = C0_66_Cf1 * p->b;
-    const double t274 = C0_66_Cf1 * C0_66_Cf1;
-    const double C0_51_sigma = p->Cr1 * t274;
-    const double Kc_25_sigma = p->b * C0_51_sigma;
-    const double C0_61_sigma = p->Cf1 * t274;
+    const double K1_64_eps = (p->Cf2 * K1_64_Cf1) - (p->Cf1 * K1_64_Cf2);
+    const double Kc_26_Cf1 = C0_66_Cf1 * l;
+    const double C0_51_sigma = C0_66_Cf1 * C0_55;
+    const double Kc_25_sigma = C0_55 * C0_52_Cr1;
+    const double C0_61_sigma = C0_66_Cf1 * C0_66;
     const double C0_62_sigma = l * C0_61_sigma;
-    const double Kc_46_sigma = t85 * C0_61_sigma;
-    const double t280 = p->Cr2 * t274;
-    const double t282 = 1.0 / (p->sigma * t116);
-    const double t283 = t282 + t282;
-    const double t284 = p->Cr1 * t283;
-    const double t285 = p->Cf2 * t274;
-    const double t286 = t123 * t274;
-    const double t287 = p->Cf1 * t283;
-    const double t288 = p->t * t107;
-    const double t289 = s * t288;
-    const double K0_34_g = t108 * t288;
-    const double K0_44_g = s * K0_34_g;
+    const double Kc_46_sigma = C0_66_Cf1 * C0_64;
+    const double t225 = C0_66_Cf1 * K1_53;
+    const double t227 = 1.0 / (p->sigma * t122);
+    const double t228 = t227 + t227;
+    const double t229 = p->Cr1 * t228;
+    const double t230 = C0_66_Cf1 * K1_63;
+    const double t231 = C0_66_Cf1 * K1_64;
+    const double t232 = p->Cf1 * t228;
+    const double t233 = p->t * t112;
+    const double t234 = s * t233;
+    const double K0_34_g = t113 * t233;
+    const double K0_44_g = t113 * t234;
+    const double M_12 = -K0_33_eps;
+    const double M_14 = -t27;
+    const double M_23 = -(p->Crxz + t45);
+    const double M_24 = -(t54 + (t22 * t27));
     const double C0_51 = -C0_55;
     const double C0_61 = -C0_66;
     const double C0_62 = -Kc_26;
@@ -1029,26 +1025,30 @@ void motorcycle_f64_derivatives(const motorcycle_f64_t *p, motorcycle_f64_matric
     const double Kc_25 = -C0_52;
     const double Kc_46 = -C0_64;
     const double K0_33 = -M_13;
+    const double K0_34 = t117 - t116;
+    const double K0_44 = -(s * t118);
+    const double M_12_Mf = t11 - t6;
+    const double M_14_Mf = t25 - t24;
     matrices->m[0][0] = m_all;
-    matrices->m[0][1] = Sx_all;
+    matrices->m[0][1] = M_12;
     matrices->m[0][2] = M_13;
-    matrices->m[0][3] = py_delta;
+    matrices->m[0][3] = M_14;
     matrices->m[0][4] = 0.0;
     matrices->m[0][5] = 0.0;
-    matrices->m[1][0] = Sx_all;
+    matrices->m[1][0] = M_12;
     matrices->m[1][1] = M_22;
-    matrices->m[1][2] = Jxz_all;
-    matrices->m[1][3] = M_psi_delta;
+    matrices->m[1][2] = M_23;
+    matrices->m[1][3] = M_24;
     matrices->m[1][4] = 0.0;
     matrices->m[1][5] = 0.0;
     matrices->m[2][0] = M_13;
-    matrices->m[2][1] = Jxz_all;
+    matrices->m[2][1] = M_23;
     matrices->m[2][2] = M_33;
     matrices->m[2][3] = hx_delta;
     matrices->m[2][4] = 0.0;
     matrices->m[2][5] = 0.0;
-    matrices->m[3][0] = py_delta;
-    matrices->m[3][1] = M_psi_delta;
+    matrices->m[3][0] = M_14;
+    matrices->m[3][1] = M_24;
     matrices->m[3][2] = hx_delta;
     matrices->m[3][3] = M_44;
     matrices->m[3][4] = 0.0;
@@ -1108,7 +1108,7 @@ void motorcycle_f64_derivatives(const motorcycle_f64_t *p, motorcycle_f64_matric
     matrices->c1[0][4] = 0.0;
     matrices->c1[0][5] = 0.0;
     matrices->c1[1][0] = 0.0;
-    matrices->c1[1][1] = Sx_all;
+    matrices->c1[1][1] = M_12;
     matrices->c1[1][2] = C1_23;
     matrices->c1[1][3] = C1_24;
     matrices->c1[1][4] = 0.0;
@@ -1246,49 +1246,49 @@ void motorcycle_f64_derivatives(const motorcycle_f64_t *p, motorcycle_f64_matric
     matrices->k1[5][4] = 0.0;
     matrices->k1[5][5] = K1_66;
     derivatives->values[0] = 1.0;
-    derivatives->values[1] = k;
+    derivatives->values[1] = M_12_Mf;
     derivatives->values[2] = j;
-    derivatives->values[3] = py_delta_Mf;
+    derivatives->values[3] = M_14_Mf;
     derivatives->values[4] = M_22_Mf;
-    derivatives->values[5] = M_23_Mf;
+    derivatives->values[5] = t134;
     derivatives->values[6] = M_24_Mf;
     derivatives->values[7] = Jxx_delta_Mf;
-    derivatives->values[8] = hx_delta_Mf;
+    derivatives->values[8] = t136;
     derivatives->values[9] = M_44_Mf;
-    derivatives->values[10] = t146;
-    derivatives->values[11] = p->h;
-    derivatives->values[12] = M_33_Mr;
-    derivatives->values[13] = (-1.0);
-    derivatives->values[14] = M_22_Ifx;
-    derivatives->values[15] = Jxz_delta_Ifz;
-    derivatives->values[16] = M_33_Ifx;
-    derivatives->values[17] = hz_delta_Ifz;
-    derivatives->values[18] = hx_delta_Ifz;
-    derivatives->values[19] = M_44_Ifz;
-    derivatives->values[20] = C1_32_ify;
-    derivatives->values[21] = C1_42_ify;
-    derivatives->values[22] = C1_34_ify;
-    derivatives->values[23] = C1_32_iry;
-    derivatives->values[24] = M_12_a;
-    derivatives->values[25] = M_13_a;
-    derivatives->values[26] = M_22_a;
-    derivatives->values[27] = M_23_a;
-    derivatives->values[28] = M_24_a;
-    derivatives->values[29] = hx_delta_j;
-    derivatives->values[30] = hx_delta_a;
-    derivatives->values[31] = Kc_26_a;
-    derivatives->values[32] = C0_55;
-    derivatives->values[33] = py_delta_e;
-    derivatives->values[34] = M_23_e;
+    derivatives->values[10] = K0_34_Mf;
+    derivatives->values[11] = K0_44_Mf;
+    derivatives->values[12] = p->h;
+    derivatives->values[13] = M_33_Mr;
+    derivatives->values[14] = (-1.0);
+    derivatives->values[15] = M_22_Ifx;
+    derivatives->values[16] = Jxz_delta_Ifz;
+    derivatives->values[17] = M_33_Ifx;
+    derivatives->values[18] = hz_delta_Ifz;
+    derivatives->values[19] = hx_delta_Ifz;
+    derivatives->values[20] = M_44_Ifz;
+    derivatives->values[21] = C1_32_ify;
+    derivatives->values[22] = C1_42_ify;
+    derivatives->values[23] = C1_34_ify;
+    derivatives->values[24] = C1_32_iry;
+    derivatives->values[25] = M_12_a;
+    derivatives->values[26] = M_13_a;
+    derivatives->values[27] = t148;
+    derivatives->values[28] = M_23_a;
+    derivatives->values[29] = M_24_a;
+    derivatives->values[30] = hx_delta_j;
+    derivatives->values[31] = M_34_a;
+    derivatives->values[32] = Kc_26_a;
+    derivatives->values[33] = C0_55;
+    derivatives->values[34] = py_delta_e;
     derivatives->values[35] = M_24_e;
     derivatives->values[36] = hx_delta_e;
     derivatives->values[37] = M_44_e;
-    derivatives->values[38] = t201;
-    derivatives->values[39] = t202;
-    derivatives->values[40] = M_23_f;
+    derivatives->values[38] = t172;
+    derivatives->values[39] = M_22_f;
+    derivatives->values[40] = t174;
     derivatives->values[41] = hz_delta_f;
     derivatives->values[42] = M_33_f;
-    derivatives->values[43] = hx_delta_f;
+    derivatives->values[43] = t176;
     derivatives->values[44] = p->Mr;
     derivatives->values[45] = M_33_h;
     derivatives->values[46] = C1_23_Rf;
@@ -1299,38 +1299,37 @@ void motorcycle_f64_derivatives(const motorcycle_f64_t *p, motorcycle_f64_matric
     derivatives->values[51] = K0_34_t;
     derivatives->values[52] = K0_44_t;
     derivatives->values[53] = t17;
-    derivatives->values[54] = Sx_all;
+    derivatives->values[54] = K0_33_eps;
     derivatives->values[55] = M_22_eps;
     derivatives->values[56] = M_23_eps;
     derivatives->values[57] = M_24_eps;
-    derivatives->values[58] = M_33_eps;
-    derivatives->values[59] = hx_delta_eps;
-    derivatives->values[60] = Kc_26_eps;
-    derivatives->values[61] = C1_34;
-    derivatives->values[62] = C1_43_eps;
-    derivatives->values[63] = K0_44_eps;
-    derivatives->values[64] = K1_64_eps;
-    derivatives->values[65] = C0_66_Cf1;
-    derivatives->values[66] = Kc_26_Cf1;
-    derivatives->values[67] = C0_64_Cf1;
-    derivatives->values[68] = K1_64_Cf1;
-    derivatives->values[69] = K1_66_Cf1;
-    derivatives->values[70] = K1_64_Cf2;
-    derivatives->values[71] = C0_52_Cr1;
-    derivatives->values[72] = C0_51_sigma;
-    derivatives->values[73] = Kc_25_sigma;
-    derivatives->values[74] = C0_61_sigma;
-    derivatives->values[75] = C0_62_sigma;
-    derivatives->values[76] = Kc_46_sigma;
-    derivatives->values[77] = t280;
-    derivatives->values[78] = t284;
-    derivatives->values[79] = t285;
-    derivatives->values[80] = t286;
-    derivatives->values[81] = t287;
-    derivatives->values[82] = t288;
-    derivatives->values[83] = t289;
-    derivatives->values[84] = K0_34_g;
-    derivatives->values[85] = K0_44_g;
+    derivatives->values[58] = M_34_eps;
+    derivatives->values[59] = Kc_26_eps;
+    derivatives->values[60] = C1_34;
+    derivatives->values[61] = C1_43_eps;
+    derivatives->values[62] = t214;
+    derivatives->values[63] = K1_64_eps;
+    derivatives->values[64] = C0_66_Cf1;
+    derivatives->values[65] = Kc_26_Cf1;
+    derivatives->values[66] = C0_64_Cf1;
+    derivatives->values[67] = K1_64_Cf1;
+    derivatives->values[68] = K1_66_Cf1;
+    derivatives->values[69] = K1_64_Cf2;
+    derivatives->values[70] = C0_52_Cr1;
+    derivatives->values[71] = C0_51_sigma;
+    derivatives->values[72] = Kc_25_sigma;
+    derivatives->values[73] = C0_61_sigma;
+    derivatives->values[74] = C0_62_sigma;
+    derivatives->values[75] = Kc_46_sigma;
+    derivatives->values[76] = t225;
+    derivatives->values[77] = t229;
+    derivatives->values[78] = t230;
+    derivatives->values[79] = t231;
+    derivatives->values[80] = t232;
+    derivatives->values[81] = t233;
+    derivatives->values[82] = t234;
+    derivatives->values[83] = K0_34_g;
+    derivatives->values[84] = K0_44_g;
 }
 
 void motorcycle_f64_with_respect_to(const motorcycle_f64_derivatives_t *derivatives,
@@ -1911,163 +1910,159 @@ void motorcycle_f32_derivatives(const motorcycle_f32_t *p, motorcycle_f32_matric
     float s = 0.0F;
     float c = 0.0F;
     carvallo_sin_cos_f32(p->eps, &s, &c);
+    const float t6 = p->f * s;
     const float t10 = p->a + p->e;
-    const float k = (c * t10) - (p->f * s);
-    const float Sx_all = p->Mf * k;
+    const float t11 = c * t10;
+    const float t12 = t6 - t11;
+    const float K0_33_eps = p->Mf * t12;
     const float j = (p->f * c) + (s * t10);
     const float t17 = p->Mf * j;
     const float t19 = p->Mr * p->h;
     const float M_13 = t17 + t19;
-    const float t21 = s * t17;
-    const float t22 = 1.0F / c;
-    const float t23 = p->a * t22;
-    const float t24 = k - t23;
-    const float t25 = p->Mf * t24;
-    const float t26 = c * t25;
-    const float py_delta = t21 + t26;
+    const float t21 = 1.0F / c;
+    const float t22 = p->a * t21;
+    const float t23 = t12 + t22;
+    const float t24 = c * t23;
+    const float t25 = s * j;
+    const float K0_34_Mf = t24 - t25;
+    const float t27 = p->Mf * K0_34_Mf;
+    const float t29 = t12 * K0_33_eps;
     const float M_22_Ifx = s * s;
     const float M_33_Ifx = c * c;
-    const float t36 = (p->Ifx * M_22_Ifx) + (p->Ifz * M_33_Ifx);
-    const float M_22 = p->Irz + t36 + (k * Sx_all);
-    const float t40 = p->Ifz - p->Ifx;
+    const float t37 = (p->Ifx * M_22_Ifx) + (p->Ifz * M_33_Ifx);
+    const float M_22 = t29 + p->Irz + t37;
+    const float t41 = p->Ifx - p->Ifz;
     const float Jxz_delta_Ifz = s * c;
-    const float Jxz_delta = (t40 * Jxz_delta_Ifz) + (j * t25);
-    const float Jxz_all = Jxz_delta + (t17 * t23) - p->Crxz;
-    const float t49 = s * Jxz_delta;
-    const float t51 = t36 + (t24 * t25);
-    const float hz_delta = t49 + (c * t51);
-    const float M_psi_delta = hz_delta + (t23 * py_delta);
-    const float Jxx_delta = (p->Ifx * M_33_Ifx) + (M_22_Ifx * p->Ifz) + (j * t17);
-    const float M_33 = p->Irx + Jxx_delta + (p->h * t19);
-    const float t66 = c * Jxz_delta;
-    const float hx_delta = (s * Jxx_delta) + t66;
-    const float M_44 = (s * hx_delta) + (c * hz_delta);
+    const float t43 = t41 * Jxz_delta_Ifz;
+    const float t45 = t43 + (K0_33_eps * j);
+    const float t48 = t43 + (t17 * t23);
+    const float t50 = p->Mf * t23;
+    const float t52 = t37 + (t23 * t50);
+    const float t54 = (s * t48) - (c * t52);
+    const float Jxx_delta_Mf = j * j;
+    const float t60 = p->Mf * Jxx_delta_Mf;
+    const float Jxx_delta = (M_22_Ifx * p->Ifz) + (p->Ifx * M_33_Ifx) + t60;
+    const float M_33 = Jxx_delta + p->Irx + (p->h * t19);
+    const float hx_delta = (s * Jxx_delta) - (c * t48);
+    const float M_44 = (s * hx_delta) - (c * t54);
     const float C0_66_Cf1 = 1.0F / p->sigma;
     const float C0_55 = p->Cr1 * C0_66_Cf1;
-    const float C0_52 = C0_55 * p->b;
+    const float C0_52_Cr1 = C0_66_Cf1 * p->b;
+    const float C0_52 = p->Cr1 * C0_52_Cr1;
     const float C0_66 = C0_66_Cf1 * p->Cf1;
-    const float t81 = p->a - p->t;
-    const float l = t22 * t81;
+    const float t84 = p->a - p->t;
+    const float l = t21 * t84;
     const float Kc_26 = C0_66 * l;
-    const float t85 = p->a - (c * l);
-    const float C0_64 = C0_66 * t85;
+    const float t87 = c * t21;
+    const float t89 = p->a - (t84 * t87);
+    const float C0_64_Cf1 = C0_66_Cf1 * t89;
+    const float C0_64 = p->Cf1 * C0_64_Cf1;
     const float C1_32_ify = 1.0F / p->Rf;
     const float h_spin_F = p->ify * C1_32_ify;
     const float C1_32_iry = 1.0F / p->Rr;
-    const float t94 = p->iry * C1_32_iry;
-    const float h_wheels_all = h_spin_F + t94;
-    const float C1_43_eps = s * h_spin_F;
+    const float t99 = p->iry * C1_32_iry;
+    const float h_wheels_all = h_spin_F + t99;
+    const float C1_42_ify = s * C1_32_ify;
+    const float C1_43_eps = p->ify * C1_42_ify;
     const float C1_32 = M_13 + h_wheels_all;
     const float C1_34 = c * h_spin_F;
-    const float C1_42 = py_delta + C1_43_eps;
-    const float t103 = (Sx_all + (m_all * p->b)) / (p->b + l);
-    const float t107 = 1.0F / p->g;
-    const float t108 = p->Zf * t107;
-    const float rest = t103 - t108;
-    const float K0_34 = (p->t * rest) - py_delta - (t85 * t103);
-    const float K0_44 = s * K0_34;
+    const float C1_42 = C1_43_eps - t27;
+    const float t109 = (K0_33_eps - (m_all * p->b)) / (p->b + l);
+    const float t112 = 1.0F / p->g;
+    const float t113 = p->Zf * t112;
+    const float t114 = t109 + t113;
+    const float t116 = (p->t * t114) - t27;
+    const float t117 = t89 * t109;
+    const float t118 = t116 - t117;
     const float K1_53 = C0_66_Cf1 * p->Cr2;
-    const float t116 = p->sigma * p->sigma;
-    const float K1_66_Cf1 = 1.0F / t116;
+    const float t122 = p->sigma * p->sigma;
+    const float K1_66_Cf1 = 1.0F / t122;
     const float K1_55 = p->Cr1 * K1_66_Cf1;
     const float K1_63 = C0_66_Cf1 * p->Cf2;
-    const float t123 = (c * p->Cf1) + (s * p->Cf2);
-    const float K1_64 = C0_66_Cf1 * t123;
+    const float K1_64_Cf1 = c * C0_66_Cf1;
+    const float t129 = p->Cf1 * K1_64_Cf1;
+    const float K1_64 = (s * K1_63) + t129;
     const float K1_66 = p->Cf1 * K1_66_Cf1;
-    const float t127 = c * t24;
-    const float py_delta_Mf = t127 + (s * j);
-    const float M_22_Mf = k * k;
-    const float Jxz_delta_Mf = j * t24;
-    const float M_23_Mf = Jxz_delta_Mf + (j * t23);
-    const float hz_delta_Mf = (s * Jxz_delta_Mf) + (t24 * t127);
-    const float M_24_Mf = hz_delta_Mf + (t23 * py_delta_Mf);
-    const float Jxx_delta_Mf = j * j;
-    const float hx_delta_Mf = (s * Jxx_delta_Mf) + (c * Jxz_delta_Mf);
-    const float M_44_Mf = (s * hx_delta_Mf) + (c * hz_delta_Mf);
-    const float t146 = s * py_delta_Mf;
+    const float M_22_Mf = t12 * t12;
+    const float t134 = t12 * j;
+    const float M_24_Mf = t12 * K0_34_Mf;
+    const float t136 = j * K0_34_Mf;
+    const float M_44_Mf = K0_34_Mf * K0_34_Mf;
+    const float K0_44_Mf = s * K0_34_Mf;
     const float M_33_Mr = p->h * p->h;
-    const float hz_delta_Ifz = (s * Jxz_delta_Ifz) + (c * M_33_Ifx);
-    const float hx_delta_Ifz = (s * M_22_Ifx) + (c * Jxz_delta_Ifz);
-    const float M_44_Ifz = (s * hx_delta_Ifz) + (c * hz_delta_Ifz);
-    const float C1_42_ify = s * C1_32_ify;
+    const float t140 = M_22_Ifx + M_33_Ifx;
+    const float hz_delta_Ifz = c * t140;
+    const float hx_delta_Ifz = s * t140;
+    const float M_44_Ifz = t140 * t140;
     const float C1_34_ify = c * C1_32_ify;
     const float M_12_a = p->Mf * c;
     const float M_13_a = p->Mf * s;
-    const float M_22_k = Sx_all + Sx_all;
-    const float M_22_a = c * M_22_k;
-    const float M_23_j = p->Mf * t23;
-    const float t164 = s * M_23_j;
-    const float t165 = s * t25;
-    const float t166 = c - t22;
-    const float Jxz_delta_a = t165 + (t17 * t166);
-    const float M_23_a = t164 + Jxz_delta_a + (t17 * t22);
-    const float t174 = t26 + (p->Mf * t127);
-    const float M_24_a = (s * Jxz_delta_a) + (t166 * t174) + (t22 * py_delta);
-    const float Jxx_delta_j = t17 + t17;
-    const float hx_delta_j = s * Jxx_delta_j;
-    const float t181 = s * hx_delta_j;
-    const float hx_delta_a = t181 + (c * Jxz_delta_a);
-    const float Kc_26_a = t22 * C0_66;
-    const float py_delta_e = (p->Mf * M_33_Ifx) + (p->Mf * M_22_Ifx);
-    const float Jxz_delta_e = t165 + (c * t17);
-    const float M_23_e = t164 + Jxz_delta_e;
-    const float hz_delta_e = (s * Jxz_delta_e) + (c * t174);
-    const float M_24_e = hz_delta_e + (t23 * py_delta_e);
-    const float hx_delta_e = t181 + (c * Jxz_delta_e);
-    const float M_44_e = (s * hx_delta_e) + (c * hz_delta_e);
-    const float t201 = s * py_delta_e;
-    const float t202 = s * M_22_k;
-    const float Jxz_delta_f = t26 - t21;
-    const float M_23_f = Jxz_delta_f + (c * M_23_j);
-    const float hz_delta_f = s * (Jxz_delta_f - t174);
-    const float M_33_f = c * Jxx_delta_j;
-    const float hx_delta_f = c * (hx_delta_j + Jxz_delta_f);
+    const float t147 = c * K0_33_eps;
+    const float t148 = t147 + t147;
+    const float t149 = j * M_12_a;
+    const float t150 = t12 * M_13_a;
+    const float M_23_a = t149 - t150;
+    const float t152 = t50 * t87;
+    const float t153 = s * t17;
+    const float t157 = (c * t153) - (t50 * (M_33_Ifx + t140));
+    const float M_24_a = t152 + t157;
+    const float hx_delta_j = t153 + t153;
+    const float hz_delta_f = s * t27;
+    const float hx_delta_e = (t17 * t140) - hz_delta_f;
+    const float M_34_a = hx_delta_e - (t17 * t87);
+    const float Kc_26_a = t21 * C0_66;
+    const float py_delta_e = p->Mf * t140;
+    const float Jxx_delta_j = t22 * py_delta_e;
+    const float M_24_e = t157 + Jxx_delta_j;
+    const float M_44_e = (c * t157) + (s * hx_delta_e);
+    const float t172 = t140 * M_13_a;
+    const float M_22_f = t150 + t150;
+    const float t174 = t147 + t153;
+    const float M_33_f = t149 + t149;
+    const float t176 = c * t27;
     const float M_33_h = t19 + t19;
     const float C1_23_Rf = C1_32_ify * h_spin_F;
     const float C1_24_Rf = s * C1_23_Rf;
     const float C1_43_Rf = c * C1_23_Rf;
-    const float C1_23_Rr = C1_32_iry * t94;
-    const float C0_64_t = c * Kc_26_a;
-    const float K0_34_t = rest - (c * t22 * t103);
+    const float C1_23_Rr = C1_32_iry * t99;
+    const float C0_64_t = t21 * t129;
+    const float K0_34_t = (t87 * t109) - t114;
     const float K0_44_t = s * K0_34_t;
-    const float t221 = Jxz_delta_Ifz + Jxz_delta_Ifz;
-    const float t224 = (p->Ifx * t221) - (p->Ifz * t221);
-    const float M_22_eps = t224 - (j * M_22_k);
-    const float t231 = s * t22 * t22;
-    const float t232 = p->a * t231;
-    const float t233 = j + t232;
-    const float Jxz_delta_eps = (M_33_Ifx * t40) + (k * t25) - (M_22_Ifx * t40) - (t17 * t233);
-    const float M_23_eps = Jxz_delta_eps + (t17 * t232) + (k * M_23_j);
-    const float M_24_eps = t66 + (s * Jxz_delta_eps) + (c * t224) + (py_delta * t232) - (s * t51) -
-        (t174 * t233);
-    const float M_33_eps = (k * Jxx_delta_j) - t224;
-    const float hx_delta_eps = (c * Jxz_delta_eps) + (c * Jxx_delta) + (k * hx_delta_j) - t49 - (s *
-        t224);
-    const float Kc_26_eps = C0_66 * t81 * t231;
-    const float K0_44_eps = c * K0_34;
-    const float K1_64_eps = C0_66_Cf1 * ((c * p->Cf2) - (s * p->Cf1));
-    const float Kc_26_Cf1 = C0_66_Cf1 * l;
-    const float C0_64_Cf1 = C0_66_Cf1 * t85;
-    const float K1_64_Cf1 = c * C0_66_Cf1;
+    const float M_22_eps = t45 + t45;
+    const float t188 = t41 * (M_22_Ifx - M_33_Ifx);
+    const float M_23_eps = t29 + t188 - t60;
+    const float t196 = s * t21;
+    const float t197 = t22 * t196;
+    const float t198 = j + t197;
+    const float M_24_eps = (c * (t43 + (t50 * (t197 + t198)))) - (s * (t52 - M_23_eps - (t22 *
+        (K0_33_eps - t152))));
+    const float M_34_eps = (s * (t48 - M_22_eps)) + (c * (Jxx_delta + t188 + (t12 * t50) - (t17 *
+        t198)));
+    const float Kc_26_eps = Kc_26 * t196;
+    const float t214 = c * t118;
     const float K1_64_Cf2 = s * C0_66_Cf1;
-    const float C0_52_Cr1 = C0_66_Cf1 * p->b;
-    const float t274 = C0_66_Cf1 * C0_66_Cf1;
-    const float C0_51_sigma = p->Cr1 * t274;
-    const float Kc_25_sigma = p->b * C0_51_sigma;
-    const float C0_61_sigma = p->Cf1 * t274;
+    const float K1_64_eps = (p->Cf2 * K1_64_Cf1) - (p->Cf1 * K1_64_Cf2);
+    const float Kc_26_Cf1 = C0_66_Cf1 * l;
+    const float C0_51_sigma = C0_66_Cf1 * C0_55;
+    const float Kc_25_sigma = C0_55 * C0_52_Cr1;
+    const float C0_61_sigma = C0_66_Cf1 * C0_66;
     const float C0_62_sigma = l * C0_61_sigma;
-    const float Kc_46_sigma = t85 * C0_61_sigma;
-    const float t280 = p->Cr2 * t274;
-    const float t282 = 1.0F / (p->sigma * t116);
-    const float t283 = t282 + t282;
-    const float t284 = p->Cr1 * t283;
-    const float t285 = p->Cf2 * t274;
-    const float t286 = t123 * t274;
-    const float t287 = p->Cf1 * t283;
-    const float t288 = p->t * t107;
-    const float t289 = s * t288;
-    const float K0_34_g = t108 * t288;
-    const float K0_44_g = s * K0_34_g;
+    const float Kc_46_sigma = C0_66_Cf1 * C0_64;
+    const float t225 = C0_66_Cf1 * K1_53;
+    const float t227 = 1.0F / (p->sigma * t122);
+    const float t228 = t227 + t227;
+    const float t229 = p->Cr1 * t228;
+    const float t230 = C0_66_Cf1 * K1_63;
+    const float t231 = C0_66_Cf1 * K1_64;
+    const float t232 = p->Cf1 * t228;
+    const float t233 = p->t * t112;
+    const float t234 = s * t233;
+    const float K0_34_g = t113 * t233;
+    const float K0_44_g = t113 * t234;
+    const float M_12 = -K0_33_eps;
+    const float M_14 = -t27;
+    const float M_23 = -(p->Crxz + t45);
+    const float M_24 = -(t54 + (t22 * t27));
     const float C0_51 = -C0_55;
     const float C0_61 = -C0_66;
     const float C0_62 = -Kc_26;
@@ -2077,26 +2072,30 @@ void motorcycle_f32_derivatives(const motorcycle_f32_t *p, motorcycle_f32_matric
     const float Kc_25 = -C0_52;
     const float Kc_46 = -C0_64;
     const float K0_33 = -M_13;
+    const float K0_34 = t117 - t116;
+    const float K0_44 = -(s * t118);
+    const float M_12_Mf = t11 - t6;
+    const float M_14_Mf = t25 - t24;
     matrices->m[0][0] = m_all;
-    matrices->m[0][1] = Sx_all;
+    matrices->m[0][1] = M_12;
     matrices->m[0][2] = M_13;
-    matrices->m[0][3] = py_delta;
+    matrices->m[0][3] = M_14;
     matrices->m[0][4] = 0.0F;
     matrices->m[0][5] = 0.0F;
-    matrices->m[1][0] = Sx_all;
+    matrices->m[1][0] = M_12;
     matrices->m[1][1] = M_22;
-    matrices->m[1][2] = Jxz_all;
-    matrices->m[1][3] = M_psi_delta;
+    matrices->m[1][2] = M_23;
+    matrices->m[1][3] = M_24;
     matrices->m[1][4] = 0.0F;
     matrices->m[1][5] = 0.0F;
     matrices->m[2][0] = M_13;
-    matrices->m[2][1] = Jxz_all;
+    matrices->m[2][1] = M_23;
     matrices->m[2][2] = M_33;
     matrices->m[2][3] = hx_delta;
     matrices->m[2][4] = 0.0F;
     matrices->m[2][5] = 0.0F;
-    matrices->m[3][0] = py_delta;
-    matrices->m[3][1] = M_psi_delta;
+    matrices->m[3][0] = M_14;
+    matrices->m[3][1] = M_24;
     matrices->m[3][2] = hx_delta;
     matrices->m[3][3] = M_44;
     matrices->m[3][4] = 0.0F;
@@ -2156,7 +2155,7 @@ void motorcycle_f32_derivatives(const motorcycle_f32_t *p, motorcycle_f32_matric
     matrices->c1[0][4] = 0.0F;
     matrices->c1[0][5] = 0.0F;
     matrices->c1[1][0] = 0.0F;
-    matrices->c1[1][1] = Sx_all;
+    matrices->c1[1][1] = M_12;
     matrices->c1[1][2] = C1_23;
     matrices->c1[1][3] = C1_24;
     matrices->c1[1][4] = 0.0F;
@@ -2294,49 +2293,49 @@ void motorcycle_f32_derivatives(const motorcycle_f32_t *p, motorcycle_f32_matric
     matrices->k1[5][4] = 0.0F;
     matrices->k1[5][5] = K1_66;
     derivatives->values[0] = 1.0F;
-    derivatives->values[1] = k;
+    derivatives->values[1] = M_12_Mf;
     derivatives->values[2] = j;
-    derivatives->values[3] = py_delta_Mf;
+    derivatives->values[3] = M_14_Mf;
     derivatives->values[4] = M_22_Mf;
-    derivatives->values[5] = M_23_Mf;
+    derivatives->values[5] = t134;
     derivatives->values[6] = M_24_Mf;
     derivatives->values[7] = Jxx_delta_Mf;
-    derivatives->values[8] = hx_delta_Mf;
+    derivatives->values[8] = t136;
     derivatives->values[9] = M_44_Mf;
-    derivatives->values[10] = t146;
-    derivatives->values[11] = p->h;
-    derivatives->values[12] = M_33_Mr;
-    derivatives->values[13] = (-1.0F);
-    derivatives->values[14] = M_22_Ifx;
-    derivatives->values[15] = Jxz_delta_Ifz;
-    derivatives->values[16] = M_33_Ifx;
-    derivatives->values[17] = hz_delta_Ifz;
-    derivatives->values[18] = hx_delta_Ifz;
-    derivatives->values[19] = M_44_Ifz;
-    derivatives->values[20] = C1_32_ify;
-    derivatives->values[21] = C1_42_ify;
-    derivatives->values[22] = C1_34_ify;
-    derivatives->values[23] = C1_32_iry;
-    derivatives->values[24] = M_12_a;
-    derivatives->values[25] = M_13_a;
-    derivatives->values[26] = M_22_a;
-    derivatives->values[27] = M_23_a;
-    derivatives->values[28] = M_24_a;
-    derivatives->values[29] = hx_delta_j;
-    derivatives->values[30] = hx_delta_a;
-    derivatives->values[31] = Kc_26_a;
-    derivatives->values[32] = C0_55;
-    derivatives->values[33] = py_delta_e;
-    derivatives->values[34] = M_23_e;
+    derivatives->values[10] = K0_34_Mf;
+    derivatives->values[11] = K0_44_Mf;
+    derivatives->values[12] = p->h;
+    derivatives->values[13] = M_33_Mr;
+    derivatives->values[14] = (-1.0F);
+    derivatives->values[15] = M_22_Ifx;
+    derivatives->values[16] = Jxz_delta_Ifz;
+    derivatives->values[17] = M_33_Ifx;
+    derivatives->values[18] = hz_delta_Ifz;
+    derivatives->values[19] = hx_delta_Ifz;
+    derivatives->values[20] = M_44_Ifz;
+    derivatives->values[21] = C1_32_ify;
+    derivatives->values[22] = C1_42_ify;
+    derivatives->values[23] = C1_34_ify;
+    derivatives->values[24] = C1_32_iry;
+    derivatives->values[25] = M_12_a;
+    derivatives->values[26] = M_13_a;
+    derivatives->values[27] = t148;
+    derivatives->values[28] = M_23_a;
+    derivatives->values[29] = M_24_a;
+    derivatives->values[30] = hx_delta_j;
+    derivatives->values[31] = M_34_a;
+    derivatives->values[32] = Kc_26_a;
+    derivatives->values[33] = C0_55;
+    derivatives->values[34] = py_delta_e;
     derivatives->values[35] = M_24_e;
     derivatives->values[36] = hx_delta_e;
     derivatives->values[37] = M_44_e;
-    derivatives->values[38] = t201;
-    derivatives->values[39] = t202;
-    derivatives->values[40] = M_23_f;
+    derivatives->values[38] = t172;
+    derivatives->values[39] = M_22_f;
+    derivatives->values[40] = t174;
     derivatives->values[41] = hz_delta_f;
     derivatives->values[42] = M_33_f;
-    derivatives->values[43] = hx_delta_f;
+    derivatives->values[43] = t176;
     derivatives->values[44] = p->Mr;
     derivatives->values[45] = M_33_h;
     derivatives->values[46] = C1_23_Rf;
@@ -2347,38 +2346,37 @@ void motorcycle_f32_derivatives(const motorcycle_f32_t *p, motorcycle_f32_matric
     derivatives->values[51] = K0_34_t;
     derivatives->values[52] = K0_44_t;
     derivatives->values[53] = t17;
-    derivatives->values[54] = Sx_all;
+    derivatives->values[54] = K0_33_eps;
     derivatives->values[55] = M_22_eps;
     derivatives->values[56] = M_23_eps;
     derivatives->values[57] = M_24_eps;
-    derivatives->values[58] = M_33_eps;
-    derivatives->values[59] = hx_delta_eps;
-    derivatives->values[60] = Kc_26_eps;
-    derivatives->values[61] = C1_34;
-    derivatives->values[62] = C1_43_eps;
-    derivatives->values[63] = K0_44_eps;
-    derivatives->values[64] = K1_64_eps;
-    derivatives->values[65] = C0_66_Cf1;
-    derivatives->values[66] = Kc_26_Cf1;
-    derivatives->values[67] = C0_64_Cf1;
-    derivatives->values[68] = K1_64_Cf1;
-    derivatives->values[69] = K1_66_Cf1;
-    derivatives->values[70] = K1_64_Cf2;
-    derivatives->values[71] = C0_52_Cr1;
-    derivatives->values[72] = C0_51_sigma;
-    derivatives->values[73] = Kc_25_sigma;
-    derivatives->values[74] = C0_61_sigma;
-    derivatives->values[75] = C0_62_sigma;
-    derivatives->values[76] = Kc_46_sigma;
-    derivatives->values[77] = t280;
-    derivatives->values[78] = t284;
-    derivatives->values[79] = t285;
-    derivatives->values[80] = t286;
-    derivatives->values[81] = t287;
-    derivatives->values[82] = t288;
-    derivatives->values[83] = t289;
-    derivatives->values[84] = K0_34_g;
-    derivatives->values[85] = K0_44_g;
+    derivatives->values[58] = M_34_eps;
+    derivatives->values[59] = Kc_26_eps;
+    derivatives->values[60] = C1_34;
+    derivatives->values[61] = C1_43_eps;
+    derivatives->values[62] = t214;
+    derivatives->values[63] = K1_64_eps;
+    derivatives->values[64] = C0_66_Cf1;
+    derivatives->values[65] = Kc_26_Cf1;
+    derivatives->values[66] = C0_64_Cf1;
+    derivatives->values[67] = K1_64_Cf1;
+    derivatives->values[68] = K1_66_Cf1;
+    derivatives->values[69] = K1_64_Cf2;
+    derivatives->values[70] = C0_52_Cr1;
+    derivatives->values[71] = C0_51_sigma;
+    derivatives->values[72] = Kc_25_sigma;
+    derivatives->values[73] = C0_61_sigma;
+    derivatives->values[74] = C0_62_sigma;
+    derivatives->values[75] = Kc_46_sigma;
+    derivatives->values[76] = t225;
+    derivatives->values[77] = t229;
+    derivatives->values[78] = t230;
+    derivatives->values[79] = t231;
+    derivatives->values[80] = t232;
+    derivatives->values[81] = t233;
+    derivatives->values[82] = t234;
+    derivatives->values[83] = K0_34_g;
+    derivatives->values[84] = K0_44_g;
 }
 
 void motorcycle_f32_with_respect_to(const motorcycle_f32_derivatives_t *derivatives,

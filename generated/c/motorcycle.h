@@ -346,12 +346,12 @@ void motorcycle_f64_kinematics(const motorcycle_f64_t *p, motorcycle_f64_kinemat
  * parameters, each value once. Which is which is said by `motorcycle_partials`.
  */
 typedef struct {
-    double values[86];
+    double values[85];
 } motorcycle_f64_derivatives_t;
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 87 additions, 167 multiplications, 8 divisions, 9 negations and 2 trigonometric functions: 273 operations.
+ * 71 additions, 131 multiplications, 8 divisions, 14 negations and 2 trigonometric functions: 226 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -583,12 +583,12 @@ void motorcycle_f32_kinematics(const motorcycle_f32_t *p, motorcycle_f32_kinemat
  * parameters, each value once. Which is which is said by `motorcycle_partials`.
  */
 typedef struct {
-    float values[86];
+    float values[85];
 } motorcycle_f32_derivatives_t;
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 87 additions, 167 multiplications, 8 divisions, 9 negations and 2 trigonometric functions: 273 operations.
+ * 71 additions, 131 multiplications, 8 divisions, 14 negations and 2 trigonometric functions: 226 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

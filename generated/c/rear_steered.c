@@ -105,21 +105,21 @@ const carvallo_partial_t rear_steered_partials[REAR_STEERED_PARTIALS] = {
     {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 2U, false},
     {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 3U, false},
     {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 4U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 5U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 5U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 5U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 5U, true},
     {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 6U, false},
     {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 7U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 8U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 8U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 1U, 9U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 1U, 9U, false},
     {CARVALLO_MATRIX_M, 1U, 1U, 1U, 10U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 11U, false},
     {CARVALLO_MATRIX_C1, 1U, 0U, 1U, 12U, true},
     {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 13U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 1U, 14U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 1U, 14U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 15U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 16U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 1U, 14U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 1U, 14U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 15U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 16U, true},
     {CARVALLO_MATRIX_M, 0U, 1U, 2U, 17U, true},
     {CARVALLO_MATRIX_M, 1U, 0U, 2U, 17U, true},
     {CARVALLO_MATRIX_M, 1U, 1U, 2U, 18U, false},
@@ -183,16 +183,16 @@ const carvallo_partial_t rear_steered_partials[REAR_STEERED_PARTIALS] = {
     {CARVALLO_MATRIX_M, 1U, 0U, 15U, 64U, false},
     {CARVALLO_MATRIX_M, 1U, 1U, 15U, 65U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 15U, 66U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 15U, 67U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 15U, 67U, false},
     {CARVALLO_MATRIX_K0, 0U, 1U, 15U, 68U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 15U, 68U, false},
     {CARVALLO_MATRIX_K0, 1U, 1U, 15U, 69U, true},
     {CARVALLO_MATRIX_K2, 1U, 1U, 15U, 70U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 16U, 71U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 16U, 72U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 16U, 72U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 73U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 74U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 16U, 72U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 16U, 72U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 73U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 74U, true},
     {CARVALLO_MATRIX_C1, 1U, 1U, 16U, 75U, false},
     {CARVALLO_MATRIX_K0, 0U, 0U, 16U, 76U, false},
     {CARVALLO_MATRIX_K0, 0U, 1U, 16U, 77U, true},
@@ -204,8 +204,8 @@ const carvallo_partial_t rear_steered_partials[REAR_STEERED_PARTIALS] = {
     {CARVALLO_MATRIX_M, 0U, 1U, 17U, 82U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 17U, 82U, false},
     {CARVALLO_MATRIX_M, 1U, 1U, 17U, 83U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 84U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 85U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 84U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 85U, true},
     {CARVALLO_MATRIX_K0, 0U, 0U, 17U, 86U, false},
     {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 87U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 87U, false},
@@ -224,17 +224,17 @@ const carvallo_partial_t rear_steered_partials[REAR_STEERED_PARTIALS] = {
     {CARVALLO_MATRIX_C1, 0U, 1U, 21U, 63U, false},
     {CARVALLO_MATRIX_C1, 1U, 1U, 21U, 97U, true},
     {CARVALLO_MATRIX_M, 0U, 0U, 22U, 98U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 22U, 99U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 22U, 99U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 22U, 100U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 22U, 99U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 22U, 99U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 22U, 100U, true},
     {CARVALLO_MATRIX_C1, 0U, 1U, 22U, 101U, false},
     {CARVALLO_MATRIX_C1, 1U, 0U, 22U, 102U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 22U, 103U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 22U, 103U, true},
     {CARVALLO_MATRIX_K0, 0U, 0U, 22U, 104U, true},
     {CARVALLO_MATRIX_K0, 0U, 1U, 22U, 105U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 22U, 105U, false},
     {CARVALLO_MATRIX_K0, 1U, 1U, 22U, 106U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 107U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 107U, true},
     {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 108U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 23U, 109U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 23U, 110U, false},
@@ -245,9 +245,9 @@ const carvallo_partial_t rear_steered_partials[REAR_STEERED_PARTIALS] = {
     {CARVALLO_MATRIX_K0, 0U, 0U, 23U, 114U, true},
     {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 115U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 115U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 116U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 116U, false},
     {CARVALLO_MATRIX_K2, 0U, 1U, 23U, 117U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 118U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 118U, true},
     {CARVALLO_MATRIX_M, 0U, 0U, 24U, 35U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 24U, 91U, true},
     {CARVALLO_MATRIX_M, 1U, 0U, 24U, 91U, true},
@@ -550,243 +550,232 @@ void rear_steered_f64_kinematics(const rear_steered_f64_t *p, rear_steered_f64_k
 void rear_steered_f64_derivatives(const rear_steered_f64_t *p,
     rear_steered_f64_matrices_t *matrices, rear_steered_f64_derivatives_t *derivatives)
 {
-    const double t6 = p->zH * p->mH;
-    const double t10 = p->rF * p->mF;
-    const double Jxx_delta = p->IHxx + p->IFxx + (p->zH * t6) + (p->rF * t10);
-    const double t17 = p->rR * p->mR;
-    const double t21 = p->zB * p->mB;
-    const double M_11 = p->IRxx + p->IBxx + Jxx_delta + (p->rR * t17) + (p->zB * t21);
+    const double M_11_mF = p->rF * p->rF;
+    const double Jxx_delta_mH = p->zH * p->zH;
+    const double Jxx_delta = p->IHxx + (p->mF * M_11_mF) + p->IFxx + (p->mH * Jxx_delta_mH);
+    const double t17 = p->zB * p->mB;
+    const double M_11_mR = p->rR * p->rR;
+    const double M_11 = p->IBxx + Jxx_delta + p->IRxx + (p->zB * t17) + (p->mR * M_11_mR);
     double sin_lam = 0.0;
     double cos_lam = 0.0;
     carvallo_sin_cos_f64(p->lam, &sin_lam, &cos_lam);
-    const double t32 = p->w + p->c;
-    const double t34 = t32 - p->xH;
-    const double t35 = p->mH * t34;
-    const double Jxz_delta = (t10 * p->c) - (p->zH * t35) - p->IHxz;
-    const double t42 = Jxz_delta * cos_lam;
-    const double hx_delta = t42 - (Jxx_delta * sin_lam);
-    const double t44 = 1.0 / p->w;
-    const double C1_12_IBxz = cos_lam * t44;
-    const double yaw_by_delta = p->c * C1_12_IBxz;
-    const double Sz_delta = t6 - t10;
-    const double Jxz_all = Jxz_delta + (t21 * p->xB) + (t32 * Sz_delta) - p->IBxz;
-    const double M_12 = hx_delta + (yaw_by_delta * Jxz_all);
-    const double t58 = sin_lam * Jxz_delta;
-    const double t60 = p->IFxx + p->IHzz;
-    const double t61 = p->mF * p->c;
-    const double t65 = t60 + (p->c * t61) + (t34 * t35);
-    const double hz_delta = (cos_lam * t65) - t58;
-    const double t70 = t35 + t61;
-    const double py_delta = (sin_lam * Sz_delta) + (cos_lam * t70);
-    const double M_yaw_delta = hz_delta - (t32 * py_delta);
-    const double t76 = p->mF * p->w;
-    const double t78 = p->mB * p->xB;
-    const double t80 = p->mH * p->xH;
-    const double P_delta_yaw_yaw_by_delta = p->IRxx + t60 + p->IBzz + (p->w * t76) + (p->xB * t78) +
-        (p->xH * t80);
-    const double t87 = yaw_by_delta * P_delta_yaw_yaw_by_delta;
-    const double P_delta_yaw = M_yaw_delta + t87;
-    const double t89 = M_yaw_delta + P_delta_yaw;
-    const double M_22 = (cos_lam * hz_delta) + (yaw_by_delta * t89) - (sin_lam * hx_delta);
-    const double t95 = 1.0 / p->rF;
-    const double h_spin_R = p->IFyy * t95;
-    const double t97 = cos_lam * h_spin_R;
-    const double t98 = C1_12_IBxz * Jxz_all;
+    const double t31 = p->mF * p->c;
+    const double t34 = p->mH * p->zH;
+    const double t36 = p->c + p->w;
+    const double t38 = t36 - p->xH;
+    const double t41 = (p->rF * t31) - p->IHxz - (t34 * t38);
+    const double t43 = t41 * cos_lam;
+    const double t44 = (Jxx_delta * sin_lam) - t43;
+    const double t45 = p->mF * p->rF;
+    const double Sz_delta = t34 - t45;
+    const double t53 = t41 + (t36 * Sz_delta) + (t17 * p->xB) - p->IBxz;
+    const double t54 = 1.0 / p->w;
+    const double t55 = p->c * t54;
+    const double yaw_by_delta = cos_lam * t55;
+    const double M_12 = (t53 * yaw_by_delta) - t44;
+    const double t60 = sin_lam * t41;
+    const double t63 = p->IFxx + p->IHzz;
+    const double t64 = p->mH * t38;
+    const double t67 = (p->c * t31) + t63 + (t38 * t64);
+    const double hz_delta = (cos_lam * t67) - t60;
+    const double t71 = t31 + t64;
+    const double py_delta = (sin_lam * Sz_delta) + (cos_lam * t71);
+    const double M_yaw_delta = hz_delta - (t36 * py_delta);
+    const double t77 = p->mH * p->xH;
+    const double t79 = p->mF * p->w;
+    const double t81 = p->mB * p->xB;
+    const double t87 = p->IRxx + t63 + p->IBzz + (p->xH * t77) + (p->w * t79) + (p->xB * t81);
+    const double t88 = yaw_by_delta * t87;
+    const double P_delta_yaw = M_yaw_delta + t88;
+    const double t92 = hz_delta + (t55 * (M_yaw_delta + P_delta_yaw));
+    const double M_22 = (sin_lam * t44) + (cos_lam * t92);
+    const double t97 = 1.0 / p->rF;
+    const double h_spin_R = p->IFyy * t97;
     const double t100 = 1.0 / p->rR;
     const double t101 = p->IRyy * t100;
     const double h_wheels_all = h_spin_R + t101;
-    const double Sz_all = t21 + Sz_delta - t17;
-    const double t105 = h_wheels_all - Sz_all;
-    const double C1_12 = t97 + (yaw_by_delta * t105) - t98;
-    const double t113 = t76 + t78 + t80;
-    const double t114 = yaw_by_delta * t113;
-    const double P_delta_lateral = py_delta - t114;
-    const double C1_22 = (yaw_by_delta * P_delta_lateral) - (C1_12_IBxz * P_delta_yaw);
-    const double K0_22 = sin_lam * P_delta_lateral;
-    const double t120 = sin_lam * h_spin_R;
-    const double t121 = t120 - P_delta_lateral;
-    const double K2_22 = C1_12_IBxz * t121;
-    const double M_12_Jxz_delta = cos_lam + yaw_by_delta;
-    const double M_12_xH = t6 * M_12_Jxz_delta;
-    const double t126 = (yaw_by_delta * Sz_delta) - M_12_xH;
-    const double t127 = t44 * C1_12_IBxz;
-    const double t128 = p->c * Jxz_all;
-    const double M_12_w = t126 - (t127 * t128);
-    const double t131 = t34 * cos_lam;
-    const double t134 = (p->mH * t131) + (t35 * cos_lam);
-    const double t135 = yaw_by_delta + yaw_by_delta;
-    const double M_22_hz_delta = cos_lam + t135;
-    const double M_22_IHxz = sin_lam * (cos_lam + M_22_hz_delta);
-    const double t141 = p->mH * cos_lam;
-    const double t142 = t32 * t135;
-    const double t145 = (t134 * M_22_hz_delta) + (t6 * M_22_IHxz) - (t141 * t142);
-    const double t147 = t145 - (py_delta * t135);
-    const double t148 = p->w * yaw_by_delta;
-    const double P_delta_yaw_w = (p->mF * t148) + (yaw_by_delta * t76);
-    const double M_22_yaw_by_delta = t87 + t89;
-    const double t154 = p->c * M_22_yaw_by_delta;
-    const double M_22_w = t147 + (yaw_by_delta * P_delta_yaw_w) - (t127 * t154);
-    const double t158 = t6 * C1_12_IBxz;
-    const double t160 = t158 - (C1_12_IBxz * Sz_delta);
-    const double t162 = (p->c * t105) - Jxz_all;
-    const double C1_12_w = t160 - (t127 * t162);
-    const double t165 = p->c * h_wheels_all;
-    const double C1_21_w = t127 * t165;
-    const double C1_22_Jxz_delta = sin_lam * C1_12_IBxz;
-    const double C1_22_py_delta = t32 * C1_12_IBxz;
-    const double t173 = (t141 * C1_22_py_delta) - (C1_12_IBxz * t134) - (t6 * C1_22_Jxz_delta);
-    const double t175 = t173 + (C1_12_IBxz * py_delta);
-    const double t178 = p->c * t113;
-    const double t180 = (p->mF * yaw_by_delta) - (t127 * t178);
-    const double P_delta_lateral_w = t141 - t180;
-    const double C1_22_yaw_by_delta = P_delta_lateral - (C1_12_IBxz * P_delta_yaw_yaw_by_delta);
-    const double t186 = (p->c * C1_22_yaw_by_delta) - P_delta_yaw;
-    const double C1_22_w = t175 + (yaw_by_delta * P_delta_lateral_w) - (C1_12_IBxz *
-        P_delta_yaw_w) - (t127 * t186);
-    const double K0_22_w = sin_lam * P_delta_lateral_w;
-    const double K2_12_w = t105 * t127;
-    const double t195 = (C1_12_IBxz * P_delta_lateral_w) + (t121 * t127);
-    const double M_12_c = t98 + t126 + (t10 * M_12_Jxz_delta);
+    const double t103 = p->mR * p->rR;
+    const double K0_11 = t17 + Sz_delta - t103;
+    const double t106 = h_wheels_all - K0_11;
+    const double t109 = t54 * ((p->c * t106) - t53);
+    const double t110 = h_spin_R + t109;
+    const double C1_12 = cos_lam * t110;
+    const double t112 = cos_lam * h_spin_R;
+    const double C1_12_IBxz = cos_lam * t54;
+    const double t114 = h_wheels_all * C1_12_IBxz;
+    const double t118 = t77 + t79 + t81;
+    const double M_22_yaw_by_delta = t54 * t118;
     const double py_delta_mF = p->c * cos_lam;
-    const double hz_delta_c = (p->mF * py_delta_mF) + (cos_lam * t61);
-    const double py_delta_c = p->mF * cos_lam;
-    const double M_22_c = t147 + (C1_12_IBxz * M_22_yaw_by_delta) + (M_22_hz_delta * hz_delta_c) -
-        (t10 * M_22_IHxz) - (t142 * py_delta_c);
-    const double C1_12_c = t160 + (C1_12_IBxz * (t105 - t10));
-    const double t215 = C1_12_IBxz * h_wheels_all;
-    const double K0_12_c = (C1_12_IBxz * t113) - t141 - py_delta_c;
-    const double C1_22_c = t175 + (t10 * C1_22_Jxz_delta) + (C1_12_IBxz * (C1_22_yaw_by_delta -
-        hz_delta_c)) + (C1_22_py_delta * py_delta_c) - (yaw_by_delta * K0_12_c);
-    const double t228 = sin_lam * K0_12_c;
-    const double K2_22_c = C1_12_IBxz * K0_12_c;
-    const double t231 = t58 + (Jxx_delta * cos_lam);
-    const double t232 = sin_lam * t44;
-    const double t234 = t231 + (t128 * t232);
-    const double t239 = t42 + (sin_lam * t65);
-    const double py_delta_lam = (cos_lam * Sz_delta) - (sin_lam * t70);
-    const double M_22_lam = (sin_lam * t231) - (cos_lam * hx_delta) - (sin_lam * hz_delta) -
-        (M_22_hz_delta * t239) - (t154 * t232) - (t142 * py_delta_lam);
-    const double t252 = t120 + (t162 * t232);
-    const double C1_21_lam = t120 + (t165 * t232);
-    const double P_delta_lateral_lam = py_delta_lam + (t178 * t232);
-    const double C1_22_lam = (C1_12_IBxz * t239) + (yaw_by_delta * P_delta_lateral_lam) +
-        (C1_22_py_delta * py_delta_lam) - (t186 * t232);
-    const double K0_22_lam = (sin_lam * P_delta_lateral_lam) + (cos_lam * P_delta_lateral);
-    const double K2_12_lam = t105 * t232;
-    const double K2_22_lam = (C1_12_IBxz * (t97 - P_delta_lateral_lam)) - (t121 * t232);
-    const double M_11_rR = t17 + t17;
-    const double t273 = t100 * t101;
-    const double t274 = p->mR - t273;
-    const double C1_12_rR = yaw_by_delta * t274;
-    const double C1_21_rR = yaw_by_delta * t273;
-    const double t277 = C1_12_IBxz * t274;
-    const double M_11_mR = p->rR * p->rR;
-    const double C1_12_mR = p->rR * yaw_by_delta;
-    const double t280 = p->rR * C1_12_IBxz;
-    const double M_22_IRxx = yaw_by_delta * yaw_by_delta;
-    const double t283 = C1_12_IBxz * yaw_by_delta;
-    const double C1_12_IRyy = yaw_by_delta * t100;
-    const double t285 = C1_12_IBxz * t100;
-    const double M_12_xB = t21 * yaw_by_delta;
-    const double K0_12_mB = yaw_by_delta * p->xB;
+    const double t121 = M_22_yaw_by_delta * py_delta_mF;
+    const double P_delta_lateral = py_delta - t121;
+    const double t124 = P_delta_yaw - (p->c * P_delta_lateral);
+    const double K0_22 = sin_lam * P_delta_lateral;
+    const double C1_12_c = t106 * C1_12_IBxz;
+    const double t128 = sin_lam * h_spin_R;
+    const double t129 = P_delta_lateral - t128;
+    const double t130 = C1_12_IBxz * t129;
+    const double M_12_Jxz_delta = cos_lam + yaw_by_delta;
+    const double M_12_xH = t34 * M_12_Jxz_delta;
+    const double t134 = cos_lam * Sz_delta;
+    const double M_12_c = (t53 * C1_12_IBxz) - t134;
+    const double t138 = yaw_by_delta + yaw_by_delta;
+    const double t139 = C1_12_IBxz * t138;
+    const double t140 = t79 * t139;
+    const double t142 = P_delta_yaw * (C1_12_IBxz + C1_12_IBxz);
+    const double t146 = t38 * cos_lam;
+    const double M_22_hz_delta = yaw_by_delta + M_12_Jxz_delta;
+    const double t148 = t146 * M_22_hz_delta;
+    const double C1_22_py_delta = t36 * C1_12_IBxz;
+    const double t150 = py_delta_mF * C1_22_py_delta;
+    const double t151 = sin_lam * M_12_Jxz_delta;
+    const double M_22_IHxz = t151 + t151;
+    const double t154 = t148 + (p->zH * M_22_IHxz);
+    const double t158 = p->mH * (t148 + t154 - t150 - t150);
+    const double t160 = (py_delta * t138) - t158;
+    const double M_22_w = (p->c * (t140 - (t54 * t142))) - t160;
+    const double P_delta_yaw_mB = t45 - t109;
+    const double C1_12_w = C1_12_IBxz * P_delta_yaw_mB;
+    const double C1_21_w = t55 * t114;
+    const double t165 = p->mF - M_22_yaw_by_delta;
+    const double hz_delta_mF = p->mH - (t55 * t165);
+    const double t169 = p->xH * cos_lam;
+    const double t170 = p->zH * sin_lam;
+    const double py_delta_mH = t146 + t170;
+    const double t173 = p->mH * (py_delta_mH - t169);
+    const double t174 = py_delta - t173;
+    const double t175 = t88 + t124;
+    const double P_delta_yaw_xB = t54 * t175;
+    const double C1_22_w = (C1_12_IBxz * ((py_delta_mF * hz_delta_mF) + t174 + P_delta_yaw_xB)) -
+        t140;
+    const double P_delta_lateral_w = cos_lam * hz_delta_mF;
+    const double K0_22_w = sin_lam * P_delta_lateral_w;
+    const double K2_12_w = t54 * C1_12_c;
+    const double hz_delta_mH = cos_lam * P_delta_lateral_w;
+    const double K2_22_w = t54 * (t130 - hz_delta_mH);
+    const double t187 = M_12_Jxz_delta - C1_22_py_delta;
+    const double t190 = t31 * cos_lam * (yaw_by_delta + t187);
+    const double M_22_c = t142 + t190 + t190 - t160 - (t45 * M_22_IHxz);
+    const double t197 = p->rF * sin_lam;
+    const double t198 = py_delta_mF - t197;
+    const double t201 = p->mH + t165;
+    const double P_delta_yaw_mF = P_delta_lateral + t174 + (p->mF * ((p->w * cos_lam) - t198)) +
+        (py_delta_mF * t201) - (t87 * C1_12_IBxz);
+    const double C1_22_c = C1_12_IBxz * P_delta_yaw_mF;
+    const double t209 = cos_lam * t201;
+    const double K0_22_c = sin_lam * t209;
+    const double t211 = C1_12_IBxz * t209;
+    const double t213 = t60 + (Jxx_delta * cos_lam);
+    const double t214 = sin_lam * t54;
+    const double t215 = p->c * t214;
+    const double t217 = t213 + (t53 * t215);
+    const double py_delta_lam = t134 - (sin_lam * t71);
+    const double t224 = t36 * py_delta_lam;
+    const double P_delta_yaw_xH = cos_lam * t44;
+    const double t228 = t43 + (sin_lam * t67);
+    const double t231 = P_delta_yaw_xH - (sin_lam * (t92 + (t55 * t88) - t213)) - (t138 * t224);
+    const double M_22_lam = t231 - (M_22_hz_delta * t228);
+    const double t233 = sin_lam * t110;
+    const double C1_21_lam = t128 + (h_wheels_all * t215);
+    const double P_delta_lateral_lam = py_delta_lam + (t118 * t215);
+    const double C1_22_lam = (t175 * t214) + (C1_12_IBxz * (t224 + t228 + (p->c *
+        P_delta_lateral_lam)));
+    const double K0_22_lam = (cos_lam * P_delta_lateral) + (sin_lam * P_delta_lateral_lam);
+    const double K2_12_lam = t106 * t214;
+    const double K2_22_lam = (t129 * t214) + (C1_12_IBxz * (t112 - P_delta_lateral_lam));
+    const double M_11_rR = t103 + t103;
+    const double t254 = p->mR - (t100 * t101);
+    const double C1_12_rR = yaw_by_delta * t254;
+    const double t256 = t100 * C1_12_IBxz;
+    const double C1_12_IRyy = p->c * t256;
+    const double C1_21_rR = t101 * C1_12_IRyy;
+    const double t259 = C1_12_IBxz * t254;
+    const double t260 = p->rR * C1_12_IBxz;
+    const double C1_12_mR = p->c * t260;
+    const double t263 = yaw_by_delta * C1_12_IBxz;
+    const double M_22_IRxx = p->c * t263;
+    const double M_12_xB = t17 * yaw_by_delta;
+    const double K0_12_mB = p->xB * yaw_by_delta;
     const double M_12_zB = p->mB * K0_12_mB;
-    const double P_delta_yaw_xB = M_12_zB + (yaw_by_delta * t78);
-    const double M_22_xB = yaw_by_delta * P_delta_yaw_xB;
-    const double t292 = t21 * C1_12_IBxz;
-    const double K0_12_xB = p->mB * yaw_by_delta;
-    const double t296 = (C1_12_IBxz * P_delta_yaw_xB) + (yaw_by_delta * K0_12_xB);
-    const double t297 = sin_lam * K0_12_xB;
-    const double K2_22_xB = C1_12_IBxz * K0_12_xB;
-    const double M_11_zB = t21 + t21;
-    const double t301 = yaw_by_delta + (C1_12_IBxz * p->xB);
-    const double t302 = p->mB * t301;
+    const double M_22_xB = t138 * M_12_zB;
     const double K2_12_zB = p->mB * C1_12_IBxz;
+    const double t270 = p->zB * K2_12_zB;
+    const double t271 = p->c + p->xB;
+    const double K2_22_xB = yaw_by_delta * K2_12_zB;
+    const double t274 = (p->xB + t271) * K2_22_xB;
+    const double K0_12_xB = p->mB * yaw_by_delta;
+    const double t276 = sin_lam * K0_12_xB;
+    const double M_11_zB = t17 + t17;
+    const double t278 = K2_12_zB * t271;
     const double M_11_mB = p->zB * p->zB;
     const double M_12_mB = p->zB * K0_12_mB;
-    const double P_delta_yaw_mB = p->xB * K0_12_mB;
-    const double M_22_mB = yaw_by_delta * P_delta_yaw_mB;
-    const double t308 = p->zB * t301;
-    const double t311 = (C1_12_IBxz * P_delta_yaw_mB) + (yaw_by_delta * K0_12_mB);
-    const double t312 = sin_lam * K0_12_mB;
+    const double M_22_mB = K0_12_mB * K0_12_mB;
     const double K2_12_mB = p->zB * C1_12_IBxz;
-    const double K2_22_mB = C1_12_IBxz * K0_12_mB;
-    const double t315 = p->xH * yaw_by_delta;
-    const double P_delta_yaw_xH = (p->mH * t315) + (yaw_by_delta * t80);
-    const double M_22_xH = (yaw_by_delta * P_delta_yaw_xH) - t145;
-    const double K0_12_xH = t141 + (p->mH * yaw_by_delta);
-    const double t326 = t173 + (C1_12_IBxz * P_delta_yaw_xH) + (yaw_by_delta * K0_12_xH);
-    const double t327 = sin_lam * K0_12_xH;
-    const double K2_22_xH = C1_12_IBxz * K0_12_xH;
-    const double Jxx_delta_zH = t6 + t6;
-    const double M_12_Sz_delta = t32 * yaw_by_delta;
-    const double M_12_zH = (p->mH * M_12_Sz_delta) - (sin_lam * Jxx_delta_zH) - (t35 *
-        M_12_Jxz_delta);
-    const double M_22_Jxx_delta = sin_lam * sin_lam;
-    const double py_delta_zH = p->mH * sin_lam;
-    const double M_22_zH = (t35 * M_22_IHxz) + (Jxx_delta_zH * M_22_Jxx_delta) - (t142 *
-        py_delta_zH);
-    const double t343 = yaw_by_delta + C1_22_py_delta;
-    const double C1_12_zH = (t35 * C1_12_IBxz) - (p->mH * t343);
-    const double C1_22_zH = (yaw_by_delta * py_delta_zH) + (C1_22_py_delta * py_delta_zH) - (t35 *
-        C1_22_Jxz_delta);
-    const double K0_22_zH = sin_lam * py_delta_zH;
+    const double t283 = t271 * K2_12_mB;
+    const double K2_22_mB = p->xB * t263;
+    const double t285 = t271 * K2_22_mB;
+    const double t286 = sin_lam * K0_12_mB;
+    const double t287 = t77 * t139;
+    const double M_22_xH = (p->c * t287) - t158;
+    const double t290 = t34 * C1_12_IBxz;
+    const double K0_12_xH = p->mH * M_12_Jxz_delta;
+    const double C1_22_xH = (C1_12_IBxz * (t173 - (p->c * K0_12_xH))) - t287;
+    const double t296 = p->mH * t151;
     const double K2_12_zH = p->mH * C1_12_IBxz;
-    const double t354 = C1_12_IBxz * py_delta_zH;
-    const double Jxx_delta_mH = p->zH * p->zH;
-    const double t358 = p->zH * t34;
-    const double M_12_mH = (p->zH * M_12_Sz_delta) - (sin_lam * Jxx_delta_mH) - (M_12_Jxz_delta *
-        t358);
-    const double P_delta_yaw_mH = p->xH * t315;
-    const double hz_delta_mH = t34 * t131;
-    const double py_delta_mH = t131 + (p->zH * sin_lam);
-    const double M_22_mH = (yaw_by_delta * P_delta_yaw_mH) + (M_22_hz_delta * hz_delta_mH) +
-        (M_22_Jxx_delta * Jxx_delta_mH) + (M_22_IHxz * t358) - (t142 * py_delta_mH);
-    const double C1_12_mH = (C1_12_IBxz * t358) - (p->zH * t343);
-    const double K0_12_mH = t315 - py_delta_mH;
-    const double C1_22_mH = (C1_22_py_delta * py_delta_mH) - (C1_12_IBxz * (P_delta_yaw_mH +
-        hz_delta_mH)) - (yaw_by_delta * K0_12_mH) - (C1_22_Jxz_delta * t358);
-    const double t387 = sin_lam * K0_12_mH;
+    const double K2_22_xH = M_12_Jxz_delta * K2_12_zH;
+    const double Jxx_delta_zH = t34 + t34;
+    const double t300 = t55 * t169;
+    const double K0_12_mH = t300 - py_delta_mH;
+    const double t303 = p->mH * (t170 - K0_12_mH);
+    const double py_delta_zH = p->mH * sin_lam;
+    const double t306 = (K0_12_mH + K0_12_mH) * py_delta_zH;
+    const double t308 = yaw_by_delta + (t54 * t169);
+    const double t309 = p->mH * t308;
+    const double C1_22_zH = sin_lam * t309;
+    const double M_22_Jxx_delta = sin_lam * sin_lam;
+    const double K0_22_zH = p->mH * M_22_Jxx_delta;
+    const double t313 = sin_lam * K2_12_zH;
+    const double M_12_mH = p->zH * K0_12_mH;
+    const double t318 = t36 * yaw_by_delta * py_delta_mH;
+    const double M_22_mH = (t170 * t170) + (t300 * t300) + (t38 * t154) - t318 - t318;
+    const double t324 = p->zH * t308;
+    const double t325 = K0_12_mH * t308;
+    const double t326 = sin_lam * K0_12_mH;
     const double K2_12_mH = p->zH * C1_12_IBxz;
     const double K2_22_mH = C1_12_IBxz * K0_12_mH;
     const double M_22_IHzz = M_22_IRxx + (cos_lam * M_22_hz_delta);
-    const double t393 = t283 + (cos_lam * C1_12_IBxz);
-    const double M_11_rF = t10 + t10;
-    const double t397 = p->rF * sin_lam;
-    const double t399 = (p->c * M_12_Jxz_delta) - M_12_Sz_delta - t397;
-    const double M_12_rF = (p->mF * t399) - (t10 * sin_lam);
-    const double t406 = (sin_lam * t142) + (p->rF * M_22_Jxx_delta) - (p->c * M_22_IHxz);
-    const double M_22_rF = (p->mF * t406) + (t10 * M_22_Jxx_delta);
-    const double t410 = t343 - yaw_by_delta;
-    const double t412 = t95 * h_spin_R;
-    const double C1_21_rF = M_12_Jxz_delta * t412;
-    const double C1_12_rF = (p->mF * t410) - C1_21_rF;
-    const double t417 = (p->c * C1_22_Jxz_delta) - (sin_lam * C1_22_py_delta);
+    const double t331 = C1_12_IBxz * M_12_Jxz_delta;
+    const double C1_22_Jxz_delta = sin_lam * C1_12_IBxz;
+    const double M_11_rF = t45 + t45;
+    const double t335 = (p->c * t187) - t197;
+    const double t337 = p->mF * (t197 - t335);
+    const double t338 = p->w * yaw_by_delta;
+    const double t339 = t198 - t338;
     const double K0_12_rF = p->mF * sin_lam;
-    const double C1_22_rF = (p->mF * t417) - (yaw_by_delta * K0_12_rF);
-    const double t422 = sin_lam * K0_12_rF;
-    const double K2_12_rF = (C1_12_IBxz * t412) - (p->mF * C1_12_IBxz);
-    const double K2_22_rF = (C1_12_IBxz * K0_12_rF) - (C1_22_Jxz_delta * t412);
-    const double M_11_mF = p->rF * p->rF;
-    const double M_12_mF = p->rF * t399;
-    const double P_delta_yaw_mF = p->w * t148;
-    const double hz_delta_mF = p->c * py_delta_mF;
-    const double M_22_mF = (p->rF * t406) + (yaw_by_delta * P_delta_yaw_mF) + (M_22_hz_delta *
-        hz_delta_mF) - (t142 * py_delta_mF);
-    const double C1_12_mF = p->rF * t410;
-    const double K0_12_mF = t148 + t397 - py_delta_mF;
-    const double C1_22_mF = (p->rF * t417) + (C1_22_py_delta * py_delta_mF) - (C1_12_IBxz *
-        (P_delta_yaw_mF + hz_delta_mF)) - (yaw_by_delta * K0_12_mF);
-    const double t451 = sin_lam * K0_12_mF;
-    const double t452 = p->rF * C1_12_IBxz;
-    const double K2_22_mF = C1_12_IBxz * K0_12_mF;
+    const double t342 = (t335 + t339) * K0_12_rF;
+    const double C1_12_IFyy = t97 * M_12_Jxz_delta;
+    const double C1_21_rF = h_spin_R * C1_12_IFyy;
+    const double C1_12_rF = (p->mF * C1_22_py_delta) - C1_21_rF;
+    const double t347 = C1_22_py_delta * K0_12_rF;
+    const double t348 = sin_lam * K0_12_rF;
+    const double t351 = C1_12_IBxz * (p->mF - (t97 * h_spin_R));
+    const double K2_22_rF = sin_lam * t351;
+    const double M_12_mF = p->rF * t335;
+    const double M_22_mF = (t198 * t335) - (t338 * t339);
+    const double C1_12_mF = p->rF * C1_22_py_delta;
+    const double C1_22_mF = C1_22_py_delta * t339;
+    const double K0_22_mF = sin_lam * t339;
+    const double t360 = p->rF * C1_12_IBxz;
+    const double t361 = C1_12_IBxz * t339;
     const double M_22_IFxx = M_22_Jxx_delta + M_22_IHzz;
-    const double C1_12_IFyy = t95 * M_12_Jxz_delta;
-    const double t456 = C1_12_IBxz * t95;
-    const double K2_22_IFyy = t95 * C1_22_Jxz_delta;
-    const double C1_21 = -(t97 + (yaw_by_delta * h_wheels_all));
-    const double K0_12 = t114 - py_delta;
-    const double K2_12 = -(C1_12_IBxz * t105);
-    const double K0_12_w = t180 - t141;
+    const double t363 = t97 * C1_12_IBxz;
+    const double K2_22_IFyy = t97 * C1_22_Jxz_delta;
+    const double C1_21 = -(t112 + (p->c * t114));
+    const double C1_22 = -(C1_12_IBxz * t124);
+    const double K0_12 = t121 - py_delta;
+    const double K2_12 = -C1_12_c;
+    const double K2_22 = -t130;
+    const double M_12_w = -(M_12_xH + (t55 * M_12_c));
+    const double K0_12_mF = t338 - t198;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -795,7 +784,7 @@ void rear_steered_f64_derivatives(const rear_steered_f64_t *p,
     matrices->c1[0][1] = C1_12;
     matrices->c1[1][0] = C1_21;
     matrices->c1[1][1] = C1_22;
-    matrices->k0[0][0] = Sz_all;
+    matrices->k0[0][0] = K0_11;
     matrices->k0[0][1] = K0_12;
     matrices->k0[1][0] = K0_12;
     matrices->k0[1][1] = K0_22;
@@ -808,21 +797,21 @@ void rear_steered_f64_derivatives(const rear_steered_f64_t *p,
     derivatives->values[2] = C1_12_w;
     derivatives->values[3] = C1_21_w;
     derivatives->values[4] = C1_22_w;
-    derivatives->values[5] = K0_12_w;
+    derivatives->values[5] = P_delta_lateral_w;
     derivatives->values[6] = K0_22_w;
     derivatives->values[7] = K2_12_w;
-    derivatives->values[8] = t195;
+    derivatives->values[8] = K2_22_w;
     derivatives->values[9] = M_12_c;
     derivatives->values[10] = M_22_c;
     derivatives->values[11] = C1_12_c;
-    derivatives->values[12] = t215;
+    derivatives->values[12] = t114;
     derivatives->values[13] = C1_22_c;
-    derivatives->values[14] = K0_12_c;
-    derivatives->values[15] = t228;
-    derivatives->values[16] = K2_22_c;
-    derivatives->values[17] = t234;
+    derivatives->values[14] = t209;
+    derivatives->values[15] = K0_22_c;
+    derivatives->values[16] = t211;
+    derivatives->values[17] = t217;
     derivatives->values[18] = M_22_lam;
-    derivatives->values[19] = t252;
+    derivatives->values[19] = t233;
     derivatives->values[20] = C1_21_lam;
     derivatives->values[21] = C1_22_lam;
     derivatives->values[22] = P_delta_lateral_lam;
@@ -833,84 +822,84 @@ void rear_steered_f64_derivatives(const rear_steered_f64_t *p,
     derivatives->values[27] = C1_12_rR;
     derivatives->values[28] = C1_21_rR;
     derivatives->values[29] = p->mR;
-    derivatives->values[30] = t277;
+    derivatives->values[30] = t259;
     derivatives->values[31] = M_11_mR;
     derivatives->values[32] = C1_12_mR;
     derivatives->values[33] = p->rR;
-    derivatives->values[34] = t280;
+    derivatives->values[34] = t260;
     derivatives->values[35] = 1.0;
     derivatives->values[36] = M_22_IRxx;
-    derivatives->values[37] = t283;
+    derivatives->values[37] = t263;
     derivatives->values[38] = C1_12_IRyy;
-    derivatives->values[39] = t285;
+    derivatives->values[39] = t256;
     derivatives->values[40] = M_12_xB;
     derivatives->values[41] = M_22_xB;
-    derivatives->values[42] = t292;
-    derivatives->values[43] = t296;
+    derivatives->values[42] = t270;
+    derivatives->values[43] = t274;
     derivatives->values[44] = K0_12_xB;
-    derivatives->values[45] = t297;
+    derivatives->values[45] = t276;
     derivatives->values[46] = K2_22_xB;
     derivatives->values[47] = M_11_zB;
     derivatives->values[48] = M_12_zB;
-    derivatives->values[49] = t302;
+    derivatives->values[49] = t278;
     derivatives->values[50] = p->mB;
     derivatives->values[51] = K2_12_zB;
     derivatives->values[52] = M_11_mB;
     derivatives->values[53] = M_12_mB;
     derivatives->values[54] = M_22_mB;
-    derivatives->values[55] = t308;
-    derivatives->values[56] = t311;
+    derivatives->values[55] = t283;
+    derivatives->values[56] = t285;
     derivatives->values[57] = p->zB;
     derivatives->values[58] = K0_12_mB;
-    derivatives->values[59] = t312;
+    derivatives->values[59] = t286;
     derivatives->values[60] = K2_12_mB;
     derivatives->values[61] = K2_22_mB;
     derivatives->values[62] = yaw_by_delta;
     derivatives->values[63] = C1_12_IBxz;
     derivatives->values[64] = M_12_xH;
     derivatives->values[65] = M_22_xH;
-    derivatives->values[66] = t158;
-    derivatives->values[67] = t326;
+    derivatives->values[66] = t290;
+    derivatives->values[67] = C1_22_xH;
     derivatives->values[68] = K0_12_xH;
-    derivatives->values[69] = t327;
+    derivatives->values[69] = t296;
     derivatives->values[70] = K2_22_xH;
     derivatives->values[71] = Jxx_delta_zH;
-    derivatives->values[72] = M_12_zH;
-    derivatives->values[73] = M_22_zH;
-    derivatives->values[74] = C1_12_zH;
+    derivatives->values[72] = t303;
+    derivatives->values[73] = t306;
+    derivatives->values[74] = t309;
     derivatives->values[75] = C1_22_zH;
     derivatives->values[76] = p->mH;
     derivatives->values[77] = py_delta_zH;
     derivatives->values[78] = K0_22_zH;
     derivatives->values[79] = K2_12_zH;
-    derivatives->values[80] = t354;
+    derivatives->values[80] = t313;
     derivatives->values[81] = Jxx_delta_mH;
     derivatives->values[82] = M_12_mH;
     derivatives->values[83] = M_22_mH;
-    derivatives->values[84] = C1_12_mH;
-    derivatives->values[85] = C1_22_mH;
+    derivatives->values[84] = t324;
+    derivatives->values[85] = t325;
     derivatives->values[86] = p->zH;
     derivatives->values[87] = K0_12_mH;
-    derivatives->values[88] = t387;
+    derivatives->values[88] = t326;
     derivatives->values[89] = K2_12_mH;
     derivatives->values[90] = K2_22_mH;
     derivatives->values[91] = sin_lam;
     derivatives->values[92] = M_22_Jxx_delta;
     derivatives->values[93] = M_22_IHzz;
-    derivatives->values[94] = t393;
+    derivatives->values[94] = t331;
     derivatives->values[95] = M_12_Jxz_delta;
     derivatives->values[96] = M_22_IHxz;
     derivatives->values[97] = C1_22_Jxz_delta;
     derivatives->values[98] = M_11_rF;
-    derivatives->values[99] = M_12_rF;
-    derivatives->values[100] = M_22_rF;
+    derivatives->values[99] = t337;
+    derivatives->values[100] = t342;
     derivatives->values[101] = C1_12_rF;
     derivatives->values[102] = C1_21_rF;
-    derivatives->values[103] = C1_22_rF;
+    derivatives->values[103] = t347;
     derivatives->values[104] = p->mF;
     derivatives->values[105] = K0_12_rF;
-    derivatives->values[106] = t422;
-    derivatives->values[107] = K2_12_rF;
+    derivatives->values[106] = t348;
+    derivatives->values[107] = t351;
     derivatives->values[108] = K2_22_rF;
     derivatives->values[109] = M_11_mF;
     derivatives->values[110] = M_12_mF;
@@ -919,12 +908,12 @@ void rear_steered_f64_derivatives(const rear_steered_f64_t *p,
     derivatives->values[113] = C1_22_mF;
     derivatives->values[114] = p->rF;
     derivatives->values[115] = K0_12_mF;
-    derivatives->values[116] = t451;
-    derivatives->values[117] = t452;
-    derivatives->values[118] = K2_22_mF;
+    derivatives->values[116] = K0_22_mF;
+    derivatives->values[117] = t360;
+    derivatives->values[118] = t361;
     derivatives->values[119] = M_22_IFxx;
     derivatives->values[120] = C1_12_IFyy;
-    derivatives->values[121] = t456;
+    derivatives->values[121] = t363;
     derivatives->values[122] = K2_22_IFyy;
 }
 
@@ -1256,243 +1245,232 @@ void rear_steered_f32_kinematics(const rear_steered_f32_t *p, rear_steered_f32_k
 void rear_steered_f32_derivatives(const rear_steered_f32_t *p,
     rear_steered_f32_matrices_t *matrices, rear_steered_f32_derivatives_t *derivatives)
 {
-    const float t6 = p->zH * p->mH;
-    const float t10 = p->rF * p->mF;
-    const float Jxx_delta = p->IHxx + p->IFxx + (p->zH * t6) + (p->rF * t10);
-    const float t17 = p->rR * p->mR;
-    const float t21 = p->zB * p->mB;
-    const float M_11 = p->IRxx + p->IBxx + Jxx_delta + (p->rR * t17) + (p->zB * t21);
+    const float M_11_mF = p->rF * p->rF;
+    const float Jxx_delta_mH = p->zH * p->zH;
+    const float Jxx_delta = p->IHxx + (p->mF * M_11_mF) + p->IFxx + (p->mH * Jxx_delta_mH);
+    const float t17 = p->zB * p->mB;
+    const float M_11_mR = p->rR * p->rR;
+    const float M_11 = p->IBxx + Jxx_delta + p->IRxx + (p->zB * t17) + (p->mR * M_11_mR);
     float sin_lam = 0.0F;
     float cos_lam = 0.0F;
     carvallo_sin_cos_f32(p->lam, &sin_lam, &cos_lam);
-    const float t32 = p->w + p->c;
-    const float t34 = t32 - p->xH;
-    const float t35 = p->mH * t34;
-    const float Jxz_delta = (t10 * p->c) - (p->zH * t35) - p->IHxz;
-    const float t42 = Jxz_delta * cos_lam;
-    const float hx_delta = t42 - (Jxx_delta * sin_lam);
-    const float t44 = 1.0F / p->w;
-    const float C1_12_IBxz = cos_lam * t44;
-    const float yaw_by_delta = p->c * C1_12_IBxz;
-    const float Sz_delta = t6 - t10;
-    const float Jxz_all = Jxz_delta + (t21 * p->xB) + (t32 * Sz_delta) - p->IBxz;
-    const float M_12 = hx_delta + (yaw_by_delta * Jxz_all);
-    const float t58 = sin_lam * Jxz_delta;
-    const float t60 = p->IFxx + p->IHzz;
-    const float t61 = p->mF * p->c;
-    const float t65 = t60 + (p->c * t61) + (t34 * t35);
-    const float hz_delta = (cos_lam * t65) - t58;
-    const float t70 = t35 + t61;
-    const float py_delta = (sin_lam * Sz_delta) + (cos_lam * t70);
-    const float M_yaw_delta = hz_delta - (t32 * py_delta);
-    const float t76 = p->mF * p->w;
-    const float t78 = p->mB * p->xB;
-    const float t80 = p->mH * p->xH;
-    const float P_delta_yaw_yaw_by_delta = p->IRxx + t60 + p->IBzz + (p->w * t76) + (p->xB * t78) +
-        (p->xH * t80);
-    const float t87 = yaw_by_delta * P_delta_yaw_yaw_by_delta;
-    const float P_delta_yaw = M_yaw_delta + t87;
-    const float t89 = M_yaw_delta + P_delta_yaw;
-    const float M_22 = (cos_lam * hz_delta) + (yaw_by_delta * t89) - (sin_lam * hx_delta);
-    const float t95 = 1.0F / p->rF;
-    const float h_spin_R = p->IFyy * t95;
-    const float t97 = cos_lam * h_spin_R;
-    const float t98 = C1_12_IBxz * Jxz_all;
+    const float t31 = p->mF * p->c;
+    const float t34 = p->mH * p->zH;
+    const float t36 = p->c + p->w;
+    const float t38 = t36 - p->xH;
+    const float t41 = (p->rF * t31) - p->IHxz - (t34 * t38);
+    const float t43 = t41 * cos_lam;
+    const float t44 = (Jxx_delta * sin_lam) - t43;
+    const float t45 = p->mF * p->rF;
+    const float Sz_delta = t34 - t45;
+    const float t53 = t41 + (t36 * Sz_delta) + (t17 * p->xB) - p->IBxz;
+    const float t54 = 1.0F / p->w;
+    const float t55 = p->c * t54;
+    const float yaw_by_delta = cos_lam * t55;
+    const float M_12 = (t53 * yaw_by_delta) - t44;
+    const float t60 = sin_lam * t41;
+    const float t63 = p->IFxx + p->IHzz;
+    const float t64 = p->mH * t38;
+    const float t67 = (p->c * t31) + t63 + (t38 * t64);
+    const float hz_delta = (cos_lam * t67) - t60;
+    const float t71 = t31 + t64;
+    const float py_delta = (sin_lam * Sz_delta) + (cos_lam * t71);
+    const float M_yaw_delta = hz_delta - (t36 * py_delta);
+    const float t77 = p->mH * p->xH;
+    const float t79 = p->mF * p->w;
+    const float t81 = p->mB * p->xB;
+    const float t87 = p->IRxx + t63 + p->IBzz + (p->xH * t77) + (p->w * t79) + (p->xB * t81);
+    const float t88 = yaw_by_delta * t87;
+    const float P_delta_yaw = M_yaw_delta + t88;
+    const float t92 = hz_delta + (t55 * (M_yaw_delta + P_delta_yaw));
+    const float M_22 = (sin_lam * t44) + (cos_lam * t92);
+    const float t97 = 1.0F / p->rF;
+    const float h_spin_R = p->IFyy * t97;
     const float t100 = 1.0F / p->rR;
     const float t101 = p->IRyy * t100;
     const float h_wheels_all = h_spin_R + t101;
-    const float Sz_all = t21 + Sz_delta - t17;
-    const float t105 = h_wheels_all - Sz_all;
-    const float C1_12 = t97 + (yaw_by_delta * t105) - t98;
-    const float t113 = t76 + t78 + t80;
-    const float t114 = yaw_by_delta * t113;
-    const float P_delta_lateral = py_delta - t114;
-    const float C1_22 = (yaw_by_delta * P_delta_lateral) - (C1_12_IBxz * P_delta_yaw);
-    const float K0_22 = sin_lam * P_delta_lateral;
-    const float t120 = sin_lam * h_spin_R;
-    const float t121 = t120 - P_delta_lateral;
-    const float K2_22 = C1_12_IBxz * t121;
-    const float M_12_Jxz_delta = cos_lam + yaw_by_delta;
-    const float M_12_xH = t6 * M_12_Jxz_delta;
-    const float t126 = (yaw_by_delta * Sz_delta) - M_12_xH;
-    const float t127 = t44 * C1_12_IBxz;
-    const float t128 = p->c * Jxz_all;
-    const float M_12_w = t126 - (t127 * t128);
-    const float t131 = t34 * cos_lam;
-    const float t134 = (p->mH * t131) + (t35 * cos_lam);
-    const float t135 = yaw_by_delta + yaw_by_delta;
-    const float M_22_hz_delta = cos_lam + t135;
-    const float M_22_IHxz = sin_lam * (cos_lam + M_22_hz_delta);
-    const float t141 = p->mH * cos_lam;
-    const float t142 = t32 * t135;
-    const float t145 = (t134 * M_22_hz_delta) + (t6 * M_22_IHxz) - (t141 * t142);
-    const float t147 = t145 - (py_delta * t135);
-    const float t148 = p->w * yaw_by_delta;
-    const float P_delta_yaw_w = (p->mF * t148) + (yaw_by_delta * t76);
-    const float M_22_yaw_by_delta = t87 + t89;
-    const float t154 = p->c * M_22_yaw_by_delta;
-    const float M_22_w = t147 + (yaw_by_delta * P_delta_yaw_w) - (t127 * t154);
-    const float t158 = t6 * C1_12_IBxz;
-    const float t160 = t158 - (C1_12_IBxz * Sz_delta);
-    const float t162 = (p->c * t105) - Jxz_all;
-    const float C1_12_w = t160 - (t127 * t162);
-    const float t165 = p->c * h_wheels_all;
-    const float C1_21_w = t127 * t165;
-    const float C1_22_Jxz_delta = sin_lam * C1_12_IBxz;
-    const float C1_22_py_delta = t32 * C1_12_IBxz;
-    const float t173 = (t141 * C1_22_py_delta) - (C1_12_IBxz * t134) - (t6 * C1_22_Jxz_delta);
-    const float t175 = t173 + (C1_12_IBxz * py_delta);
-    const float t178 = p->c * t113;
-    const float t180 = (p->mF * yaw_by_delta) - (t127 * t178);
-    const float P_delta_lateral_w = t141 - t180;
-    const float C1_22_yaw_by_delta = P_delta_lateral - (C1_12_IBxz * P_delta_yaw_yaw_by_delta);
-    const float t186 = (p->c * C1_22_yaw_by_delta) - P_delta_yaw;
-    const float C1_22_w = t175 + (yaw_by_delta * P_delta_lateral_w) - (C1_12_IBxz * P_delta_yaw_w) -
-        (t127 * t186);
-    const float K0_22_w = sin_lam * P_delta_lateral_w;
-    const float K2_12_w = t105 * t127;
-    const float t195 = (C1_12_IBxz * P_delta_lateral_w) + (t121 * t127);
-    const float M_12_c = t98 + t126 + (t10 * M_12_Jxz_delta);
+    const float t103 = p->mR * p->rR;
+    const float K0_11 = t17 + Sz_delta - t103;
+    const float t106 = h_wheels_all - K0_11;
+    const float t109 = t54 * ((p->c * t106) - t53);
+    const float t110 = h_spin_R + t109;
+    const float C1_12 = cos_lam * t110;
+    const float t112 = cos_lam * h_spin_R;
+    const float C1_12_IBxz = cos_lam * t54;
+    const float t114 = h_wheels_all * C1_12_IBxz;
+    const float t118 = t77 + t79 + t81;
+    const float M_22_yaw_by_delta = t54 * t118;
     const float py_delta_mF = p->c * cos_lam;
-    const float hz_delta_c = (p->mF * py_delta_mF) + (cos_lam * t61);
-    const float py_delta_c = p->mF * cos_lam;
-    const float M_22_c = t147 + (C1_12_IBxz * M_22_yaw_by_delta) + (M_22_hz_delta * hz_delta_c) -
-        (t10 * M_22_IHxz) - (t142 * py_delta_c);
-    const float C1_12_c = t160 + (C1_12_IBxz * (t105 - t10));
-    const float t215 = C1_12_IBxz * h_wheels_all;
-    const float K0_12_c = (C1_12_IBxz * t113) - t141 - py_delta_c;
-    const float C1_22_c = t175 + (t10 * C1_22_Jxz_delta) + (C1_12_IBxz * (C1_22_yaw_by_delta -
-        hz_delta_c)) + (C1_22_py_delta * py_delta_c) - (yaw_by_delta * K0_12_c);
-    const float t228 = sin_lam * K0_12_c;
-    const float K2_22_c = C1_12_IBxz * K0_12_c;
-    const float t231 = t58 + (Jxx_delta * cos_lam);
-    const float t232 = sin_lam * t44;
-    const float t234 = t231 + (t128 * t232);
-    const float t239 = t42 + (sin_lam * t65);
-    const float py_delta_lam = (cos_lam * Sz_delta) - (sin_lam * t70);
-    const float M_22_lam = (sin_lam * t231) - (cos_lam * hx_delta) - (sin_lam * hz_delta) -
-        (M_22_hz_delta * t239) - (t154 * t232) - (t142 * py_delta_lam);
-    const float t252 = t120 + (t162 * t232);
-    const float C1_21_lam = t120 + (t165 * t232);
-    const float P_delta_lateral_lam = py_delta_lam + (t178 * t232);
-    const float C1_22_lam = (C1_12_IBxz * t239) + (yaw_by_delta * P_delta_lateral_lam) +
-        (C1_22_py_delta * py_delta_lam) - (t186 * t232);
-    const float K0_22_lam = (sin_lam * P_delta_lateral_lam) + (cos_lam * P_delta_lateral);
-    const float K2_12_lam = t105 * t232;
-    const float K2_22_lam = (C1_12_IBxz * (t97 - P_delta_lateral_lam)) - (t121 * t232);
-    const float M_11_rR = t17 + t17;
-    const float t273 = t100 * t101;
-    const float t274 = p->mR - t273;
-    const float C1_12_rR = yaw_by_delta * t274;
-    const float C1_21_rR = yaw_by_delta * t273;
-    const float t277 = C1_12_IBxz * t274;
-    const float M_11_mR = p->rR * p->rR;
-    const float C1_12_mR = p->rR * yaw_by_delta;
-    const float t280 = p->rR * C1_12_IBxz;
-    const float M_22_IRxx = yaw_by_delta * yaw_by_delta;
-    const float t283 = C1_12_IBxz * yaw_by_delta;
-    const float C1_12_IRyy = yaw_by_delta * t100;
-    const float t285 = C1_12_IBxz * t100;
-    const float M_12_xB = t21 * yaw_by_delta;
-    const float K0_12_mB = yaw_by_delta * p->xB;
+    const float t121 = M_22_yaw_by_delta * py_delta_mF;
+    const float P_delta_lateral = py_delta - t121;
+    const float t124 = P_delta_yaw - (p->c * P_delta_lateral);
+    const float K0_22 = sin_lam * P_delta_lateral;
+    const float C1_12_c = t106 * C1_12_IBxz;
+    const float t128 = sin_lam * h_spin_R;
+    const float t129 = P_delta_lateral - t128;
+    const float t130 = C1_12_IBxz * t129;
+    const float M_12_Jxz_delta = cos_lam + yaw_by_delta;
+    const float M_12_xH = t34 * M_12_Jxz_delta;
+    const float t134 = cos_lam * Sz_delta;
+    const float M_12_c = (t53 * C1_12_IBxz) - t134;
+    const float t138 = yaw_by_delta + yaw_by_delta;
+    const float t139 = C1_12_IBxz * t138;
+    const float t140 = t79 * t139;
+    const float t142 = P_delta_yaw * (C1_12_IBxz + C1_12_IBxz);
+    const float t146 = t38 * cos_lam;
+    const float M_22_hz_delta = yaw_by_delta + M_12_Jxz_delta;
+    const float t148 = t146 * M_22_hz_delta;
+    const float C1_22_py_delta = t36 * C1_12_IBxz;
+    const float t150 = py_delta_mF * C1_22_py_delta;
+    const float t151 = sin_lam * M_12_Jxz_delta;
+    const float M_22_IHxz = t151 + t151;
+    const float t154 = t148 + (p->zH * M_22_IHxz);
+    const float t158 = p->mH * (t148 + t154 - t150 - t150);
+    const float t160 = (py_delta * t138) - t158;
+    const float M_22_w = (p->c * (t140 - (t54 * t142))) - t160;
+    const float P_delta_yaw_mB = t45 - t109;
+    const float C1_12_w = C1_12_IBxz * P_delta_yaw_mB;
+    const float C1_21_w = t55 * t114;
+    const float t165 = p->mF - M_22_yaw_by_delta;
+    const float hz_delta_mF = p->mH - (t55 * t165);
+    const float t169 = p->xH * cos_lam;
+    const float t170 = p->zH * sin_lam;
+    const float py_delta_mH = t146 + t170;
+    const float t173 = p->mH * (py_delta_mH - t169);
+    const float t174 = py_delta - t173;
+    const float t175 = t88 + t124;
+    const float P_delta_yaw_xB = t54 * t175;
+    const float C1_22_w = (C1_12_IBxz * ((py_delta_mF * hz_delta_mF) + t174 + P_delta_yaw_xB)) -
+        t140;
+    const float P_delta_lateral_w = cos_lam * hz_delta_mF;
+    const float K0_22_w = sin_lam * P_delta_lateral_w;
+    const float K2_12_w = t54 * C1_12_c;
+    const float hz_delta_mH = cos_lam * P_delta_lateral_w;
+    const float K2_22_w = t54 * (t130 - hz_delta_mH);
+    const float t187 = M_12_Jxz_delta - C1_22_py_delta;
+    const float t190 = t31 * cos_lam * (yaw_by_delta + t187);
+    const float M_22_c = t142 + t190 + t190 - t160 - (t45 * M_22_IHxz);
+    const float t197 = p->rF * sin_lam;
+    const float t198 = py_delta_mF - t197;
+    const float t201 = p->mH + t165;
+    const float P_delta_yaw_mF = P_delta_lateral + t174 + (p->mF * ((p->w * cos_lam) - t198)) +
+        (py_delta_mF * t201) - (t87 * C1_12_IBxz);
+    const float C1_22_c = C1_12_IBxz * P_delta_yaw_mF;
+    const float t209 = cos_lam * t201;
+    const float K0_22_c = sin_lam * t209;
+    const float t211 = C1_12_IBxz * t209;
+    const float t213 = t60 + (Jxx_delta * cos_lam);
+    const float t214 = sin_lam * t54;
+    const float t215 = p->c * t214;
+    const float t217 = t213 + (t53 * t215);
+    const float py_delta_lam = t134 - (sin_lam * t71);
+    const float t224 = t36 * py_delta_lam;
+    const float P_delta_yaw_xH = cos_lam * t44;
+    const float t228 = t43 + (sin_lam * t67);
+    const float t231 = P_delta_yaw_xH - (sin_lam * (t92 + (t55 * t88) - t213)) - (t138 * t224);
+    const float M_22_lam = t231 - (M_22_hz_delta * t228);
+    const float t233 = sin_lam * t110;
+    const float C1_21_lam = t128 + (h_wheels_all * t215);
+    const float P_delta_lateral_lam = py_delta_lam + (t118 * t215);
+    const float C1_22_lam = (t175 * t214) + (C1_12_IBxz * (t224 + t228 + (p->c *
+        P_delta_lateral_lam)));
+    const float K0_22_lam = (cos_lam * P_delta_lateral) + (sin_lam * P_delta_lateral_lam);
+    const float K2_12_lam = t106 * t214;
+    const float K2_22_lam = (t129 * t214) + (C1_12_IBxz * (t112 - P_delta_lateral_lam));
+    const float M_11_rR = t103 + t103;
+    const float t254 = p->mR - (t100 * t101);
+    const float C1_12_rR = yaw_by_delta * t254;
+    const float t256 = t100 * C1_12_IBxz;
+    const float C1_12_IRyy = p->c * t256;
+    const float C1_21_rR = t101 * C1_12_IRyy;
+    const float t259 = C1_12_IBxz * t254;
+    const float t260 = p->rR * C1_12_IBxz;
+    const float C1_12_mR = p->c * t260;
+    const float t263 = yaw_by_delta * C1_12_IBxz;
+    const float M_22_IRxx = p->c * t263;
+    const float M_12_xB = t17 * yaw_by_delta;
+    const float K0_12_mB = p->xB * yaw_by_delta;
     const float M_12_zB = p->mB * K0_12_mB;
-    const float P_delta_yaw_xB = M_12_zB + (yaw_by_delta * t78);
-    const float M_22_xB = yaw_by_delta * P_delta_yaw_xB;
-    const float t292 = t21 * C1_12_IBxz;
-    const float K0_12_xB = p->mB * yaw_by_delta;
-    const float t296 = (C1_12_IBxz * P_delta_yaw_xB) + (yaw_by_delta * K0_12_xB);
-    const float t297 = sin_lam * K0_12_xB;
-    const float K2_22_xB = C1_12_IBxz * K0_12_xB;
-    const float M_11_zB = t21 + t21;
-    const float t301 = yaw_by_delta + (C1_12_IBxz * p->xB);
-    const float t302 = p->mB * t301;
+    const float M_22_xB = t138 * M_12_zB;
     const float K2_12_zB = p->mB * C1_12_IBxz;
+    const float t270 = p->zB * K2_12_zB;
+    const float t271 = p->c + p->xB;
+    const float K2_22_xB = yaw_by_delta * K2_12_zB;
+    const float t274 = (p->xB + t271) * K2_22_xB;
+    const float K0_12_xB = p->mB * yaw_by_delta;
+    const float t276 = sin_lam * K0_12_xB;
+    const float M_11_zB = t17 + t17;
+    const float t278 = K2_12_zB * t271;
     const float M_11_mB = p->zB * p->zB;
     const float M_12_mB = p->zB * K0_12_mB;
-    const float P_delta_yaw_mB = p->xB * K0_12_mB;
-    const float M_22_mB = yaw_by_delta * P_delta_yaw_mB;
-    const float t308 = p->zB * t301;
-    const float t311 = (C1_12_IBxz * P_delta_yaw_mB) + (yaw_by_delta * K0_12_mB);
-    const float t312 = sin_lam * K0_12_mB;
+    const float M_22_mB = K0_12_mB * K0_12_mB;
     const float K2_12_mB = p->zB * C1_12_IBxz;
-    const float K2_22_mB = C1_12_IBxz * K0_12_mB;
-    const float t315 = p->xH * yaw_by_delta;
-    const float P_delta_yaw_xH = (p->mH * t315) + (yaw_by_delta * t80);
-    const float M_22_xH = (yaw_by_delta * P_delta_yaw_xH) - t145;
-    const float K0_12_xH = t141 + (p->mH * yaw_by_delta);
-    const float t326 = t173 + (C1_12_IBxz * P_delta_yaw_xH) + (yaw_by_delta * K0_12_xH);
-    const float t327 = sin_lam * K0_12_xH;
-    const float K2_22_xH = C1_12_IBxz * K0_12_xH;
-    const float Jxx_delta_zH = t6 + t6;
-    const float M_12_Sz_delta = t32 * yaw_by_delta;
-    const float M_12_zH = (p->mH * M_12_Sz_delta) - (sin_lam * Jxx_delta_zH) - (t35 *
-        M_12_Jxz_delta);
-    const float M_22_Jxx_delta = sin_lam * sin_lam;
-    const float py_delta_zH = p->mH * sin_lam;
-    const float M_22_zH = (t35 * M_22_IHxz) + (Jxx_delta_zH * M_22_Jxx_delta) - (t142 *
-        py_delta_zH);
-    const float t343 = yaw_by_delta + C1_22_py_delta;
-    const float C1_12_zH = (t35 * C1_12_IBxz) - (p->mH * t343);
-    const float C1_22_zH = (yaw_by_delta * py_delta_zH) + (C1_22_py_delta * py_delta_zH) - (t35 *
-        C1_22_Jxz_delta);
-    const float K0_22_zH = sin_lam * py_delta_zH;
+    const float t283 = t271 * K2_12_mB;
+    const float K2_22_mB = p->xB * t263;
+    const float t285 = t271 * K2_22_mB;
+    const float t286 = sin_lam * K0_12_mB;
+    const float t287 = t77 * t139;
+    const float M_22_xH = (p->c * t287) - t158;
+    const float t290 = t34 * C1_12_IBxz;
+    const float K0_12_xH = p->mH * M_12_Jxz_delta;
+    const float C1_22_xH = (C1_12_IBxz * (t173 - (p->c * K0_12_xH))) - t287;
+    const float t296 = p->mH * t151;
     const float K2_12_zH = p->mH * C1_12_IBxz;
-    const float t354 = C1_12_IBxz * py_delta_zH;
-    const float Jxx_delta_mH = p->zH * p->zH;
-    const float t358 = p->zH * t34;
-    const float M_12_mH = (p->zH * M_12_Sz_delta) - (sin_lam * Jxx_delta_mH) - (M_12_Jxz_delta *
-        t358);
-    const float P_delta_yaw_mH = p->xH * t315;
-    const float hz_delta_mH = t34 * t131;
-    const float py_delta_mH = t131 + (p->zH * sin_lam);
-    const float M_22_mH = (yaw_by_delta * P_delta_yaw_mH) + (M_22_hz_delta * hz_delta_mH) +
-        (M_22_Jxx_delta * Jxx_delta_mH) + (M_22_IHxz * t358) - (t142 * py_delta_mH);
-    const float C1_12_mH = (C1_12_IBxz * t358) - (p->zH * t343);
-    const float K0_12_mH = t315 - py_delta_mH;
-    const float C1_22_mH = (C1_22_py_delta * py_delta_mH) - (C1_12_IBxz * (P_delta_yaw_mH +
-        hz_delta_mH)) - (yaw_by_delta * K0_12_mH) - (C1_22_Jxz_delta * t358);
-    const float t387 = sin_lam * K0_12_mH;
+    const float K2_22_xH = M_12_Jxz_delta * K2_12_zH;
+    const float Jxx_delta_zH = t34 + t34;
+    const float t300 = t55 * t169;
+    const float K0_12_mH = t300 - py_delta_mH;
+    const float t303 = p->mH * (t170 - K0_12_mH);
+    const float py_delta_zH = p->mH * sin_lam;
+    const float t306 = (K0_12_mH + K0_12_mH) * py_delta_zH;
+    const float t308 = yaw_by_delta + (t54 * t169);
+    const float t309 = p->mH * t308;
+    const float C1_22_zH = sin_lam * t309;
+    const float M_22_Jxx_delta = sin_lam * sin_lam;
+    const float K0_22_zH = p->mH * M_22_Jxx_delta;
+    const float t313 = sin_lam * K2_12_zH;
+    const float M_12_mH = p->zH * K0_12_mH;
+    const float t318 = t36 * yaw_by_delta * py_delta_mH;
+    const float M_22_mH = (t170 * t170) + (t300 * t300) + (t38 * t154) - t318 - t318;
+    const float t324 = p->zH * t308;
+    const float t325 = K0_12_mH * t308;
+    const float t326 = sin_lam * K0_12_mH;
     const float K2_12_mH = p->zH * C1_12_IBxz;
     const float K2_22_mH = C1_12_IBxz * K0_12_mH;
     const float M_22_IHzz = M_22_IRxx + (cos_lam * M_22_hz_delta);
-    const float t393 = t283 + (cos_lam * C1_12_IBxz);
-    const float M_11_rF = t10 + t10;
-    const float t397 = p->rF * sin_lam;
-    const float t399 = (p->c * M_12_Jxz_delta) - M_12_Sz_delta - t397;
-    const float M_12_rF = (p->mF * t399) - (t10 * sin_lam);
-    const float t406 = (sin_lam * t142) + (p->rF * M_22_Jxx_delta) - (p->c * M_22_IHxz);
-    const float M_22_rF = (p->mF * t406) + (t10 * M_22_Jxx_delta);
-    const float t410 = t343 - yaw_by_delta;
-    const float t412 = t95 * h_spin_R;
-    const float C1_21_rF = M_12_Jxz_delta * t412;
-    const float C1_12_rF = (p->mF * t410) - C1_21_rF;
-    const float t417 = (p->c * C1_22_Jxz_delta) - (sin_lam * C1_22_py_delta);
+    const float t331 = C1_12_IBxz * M_12_Jxz_delta;
+    const float C1_22_Jxz_delta = sin_lam * C1_12_IBxz;
+    const float M_11_rF = t45 + t45;
+    const float t335 = (p->c * t187) - t197;
+    const float t337 = p->mF * (t197 - t335);
+    const float t338 = p->w * yaw_by_delta;
+    const float t339 = t198 - t338;
     const float K0_12_rF = p->mF * sin_lam;
-    const float C1_22_rF = (p->mF * t417) - (yaw_by_delta * K0_12_rF);
-    const float t422 = sin_lam * K0_12_rF;
-    const float K2_12_rF = (C1_12_IBxz * t412) - (p->mF * C1_12_IBxz);
-    const float K2_22_rF = (C1_12_IBxz * K0_12_rF) - (C1_22_Jxz_delta * t412);
-    const float M_11_mF = p->rF * p->rF;
-    const float M_12_mF = p->rF * t399;
-    const float P_delta_yaw_mF = p->w * t148;
-    const float hz_delta_mF = p->c * py_delta_mF;
-    const float M_22_mF = (p->rF * t406) + (yaw_by_delta * P_delta_yaw_mF) + (M_22_hz_delta *
-        hz_delta_mF) - (t142 * py_delta_mF);
-    const float C1_12_mF = p->rF * t410;
-    const float K0_12_mF = t148 + t397 - py_delta_mF;
-    const float C1_22_mF = (p->rF * t417) + (C1_22_py_delta * py_delta_mF) - (C1_12_IBxz *
-        (P_delta_yaw_mF + hz_delta_mF)) - (yaw_by_delta * K0_12_mF);
-    const float t451 = sin_lam * K0_12_mF;
-    const float t452 = p->rF * C1_12_IBxz;
-    const float K2_22_mF = C1_12_IBxz * K0_12_mF;
+    const float t342 = (t335 + t339) * K0_12_rF;
+    const float C1_12_IFyy = t97 * M_12_Jxz_delta;
+    const float C1_21_rF = h_spin_R * C1_12_IFyy;
+    const float C1_12_rF = (p->mF * C1_22_py_delta) - C1_21_rF;
+    const float t347 = C1_22_py_delta * K0_12_rF;
+    const float t348 = sin_lam * K0_12_rF;
+    const float t351 = C1_12_IBxz * (p->mF - (t97 * h_spin_R));
+    const float K2_22_rF = sin_lam * t351;
+    const float M_12_mF = p->rF * t335;
+    const float M_22_mF = (t198 * t335) - (t338 * t339);
+    const float C1_12_mF = p->rF * C1_22_py_delta;
+    const float C1_22_mF = C1_22_py_delta * t339;
+    const float K0_22_mF = sin_lam * t339;
+    const float t360 = p->rF * C1_12_IBxz;
+    const float t361 = C1_12_IBxz * t339;
     const float M_22_IFxx = M_22_Jxx_delta + M_22_IHzz;
-    const float C1_12_IFyy = t95 * M_12_Jxz_delta;
-    const float t456 = C1_12_IBxz * t95;
-    const float K2_22_IFyy = t95 * C1_22_Jxz_delta;
-    const float C1_21 = -(t97 + (yaw_by_delta * h_wheels_all));
-    const float K0_12 = t114 - py_delta;
-    const float K2_12 = -(C1_12_IBxz * t105);
-    const float K0_12_w = t180 - t141;
+    const float t363 = t97 * C1_12_IBxz;
+    const float K2_22_IFyy = t97 * C1_22_Jxz_delta;
+    const float C1_21 = -(t112 + (p->c * t114));
+    const float C1_22 = -(C1_12_IBxz * t124);
+    const float K0_12 = t121 - py_delta;
+    const float K2_12 = -C1_12_c;
+    const float K2_22 = -t130;
+    const float M_12_w = -(M_12_xH + (t55 * M_12_c));
+    const float K0_12_mF = t338 - t198;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -1501,7 +1479,7 @@ void rear_steered_f32_derivatives(const rear_steered_f32_t *p,
     matrices->c1[0][1] = C1_12;
     matrices->c1[1][0] = C1_21;
     matrices->c1[1][1] = C1_22;
-    matrices->k0[0][0] = Sz_all;
+    matrices->k0[0][0] = K0_11;
     matrices->k0[0][1] = K0_12;
     matrices->k0[1][0] = K0_12;
     matrices->k0[1][1] = K0_22;
@@ -1514,21 +1492,21 @@ void rear_steered_f32_derivatives(const rear_steered_f32_t *p,
     derivatives->values[2] = C1_12_w;
     derivatives->values[3] = C1_21_w;
     derivatives->values[4] = C1_22_w;
-    derivatives->values[5] = K0_12_w;
+    derivatives->values[5] = P_delta_lateral_w;
     derivatives->values[6] = K0_22_w;
     derivatives->values[7] = K2_12_w;
-    derivatives->values[8] = t195;
+    derivatives->values[8] = K2_22_w;
     derivatives->values[9] = M_12_c;
     derivatives->values[10] = M_22_c;
     derivatives->values[11] = C1_12_c;
-    derivatives->values[12] = t215;
+    derivatives->values[12] = t114;
     derivatives->values[13] = C1_22_c;
-    derivatives->values[14] = K0_12_c;
-    derivatives->values[15] = t228;
-    derivatives->values[16] = K2_22_c;
-    derivatives->values[17] = t234;
+    derivatives->values[14] = t209;
+    derivatives->values[15] = K0_22_c;
+    derivatives->values[16] = t211;
+    derivatives->values[17] = t217;
     derivatives->values[18] = M_22_lam;
-    derivatives->values[19] = t252;
+    derivatives->values[19] = t233;
     derivatives->values[20] = C1_21_lam;
     derivatives->values[21] = C1_22_lam;
     derivatives->values[22] = P_delta_lateral_lam;
@@ -1539,84 +1517,84 @@ void rear_steered_f32_derivatives(const rear_steered_f32_t *p,
     derivatives->values[27] = C1_12_rR;
     derivatives->values[28] = C1_21_rR;
     derivatives->values[29] = p->mR;
-    derivatives->values[30] = t277;
+    derivatives->values[30] = t259;
     derivatives->values[31] = M_11_mR;
     derivatives->values[32] = C1_12_mR;
     derivatives->values[33] = p->rR;
-    derivatives->values[34] = t280;
+    derivatives->values[34] = t260;
     derivatives->values[35] = 1.0F;
     derivatives->values[36] = M_22_IRxx;
-    derivatives->values[37] = t283;
+    derivatives->values[37] = t263;
     derivatives->values[38] = C1_12_IRyy;
-    derivatives->values[39] = t285;
+    derivatives->values[39] = t256;
     derivatives->values[40] = M_12_xB;
     derivatives->values[41] = M_22_xB;
-    derivatives->values[42] = t292;
-    derivatives->values[43] = t296;
+    derivatives->values[42] = t270;
+    derivatives->values[43] = t274;
     derivatives->values[44] = K0_12_xB;
-    derivatives->values[45] = t297;
+    derivatives->values[45] = t276;
     derivatives->values[46] = K2_22_xB;
     derivatives->values[47] = M_11_zB;
     derivatives->values[48] = M_12_zB;
-    derivatives->values[49] = t302;
+    derivatives->values[49] = t278;
     derivatives->values[50] = p->mB;
     derivatives->values[51] = K2_12_zB;
     derivatives->values[52] = M_11_mB;
     derivatives->values[53] = M_12_mB;
     derivatives->values[54] = M_22_mB;
-    derivatives->values[55] = t308;
-    derivatives->values[56] = t311;
+    derivatives->values[55] = t283;
+    derivatives->values[56] = t285;
     derivatives->values[57] = p->zB;
     derivatives->values[58] = K0_12_mB;
-    derivatives->values[59] = t312;
+    derivatives->values[59] = t286;
     derivatives->values[60] = K2_12_mB;
     derivatives->values[61] = K2_22_mB;
     derivatives->values[62] = yaw_by_delta;
     derivatives->values[63] = C1_12_IBxz;
     derivatives->values[64] = M_12_xH;
     derivatives->values[65] = M_22_xH;
-    derivatives->values[66] = t158;
-    derivatives->values[67] = t326;
+    derivatives->values[66] = t290;
+    derivatives->values[67] = C1_22_xH;
     derivatives->values[68] = K0_12_xH;
-    derivatives->values[69] = t327;
+    derivatives->values[69] = t296;
     derivatives->values[70] = K2_22_xH;
     derivatives->values[71] = Jxx_delta_zH;
-    derivatives->values[72] = M_12_zH;
-    derivatives->values[73] = M_22_zH;
-    derivatives->values[74] = C1_12_zH;
+    derivatives->values[72] = t303;
+    derivatives->values[73] = t306;
+    derivatives->values[74] = t309;
     derivatives->values[75] = C1_22_zH;
     derivatives->values[76] = p->mH;
     derivatives->values[77] = py_delta_zH;
     derivatives->values[78] = K0_22_zH;
     derivatives->values[79] = K2_12_zH;
-    derivatives->values[80] = t354;
+    derivatives->values[80] = t313;
     derivatives->values[81] = Jxx_delta_mH;
     derivatives->values[82] = M_12_mH;
     derivatives->values[83] = M_22_mH;
-    derivatives->values[84] = C1_12_mH;
-    derivatives->values[85] = C1_22_mH;
+    derivatives->values[84] = t324;
+    derivatives->values[85] = t325;
     derivatives->values[86] = p->zH;
     derivatives->values[87] = K0_12_mH;
-    derivatives->values[88] = t387;
+    derivatives->values[88] = t326;
     derivatives->values[89] = K2_12_mH;
     derivatives->values[90] = K2_22_mH;
     derivatives->values[91] = sin_lam;
     derivatives->values[92] = M_22_Jxx_delta;
     derivatives->values[93] = M_22_IHzz;
-    derivatives->values[94] = t393;
+    derivatives->values[94] = t331;
     derivatives->values[95] = M_12_Jxz_delta;
     derivatives->values[96] = M_22_IHxz;
     derivatives->values[97] = C1_22_Jxz_delta;
     derivatives->values[98] = M_11_rF;
-    derivatives->values[99] = M_12_rF;
-    derivatives->values[100] = M_22_rF;
+    derivatives->values[99] = t337;
+    derivatives->values[100] = t342;
     derivatives->values[101] = C1_12_rF;
     derivatives->values[102] = C1_21_rF;
-    derivatives->values[103] = C1_22_rF;
+    derivatives->values[103] = t347;
     derivatives->values[104] = p->mF;
     derivatives->values[105] = K0_12_rF;
-    derivatives->values[106] = t422;
-    derivatives->values[107] = K2_12_rF;
+    derivatives->values[106] = t348;
+    derivatives->values[107] = t351;
     derivatives->values[108] = K2_22_rF;
     derivatives->values[109] = M_11_mF;
     derivatives->values[110] = M_12_mF;
@@ -1625,12 +1603,12 @@ void rear_steered_f32_derivatives(const rear_steered_f32_t *p,
     derivatives->values[113] = C1_22_mF;
     derivatives->values[114] = p->rF;
     derivatives->values[115] = K0_12_mF;
-    derivatives->values[116] = t451;
-    derivatives->values[117] = t452;
-    derivatives->values[118] = K2_22_mF;
+    derivatives->values[116] = K0_22_mF;
+    derivatives->values[117] = t360;
+    derivatives->values[118] = t361;
     derivatives->values[119] = M_22_IFxx;
     derivatives->values[120] = C1_12_IFyy;
-    derivatives->values[121] = t456;
+    derivatives->values[121] = t363;
     derivatives->values[122] = K2_22_IFyy;
 }
 

@@ -341,7 +341,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 168 additions, 262 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 437 operations.
+ * 129 additions, 208 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 347 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -573,7 +573,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 168 additions, 262 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 437 operations.
+ * 129 additions, 208 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 347 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

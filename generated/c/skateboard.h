@@ -177,7 +177,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 5 additions, 14 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 27 operations.
+ * 5 additions, 12 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 25 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -285,7 +285,7 @@ typedef struct {
 
 /**
  * Rates and forces that follow from the coordinates, from one straight-line program:
- * 2 additions, 9 multiplications, 4 divisions, 8 negations and 4 trigonometric functions: 27 operations.
+ * 1 addition, 6 multiplications, 4 divisions, 8 negations and 4 trigonometric functions: 23 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] kinematics The rates and forces.
@@ -302,7 +302,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 12 additions, 36 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 56 operations.
+ * 12 additions, 32 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 52 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -393,7 +393,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 5 additions, 14 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 27 operations.
+ * 5 additions, 12 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 25 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -501,7 +501,7 @@ typedef struct {
 
 /**
  * Rates and forces that follow from the coordinates, from one straight-line program:
- * 2 additions, 9 multiplications, 4 divisions, 8 negations and 4 trigonometric functions: 27 operations.
+ * 1 addition, 6 multiplications, 4 divisions, 8 negations and 4 trigonometric functions: 23 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] kinematics The rates and forces.
@@ -518,7 +518,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 12 additions, 36 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 56 operations.
+ * 12 additions, 32 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 52 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

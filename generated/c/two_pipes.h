@@ -192,7 +192,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 5 additions, 22 multiplications and 3 negations: 30 operations.
+ * 6 additions, 20 multiplications and 3 negations: 29 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -318,7 +318,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 5 additions, 22 multiplications and 3 negations: 30 operations.
+ * 6 additions, 20 multiplications and 3 negations: 29 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

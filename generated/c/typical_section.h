@@ -199,7 +199,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 4 additions, 17 multiplications and 1 negation: 22 operations.
+ * 4 additions, 16 multiplications and 1 negation: 21 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -324,7 +324,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 4 additions, 17 multiplications and 1 negation: 22 operations.
+ * 4 additions, 16 multiplications and 1 negation: 21 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

@@ -67,7 +67,7 @@ const carvallo_partial_t wheeled_pendulum_partials[WHEELED_PENDULUM_PARTIALS] = 
     {CARVALLO_MATRIX_M, 0U, 1U, 0U, 1U, true},
     {CARVALLO_MATRIX_M, 1U, 0U, 0U, 1U, true},
     {CARVALLO_MATRIX_M, 1U, 1U, 0U, 2U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 3U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 3U, true},
     {CARVALLO_MATRIX_M, 0U, 1U, 1U, 4U, true},
     {CARVALLO_MATRIX_M, 1U, 0U, 1U, 4U, true},
     {CARVALLO_MATRIX_M, 1U, 1U, 1U, 5U, false},
@@ -198,21 +198,18 @@ wheeled_pendulum_validity_t wheeled_pendulum_f64_validate(const wheeled_pendulum
 void wheeled_pendulum_f64_matrices(const wheeled_pendulum_f64_t *p, wheeled_pendulum_f64_matrices_t *matrices)
 {
     const double t2 = p->mW + p->mW;
-    const double m_all = p->m + t2;
-    const double t5 = 1.0 / p->r;
-    const double t7 = p->Ia + p->Ia;
-    const double t8 = t5 * t7;
-    const double t9 = t5 * t8;
-    const double M_11 = m_all + t9;
-    const double t11 = t2 * p->r;
-    const double t13 = p->r + p->l;
-    const double t14 = p->m * t13;
-    const double t15 = t11 + t14;
-    const double M_22 = t7 + p->Iyy + (p->r * t11) + (t13 * t14);
-    const double t26 = p->b * p->b;
-    const double M_33 = p->Izz + (t2 * t26) + (t9 * t26) + p->Ir + p->Ir;
-    const double K0_22 = (m_all * p->r) - t15;
-    const double M_12 = -(t8 + t15);
+    const double t4 = 1.0 / p->r;
+    const double t6 = p->Ia + p->Ia;
+    const double t7 = t4 * t6;
+    const double t9 = t2 + (t4 * t7);
+    const double M_11 = p->m + t9;
+    const double t12 = p->m * p->l;
+    const double t15 = t12 + (p->r * (p->m + t2));
+    const double m_all = (p->r + p->l) * t12;
+    const double M_22 = p->Iyy + t6 + (m_all + (p->r * t15));
+    const double M_33 = p->Ir + (p->b * t9 * p->b) + (p->Izz + p->Ir);
+    const double M_12 = -(t7 + t15);
+    const double K0_22 = -t12;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[0][2] = 0.0;
@@ -380,39 +377,33 @@ void wheeled_pendulum_f64_derivatives(const wheeled_pendulum_f64_t *p,
     wheeled_pendulum_f64_matrices_t *matrices, wheeled_pendulum_f64_derivatives_t *derivatives)
 {
     const double t2 = p->mW + p->mW;
-    const double m_all = p->m + t2;
     const double t5 = 1.0 / p->r;
-    const double t7 = p->Ia + p->Ia;
-    const double t8 = t5 * t7;
-    const double t9 = t5 * t8;
-    const double M_11 = m_all + t9;
-    const double t11 = t2 * p->r;
-    const double t13 = p->r + p->l;
-    const double t14 = p->m * t13;
-    const double t15 = t11 + t14;
-    const double M_22 = t7 + p->Iyy + (p->r * t11) + (t13 * t14);
-    const double t27 = p->b * p->b;
-    const double t28 = t2 + t9;
-    const double M_33 = p->Izz + p->Ir + p->Ir + (t27 * t28);
-    const double K0_22 = (m_all * p->r) - t15;
-    const double M_22_m = t13 * t13;
-    const double K0_22_m = p->r - t13;
-    const double M_22_l = t14 + t14;
-    const double t40 = p->r + p->r;
-    const double t41 = p->r * p->r;
-    const double M_22_mW = t41 + t41;
-    const double M_33_mW = t27 + t27;
-    const double t44 = t5 * t5;
-    const double M_11_Ia = t44 + t44;
-    const double t46 = t5 + t5;
-    const double M_33_Ia = t27 * M_11_Ia;
-    const double t48 = t7 * t44;
-    const double t49 = t46 * t48;
-    const double M_12_r = t48 - m_all;
-    const double M_22_r = t11 + t11 + M_22_l;
-    const double t53 = t27 * t49;
-    const double M_33_b = t28 * (p->b + p->b);
-    const double M_12 = -(t8 + t15);
+    const double t6 = t5 + t5;
+    const double M_11_Ia = t5 * t6;
+    const double t8 = p->Ia * M_11_Ia;
+    const double t9 = t2 + t8;
+    const double M_11 = p->m + t9;
+    const double t11 = p->r + p->r;
+    const double t14 = p->r + p->l;
+    const double t15 = p->m * t14;
+    const double t16 = (p->mW * t11) + t15;
+    const double t17 = p->Ia * t6;
+    const double M_22_mW = p->r * t11;
+    const double M_22 = p->Ia + p->Ia + (p->mW * M_22_mW) + p->Iyy + (t14 * t15);
+    const double t30 = t9 * p->b;
+    const double M_33 = p->Ir + p->Ir + (p->b * t30) + p->Izz;
+    const double M_22_m = t14 * t14;
+    const double M_22_l = t15 + t15;
+    const double t41 = p->b * p->b;
+    const double M_33_mW = t41 + t41;
+    const double M_33_Ia = M_11_Ia * t41;
+    const double t44 = M_11_Ia * t17;
+    const double M_12_r = t8 - p->m - t2;
+    const double M_22_r = t16 + t16;
+    const double t48 = t17 * M_33_Ia;
+    const double M_33_b = t30 + t30;
+    const double M_12 = -(t16 + t17);
+    const double K0_22 = -(p->m * p->l);
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[0][2] = 0.0;
@@ -432,22 +423,22 @@ void wheeled_pendulum_f64_derivatives(const wheeled_pendulum_f64_t *p,
     matrices->k0[2][1] = 0.0;
     matrices->k0[2][2] = 0.0;
     derivatives->values[0] = 1.0;
-    derivatives->values[1] = t13;
+    derivatives->values[1] = t14;
     derivatives->values[2] = M_22_m;
-    derivatives->values[3] = K0_22_m;
+    derivatives->values[3] = p->l;
     derivatives->values[4] = p->m;
     derivatives->values[5] = M_22_l;
     derivatives->values[6] = 2.0;
-    derivatives->values[7] = t40;
+    derivatives->values[7] = t11;
     derivatives->values[8] = M_22_mW;
     derivatives->values[9] = M_33_mW;
     derivatives->values[10] = M_11_Ia;
-    derivatives->values[11] = t46;
+    derivatives->values[11] = t6;
     derivatives->values[12] = M_33_Ia;
-    derivatives->values[13] = t49;
+    derivatives->values[13] = t44;
     derivatives->values[14] = M_12_r;
     derivatives->values[15] = M_22_r;
-    derivatives->values[16] = t53;
+    derivatives->values[16] = t48;
     derivatives->values[17] = M_33_b;
 }
 
@@ -2017,21 +2008,18 @@ wheeled_pendulum_validity_t wheeled_pendulum_f32_validate(const wheeled_pendulum
 void wheeled_pendulum_f32_matrices(const wheeled_pendulum_f32_t *p, wheeled_pendulum_f32_matrices_t *matrices)
 {
     const float t2 = p->mW + p->mW;
-    const float m_all = p->m + t2;
-    const float t5 = 1.0F / p->r;
-    const float t7 = p->Ia + p->Ia;
-    const float t8 = t5 * t7;
-    const float t9 = t5 * t8;
-    const float M_11 = m_all + t9;
-    const float t11 = t2 * p->r;
-    const float t13 = p->r + p->l;
-    const float t14 = p->m * t13;
-    const float t15 = t11 + t14;
-    const float M_22 = t7 + p->Iyy + (p->r * t11) + (t13 * t14);
-    const float t26 = p->b * p->b;
-    const float M_33 = p->Izz + (t2 * t26) + (t9 * t26) + p->Ir + p->Ir;
-    const float K0_22 = (m_all * p->r) - t15;
-    const float M_12 = -(t8 + t15);
+    const float t4 = 1.0F / p->r;
+    const float t6 = p->Ia + p->Ia;
+    const float t7 = t4 * t6;
+    const float t9 = t2 + (t4 * t7);
+    const float M_11 = p->m + t9;
+    const float t12 = p->m * p->l;
+    const float t15 = t12 + (p->r * (p->m + t2));
+    const float m_all = (p->r + p->l) * t12;
+    const float M_22 = p->Iyy + t6 + (m_all + (p->r * t15));
+    const float M_33 = p->Ir + (p->b * t9 * p->b) + (p->Izz + p->Ir);
+    const float M_12 = -(t7 + t15);
+    const float K0_22 = -t12;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[0][2] = 0.0F;
@@ -2199,39 +2187,33 @@ void wheeled_pendulum_f32_derivatives(const wheeled_pendulum_f32_t *p,
     wheeled_pendulum_f32_matrices_t *matrices, wheeled_pendulum_f32_derivatives_t *derivatives)
 {
     const float t2 = p->mW + p->mW;
-    const float m_all = p->m + t2;
     const float t5 = 1.0F / p->r;
-    const float t7 = p->Ia + p->Ia;
-    const float t8 = t5 * t7;
-    const float t9 = t5 * t8;
-    const float M_11 = m_all + t9;
-    const float t11 = t2 * p->r;
-    const float t13 = p->r + p->l;
-    const float t14 = p->m * t13;
-    const float t15 = t11 + t14;
-    const float M_22 = t7 + p->Iyy + (p->r * t11) + (t13 * t14);
-    const float t27 = p->b * p->b;
-    const float t28 = t2 + t9;
-    const float M_33 = p->Izz + p->Ir + p->Ir + (t27 * t28);
-    const float K0_22 = (m_all * p->r) - t15;
-    const float M_22_m = t13 * t13;
-    const float K0_22_m = p->r - t13;
-    const float M_22_l = t14 + t14;
-    const float t40 = p->r + p->r;
-    const float t41 = p->r * p->r;
-    const float M_22_mW = t41 + t41;
-    const float M_33_mW = t27 + t27;
-    const float t44 = t5 * t5;
-    const float M_11_Ia = t44 + t44;
-    const float t46 = t5 + t5;
-    const float M_33_Ia = t27 * M_11_Ia;
-    const float t48 = t7 * t44;
-    const float t49 = t46 * t48;
-    const float M_12_r = t48 - m_all;
-    const float M_22_r = t11 + t11 + M_22_l;
-    const float t53 = t27 * t49;
-    const float M_33_b = t28 * (p->b + p->b);
-    const float M_12 = -(t8 + t15);
+    const float t6 = t5 + t5;
+    const float M_11_Ia = t5 * t6;
+    const float t8 = p->Ia * M_11_Ia;
+    const float t9 = t2 + t8;
+    const float M_11 = p->m + t9;
+    const float t11 = p->r + p->r;
+    const float t14 = p->r + p->l;
+    const float t15 = p->m * t14;
+    const float t16 = (p->mW * t11) + t15;
+    const float t17 = p->Ia * t6;
+    const float M_22_mW = p->r * t11;
+    const float M_22 = p->Ia + p->Ia + (p->mW * M_22_mW) + p->Iyy + (t14 * t15);
+    const float t30 = t9 * p->b;
+    const float M_33 = p->Ir + p->Ir + (p->b * t30) + p->Izz;
+    const float M_22_m = t14 * t14;
+    const float M_22_l = t15 + t15;
+    const float t41 = p->b * p->b;
+    const float M_33_mW = t41 + t41;
+    const float M_33_Ia = M_11_Ia * t41;
+    const float t44 = M_11_Ia * t17;
+    const float M_12_r = t8 - p->m - t2;
+    const float M_22_r = t16 + t16;
+    const float t48 = t17 * M_33_Ia;
+    const float M_33_b = t30 + t30;
+    const float M_12 = -(t16 + t17);
+    const float K0_22 = -(p->m * p->l);
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[0][2] = 0.0F;
@@ -2251,22 +2233,22 @@ void wheeled_pendulum_f32_derivatives(const wheeled_pendulum_f32_t *p,
     matrices->k0[2][1] = 0.0F;
     matrices->k0[2][2] = 0.0F;
     derivatives->values[0] = 1.0F;
-    derivatives->values[1] = t13;
+    derivatives->values[1] = t14;
     derivatives->values[2] = M_22_m;
-    derivatives->values[3] = K0_22_m;
+    derivatives->values[3] = p->l;
     derivatives->values[4] = p->m;
     derivatives->values[5] = M_22_l;
     derivatives->values[6] = 2.0F;
-    derivatives->values[7] = t40;
+    derivatives->values[7] = t11;
     derivatives->values[8] = M_22_mW;
     derivatives->values[9] = M_33_mW;
     derivatives->values[10] = M_11_Ia;
-    derivatives->values[11] = t46;
+    derivatives->values[11] = t6;
     derivatives->values[12] = M_33_Ia;
-    derivatives->values[13] = t49;
+    derivatives->values[13] = t44;
     derivatives->values[14] = M_12_r;
     derivatives->values[15] = M_22_r;
-    derivatives->values[16] = t53;
+    derivatives->values[16] = t48;
     derivatives->values[17] = M_33_b;
 }
 

@@ -225,7 +225,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 15 additions, 10 multiplications, 1 division and 1 negation: 27 operations.
+ * 14 additions, 8 multiplications, 1 division and 2 negations: 25 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -344,7 +344,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 26 additions, 17 multiplications, 1 division and 1 negation: 45 operations.
+ * 21 additions, 16 multiplications, 1 division and 2 negations: 40 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -571,7 +571,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 15 additions, 10 multiplications, 1 division and 1 negation: 27 operations.
+ * 14 additions, 8 multiplications, 1 division and 2 negations: 25 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -690,7 +690,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 26 additions, 17 multiplications, 1 division and 1 negation: 45 operations.
+ * 21 additions, 16 multiplications, 1 division and 2 negations: 40 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

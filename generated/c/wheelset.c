@@ -222,20 +222,19 @@ void wheelset_f64_derivatives(const wheelset_f64_t *p, wheelset_f64_matrices_t *
     wheelset_f64_derivatives_t *derivatives)
 {
     const double Cm1_11 = p->f22 + p->f22;
-    const double t7 = p->b * p->f11;
-    const double t8 = t7 + t7;
+    const double t7 = p->b + p->b;
+    const double t8 = p->f11 * t7;
     const double Cm1_22 = p->b * t8;
     const double t13 = 1.0 / p->r;
-    const double Kc_21_lam = t8 * t13;
-    const double Kc_21 = p->lam * Kc_21_lam;
-    const double t18 = p->b * p->b;
-    const double Cm1_22_f11 = t18 + t18;
-    const double t20 = p->lam * t13;
-    const double t21 = t20 + t20;
-    const double Kc_21_f11 = p->b * t21;
+    const double t14 = p->lam * t13;
+    const double Kc_21 = t8 * t14;
+    const double Cm1_22_f11 = p->b * t7;
+    const double t19 = t14 + t14;
+    const double Kc_21_f11 = p->b * t19;
     const double Cm1_22_b = t8 + t8;
-    const double Kc_21_b = p->f11 * t21;
-    const double t26 = Kc_21_lam * t20;
+    const double Kc_21_b = p->f11 * t19;
+    const double Kc_21_lam = t8 * t13;
+    const double t25 = t13 * Kc_21;
     const double Kc_12 = -Cm1_11;
     matrices->m[0][0] = p->m;
     matrices->m[0][1] = 0.0;
@@ -257,7 +256,7 @@ void wheelset_f64_derivatives(const wheelset_f64_t *p, wheelset_f64_matrices_t *
     derivatives->values[5] = Cm1_22_b;
     derivatives->values[6] = Kc_21_b;
     derivatives->values[7] = Kc_21_lam;
-    derivatives->values[8] = t26;
+    derivatives->values[8] = t25;
 }
 
 void wheelset_f64_with_respect_to(const wheelset_f64_derivatives_t *derivatives, size_t parameter,
@@ -450,20 +449,19 @@ void wheelset_f32_derivatives(const wheelset_f32_t *p, wheelset_f32_matrices_t *
     wheelset_f32_derivatives_t *derivatives)
 {
     const float Cm1_11 = p->f22 + p->f22;
-    const float t7 = p->b * p->f11;
-    const float t8 = t7 + t7;
+    const float t7 = p->b + p->b;
+    const float t8 = p->f11 * t7;
     const float Cm1_22 = p->b * t8;
     const float t13 = 1.0F / p->r;
-    const float Kc_21_lam = t8 * t13;
-    const float Kc_21 = p->lam * Kc_21_lam;
-    const float t18 = p->b * p->b;
-    const float Cm1_22_f11 = t18 + t18;
-    const float t20 = p->lam * t13;
-    const float t21 = t20 + t20;
-    const float Kc_21_f11 = p->b * t21;
+    const float t14 = p->lam * t13;
+    const float Kc_21 = t8 * t14;
+    const float Cm1_22_f11 = p->b * t7;
+    const float t19 = t14 + t14;
+    const float Kc_21_f11 = p->b * t19;
     const float Cm1_22_b = t8 + t8;
-    const float Kc_21_b = p->f11 * t21;
-    const float t26 = Kc_21_lam * t20;
+    const float Kc_21_b = p->f11 * t19;
+    const float Kc_21_lam = t8 * t13;
+    const float t25 = t13 * Kc_21;
     const float Kc_12 = -Cm1_11;
     matrices->m[0][0] = p->m;
     matrices->m[0][1] = 0.0F;
@@ -485,7 +483,7 @@ void wheelset_f32_derivatives(const wheelset_f32_t *p, wheelset_f32_matrices_t *
     derivatives->values[5] = Cm1_22_b;
     derivatives->values[6] = Kc_21_b;
     derivatives->values[7] = Kc_21_lam;
-    derivatives->values[8] = t26;
+    derivatives->values[8] = t25;
 }
 
 void wheelset_f32_with_respect_to(const wheelset_f32_derivatives_t *derivatives, size_t parameter,

@@ -99,21 +99,21 @@ const char *whipple_validity_text(whipple_validity_t validity)
 const carvallo_partial_t whipple_partials[WHIPPLE_PARTIALS] = {
     {CARVALLO_MATRIX_M, 0U, 1U, 0U, 0U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 1U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 2U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 1U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 2U, true},
     {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 3U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 4U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 4U, true},
     {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 5U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 5U, false},
     {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 6U, false},
     {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 7U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 8U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 8U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 1U, 9U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 1U, 9U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 10U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 10U, true},
     {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 11U, false},
     {CARVALLO_MATRIX_C1, 1U, 0U, 1U, 12U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 13U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 13U, true},
     {CARVALLO_MATRIX_K0, 0U, 1U, 1U, 14U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 1U, 14U, false},
     {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 15U, false},
@@ -123,14 +123,14 @@ const carvallo_partial_t whipple_partials[WHIPPLE_PARTIALS] = {
     {CARVALLO_MATRIX_M, 1U, 1U, 2U, 18U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 19U, true},
     {CARVALLO_MATRIX_C1, 1U, 0U, 2U, 20U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 21U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 21U, true},
     {CARVALLO_MATRIX_K0, 0U, 1U, 2U, 22U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 2U, 22U, false},
     {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 23U, false},
     {CARVALLO_MATRIX_K2, 0U, 1U, 2U, 24U, true},
     {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 25U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 4U, 26U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 4U, 27U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 4U, 27U, true},
     {CARVALLO_MATRIX_C1, 1U, 0U, 4U, 28U, false},
     {CARVALLO_MATRIX_K0, 0U, 0U, 4U, 29U, true},
     {CARVALLO_MATRIX_K2, 0U, 1U, 4U, 30U, false},
@@ -189,7 +189,7 @@ const carvallo_partial_t whipple_partials[WHIPPLE_PARTIALS] = {
     {CARVALLO_MATRIX_M, 0U, 0U, 16U, 71U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 16U, 72U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 16U, 72U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 73U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 73U, true},
     {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 74U, true},
     {CARVALLO_MATRIX_C1, 1U, 1U, 16U, 75U, true},
     {CARVALLO_MATRIX_K0, 0U, 0U, 16U, 76U, false},
@@ -199,17 +199,17 @@ const carvallo_partial_t whipple_partials[WHIPPLE_PARTIALS] = {
     {CARVALLO_MATRIX_K2, 0U, 1U, 16U, 79U, true},
     {CARVALLO_MATRIX_K2, 1U, 1U, 16U, 80U, true},
     {CARVALLO_MATRIX_M, 0U, 0U, 17U, 81U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 82U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 82U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 82U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 82U, true},
     {CARVALLO_MATRIX_M, 1U, 1U, 17U, 83U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 84U, true},
     {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 85U, false},
     {CARVALLO_MATRIX_K0, 0U, 0U, 17U, 86U, false},
     {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 87U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 87U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 88U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 88U, true},
     {CARVALLO_MATRIX_K2, 0U, 1U, 17U, 89U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 90U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 90U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 18U, 35U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 18U, 91U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 18U, 91U, false},
@@ -224,7 +224,7 @@ const carvallo_partial_t whipple_partials[WHIPPLE_PARTIALS] = {
     {CARVALLO_MATRIX_M, 0U, 0U, 22U, 98U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 22U, 99U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 22U, 99U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 22U, 100U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 22U, 100U, true},
     {CARVALLO_MATRIX_C1, 0U, 1U, 22U, 101U, false},
     {CARVALLO_MATRIX_C1, 1U, 0U, 22U, 102U, false},
     {CARVALLO_MATRIX_C1, 1U, 1U, 22U, 103U, false},
@@ -235,17 +235,17 @@ const carvallo_partial_t whipple_partials[WHIPPLE_PARTIALS] = {
     {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 107U, false},
     {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 108U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 23U, 109U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 110U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 110U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 110U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 110U, true},
     {CARVALLO_MATRIX_M, 1U, 1U, 23U, 111U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 23U, 112U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 113U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 113U, true},
     {CARVALLO_MATRIX_K0, 0U, 0U, 23U, 114U, true},
     {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 115U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 115U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 116U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 116U, false},
     {CARVALLO_MATRIX_K2, 0U, 1U, 23U, 117U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 118U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 118U, true},
     {CARVALLO_MATRIX_M, 0U, 0U, 24U, 35U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 24U, 91U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 24U, 91U, false},
@@ -530,226 +530,212 @@ carvallo_system_error_t whipple_f64_state_space(const whipple_f64_system_t *syst
 void whipple_f64_derivatives(const whipple_f64_t *p, whipple_f64_matrices_t *matrices,
     whipple_f64_derivatives_t *derivatives)
 {
-    const double t6 = p->zH * p->mH;
-    const double t10 = p->rF * p->mF;
-    const double t14 = p->IHxx + p->IFxx + (p->zH * t6) + (p->rF * t10);
-    const double t17 = p->rR * p->mR;
-    const double t21 = p->zB * p->mB;
-    const double M_11 = p->IRxx + p->IBxx + t14 + (p->rR * t17) + (p->zB * t21);
+    const double t2 = p->zB * p->mB;
+    const double M_11_mH = p->zH * p->zH;
+    const double M_11_mF = p->rF * p->rF;
+    const double t18 = (p->mH * M_11_mH) + p->IFxx + p->IHxx + (p->mF * M_11_mF);
+    const double M_11_mR = p->rR * p->rR;
+    const double M_11 = (p->zB * t2) + p->IBxx + p->IRxx + t18 + (p->mR * M_11_mR);
     double sin_lam = 0.0;
     double cos_lam = 0.0;
     carvallo_sin_cos_f64(p->lam, &sin_lam, &cos_lam);
-    const double t35 = p->c + p->w - p->xH;
-    const double t38 = p->IHxz + (t6 * t35) - (t10 * p->c);
-    const double t39 = cos_lam * t38;
-    const double t42 = t39 + (t14 * sin_lam);
-    const double t47 = p->IHxz + (t10 * p->w) - (t6 * p->xH);
-    const double ITxz = p->IBxz + t47 - (t21 * p->xB);
-    const double t52 = 1.0 / p->w;
-    const double C1_12_IBxz = cos_lam * t52;
-    const double mu = p->c * C1_12_IBxz;
-    const double M_12 = t42 + (ITxz * mu);
-    const double t59 = p->IFxx + p->IHzz;
-    const double t60 = p->mF * p->c;
-    const double t62 = p->mH * p->xH;
-    const double t65 = t59 - (p->w * t60) - (t35 * t62);
-    const double IAlz = (sin_lam * t47) + (cos_lam * t65);
-    const double t69 = p->mF * p->w;
-    const double t71 = p->mB * p->xB;
-    const double ITzz = p->IRxx + t59 + p->IBzz + (p->w * t69) + (p->xB * t71) + (p->xH * t62);
-    const double t80 = IAlz + (mu * ITzz);
-    const double t85 = cos_lam * cos_lam;
-    const double t87 = p->mH * t35;
-    const double t90 = t59 + (p->c * t60) + (t35 * t87);
-    const double M_22 = (mu * (IAlz + t80)) + (sin_lam * (t39 + t42)) + (t85 * t90);
-    const double t96 = 1.0 / p->rF;
-    const double SF = p->IFyy * t96;
-    const double t100 = 1.0 / p->rR;
-    const double t101 = p->IRyy * t100;
-    const double ST = SF + t101;
-    const double t103 = t10 - t6;
-    const double t104 = t21 - t17;
-    const double t106 = ST + (t103 - t104);
-    const double t109 = ITxz + (p->w * SF) + (p->c * t106);
-    const double C1_12 = C1_12_IBxz * t109;
-    const double t111 = cos_lam * SF;
-    const double t115 = t62 + t69 + t71;
-    const double t118 = t60 + t87;
-    const double K0_12 = (cos_lam * t118) - (mu * t115) - (sin_lam * t103);
-    const double C1_22 = (C1_12_IBxz * t80) - (mu * K0_12);
+    const double t29 = t18 * sin_lam;
+    const double t34 = p->c + p->w;
+    const double t35 = p->xH - t34;
+    const double t36 = p->mH * t35;
+    const double t39 = p->mF * p->c;
+    const double C1_12_SF = p->rF * t39;
+    const double t42 = (p->zH * t36) + C1_12_SF - p->IHxz;
+    const double t44 = p->mB * p->xB;
+    const double t47 = p->mH * p->xH;
+    const double t49 = p->mF * p->rF;
+    const double t52 = p->IHxz + (p->w * t49) - (p->zH * t47);
+    const double t54 = (p->zB * t44) - p->IBxz - t52;
+    const double t55 = 1.0 / p->w;
+    const double t56 = p->c * t55;
+    const double t57 = t54 * t56;
+    const double t58 = t42 + t57;
+    const double M_12 = t29 - (cos_lam * t58);
+    const double t61 = cos_lam + cos_lam;
+    const double t63 = t29 - (t42 * t61);
+    const double t67 = p->IFxx + p->IHzz;
+    const double ITzz_mB = p->w * t39;
+    const double t76 = t67 + (t35 * t47) - ITzz_mB;
+    const double t79 = t55 * ((sin_lam * t52) + (cos_lam * t76));
+    const double C1_12_IBxz = cos_lam * t55;
+    const double t84 = p->mF * p->w;
+    const double t91 = C1_12_IBxz * (p->IRxx + t67 + p->IBzz + (p->xH * t47) + (p->xB * t44) +
+        (p->w * t84));
+    const double t92 = t56 * t91;
+    const double t93 = t79 + t92;
+    const double t95 = (cos_lam * ((t35 * t36) + t67 + (p->c * t39))) + (p->c * t93);
+    const double M_22 = (sin_lam * t63) + (cos_lam * (t95 + (p->c * t79)));
+    const double t102 = 1.0 / p->rF;
+    const double SF = p->IFyy * t102;
+    const double t105 = 1.0 / p->rR;
+    const double t106 = p->IRyy * t105;
+    const double ST = SF + t106;
+    const double t108 = p->mR * p->rR;
+    const double t109 = p->mH * p->zH;
+    const double t110 = t109 - t49;
+    const double t111 = t2 + t110;
+    const double t113 = ST + (t108 - t111);
+    const double t117 = (p->c * t113) + (p->w * SF) - t54;
+    const double C1_12 = C1_12_IBxz * t117;
+    const double t120 = SF + (t56 * ST);
+    const double t122 = t47 + t84;
+    const double t125 = p->mF - (t55 * (t44 + t122));
+    const double t126 = p->c * t125;
+    const double t127 = t36 - t126;
+    const double K0_12 = (sin_lam * t110) - (cos_lam * t127);
+    const double t131 = K0_12 - t91;
+    const double t132 = t56 * t131;
+    const double t133 = t132 - t79;
     const double K0_22 = sin_lam * K0_12;
-    const double K2_12 = C1_12_IBxz * t106;
-    const double t127 = sin_lam * SF;
-    const double t128 = t127 - K0_12;
-    const double K2_22 = C1_12_IBxz * t128;
-    const double t130 = t6 * cos_lam;
-    const double t132 = t52 * C1_12_IBxz;
-    const double t133 = p->c * ITxz;
-    const double M_12_w = t130 + (t10 * mu) - (t132 * t133);
-    const double t137 = cos_lam * t62;
-    const double t138 = mu + mu;
-    const double t140 = sin_lam + sin_lam;
-    const double t142 = t35 * t85;
-    const double t147 = (t130 * t140) + (p->mH * t142) + (t85 * t87) - (t137 * t138);
-    const double t149 = t10 * sin_lam;
-    const double IAlz_w = t149 - (cos_lam * t60);
-    const double M_22_mu = t80 + t80;
-    const double t153 = p->c * M_22_mu;
-    const double ITzz_w = t69 + t69;
-    const double M_22_ITzz = mu * mu;
-    const double M_22_w = t147 + (t138 * IAlz_w) + (ITzz_w * M_22_ITzz) - (t132 * t153);
-    const double C1_12_w = (C1_12_IBxz * (t10 + SF)) - (t109 * t132);
-    const double t165 = p->c * ST;
-    const double C1_21_w = t132 * t165;
-    const double t167 = C1_12_IBxz * t137;
-    const double t168 = p->mH * cos_lam;
-    const double t170 = p->c * t115;
-    const double K0_12_w = t168 + (t132 * t170) - (p->mF * mu);
-    const double C1_22_mu = (C1_12_IBxz * ITzz) - K0_12;
-    const double t179 = t80 + (p->c * C1_22_mu);
-    const double C1_22_ITzz = C1_12_IBxz * mu;
-    const double C1_22_w = (C1_12_IBxz * IAlz_w) + (ITzz_w * C1_22_ITzz) - t167 - (mu * K0_12_w) -
-        (t132 * t179);
+    const double K2_12 = C1_12_IBxz * t113;
+    const double t139 = t55 * (K0_12 - (sin_lam * SF));
+    const double t141 = cos_lam * t109;
+    const double M_12_w = t141 + (C1_12_IBxz * (C1_12_SF + t57));
+    const double t145 = t56 + t56;
+    const double t146 = p->w * C1_12_IBxz;
+    const double t149 = p->rF * sin_lam;
+    const double K0_12_mF = (p->c * (cos_lam - t146)) - t149;
+    const double t151 = p->mF * K0_12_mF;
+    const double t152 = t93 + t151;
+    const double t157 = cos_lam * (t35 + (p->xH * t56));
+    const double t158 = p->zH * sin_lam;
+    const double t159 = t157 - t158;
+    const double t160 = p->mH * t159;
+    const double t161 = t61 * t160;
+    const double t162 = (cos_lam * t145 * t152) + t161;
+    const double t163 = t55 * t117;
+    const double t166 = C1_12_IBxz * (t163 - t49 - SF);
+    const double t167 = C1_12_IBxz * ST;
+    const double C1_21_w = t56 * t167;
+    const double t171 = p->mH - (t55 * t126);
+    const double t176 = t152 + (cos_lam * (t47 - (p->c * ((t55 * t84) - t171))));
+    const double t178 = C1_12_IBxz * (t176 - t132);
+    const double K0_12_w = cos_lam * t171;
     const double K0_22_w = sin_lam * K0_12_w;
-    const double t188 = t106 * t132;
-    const double t191 = (C1_12_IBxz * K0_12_w) + (t128 * t132);
-    const double t192 = t10 * cos_lam;
-    const double M_12_c = t130 + (ITxz * C1_12_IBxz) - t192;
-    const double t197 = cos_lam * p->w;
-    const double t200 = (p->c * t85) - (t138 * t197);
-    const double M_22_c = t147 + (p->mF * t200) + (C1_12_IBxz * M_22_mu) + (t60 * t85) - (t140 *
-        t192);
-    const double t208 = C1_12_IBxz * ST;
-    const double K0_12_c = t168 + (p->mF * cos_lam) - (C1_12_IBxz * t115);
-    const double t214 = C1_12_IBxz * t197;
-    const double C1_22_c = (C1_12_IBxz * C1_22_mu) - t167 - (mu * K0_12_c) - (p->mF * t214);
+    const double t181 = t55 * t113;
+    const double t182 = C1_12_IBxz * t181;
+    const double K2_22_w = C1_12_IBxz * (t139 - K0_12_w);
+    const double t186 = cos_lam * t110;
+    const double M_12_c = t186 - (t54 * C1_12_IBxz);
+    const double t189 = t61 * (t160 - t152);
+    const double t190 = p->mH + t125;
+    const double t195 = C1_12_IBxz * (t131 + (cos_lam * (t122 + (p->c * t190))));
+    const double K0_12_c = cos_lam * t190;
     const double K0_22_c = sin_lam * K0_12_c;
-    const double t221 = C1_12_IBxz * K0_12_c;
-    const double t222 = t38 * sin_lam;
-    const double t224 = sin_lam * t52;
-    const double M_12_lam = (t14 * cos_lam) - t222 - (t133 * t224);
-    const double t228 = cos_lam * sin_lam;
-    const double IAlz_lam = (cos_lam * t47) - (sin_lam * t65);
-    const double M_22_lam = (t138 * IAlz_lam) + (cos_lam * (t42 + t42)) - (t90 * (t228 + t228)) -
-        (t140 * t222) - (t153 * t224);
-    const double t243 = t109 * t224;
-    const double C1_21_lam = t127 + (t165 * t224);
-    const double K0_12_lam = (t170 * t224) - (cos_lam * t103) - (sin_lam * t118);
-    const double C1_22_lam = (C1_12_IBxz * IAlz_lam) - (mu * K0_12_lam) - (t179 * t224);
+    const double t198 = C1_12_IBxz * K0_12_c;
+    const double M_12_lam = (t18 * cos_lam) + (sin_lam * t58);
+    const double t204 = sin_lam * ((sin_lam * t42) - t95);
+    const double t207 = (sin_lam * t76) - (cos_lam * t52);
+    const double M_22_lam = t204 + t204 + (cos_lam * (t29 + t63 - (t145 * t207)));
+    const double t214 = sin_lam * t163;
+    const double C1_21_lam = sin_lam * t120;
+    const double K0_12_lam = t186 + (sin_lam * t127);
+    const double t223 = (C1_12_IBxz * (t207 + (p->c * K0_12_lam))) + (sin_lam * (t92 - t133));
     const double K0_22_lam = (sin_lam * K0_12_lam) + (cos_lam * K0_12);
-    const double t259 = t106 * t224;
-    const double K2_22_lam = (C1_12_IBxz * (t111 - K0_12_lam)) - (t128 * t224);
-    const double M_11_rR = t17 + t17;
-    const double t265 = t100 * t101;
-    const double t266 = p->mR - t265;
-    const double C1_12_rR = mu * t266;
-    const double C1_21_rR = mu * t265;
-    const double K2_12_rR = C1_12_IBxz * t266;
-    const double M_11_mR = p->rR * p->rR;
-    const double C1_12_mR = p->rR * mu;
+    const double t227 = sin_lam * t181;
+    const double K2_22_lam = (sin_lam * t139) + (C1_12_IBxz * ((cos_lam * SF) - K0_12_lam));
+    const double M_11_rR = t108 + t108;
+    const double K2_12_IRyy = C1_12_IBxz * t105;
+    const double t235 = t106 * K2_12_IRyy;
+    const double t236 = p->mR * C1_12_IBxz;
+    const double t238 = p->c * (t235 - t236);
+    const double C1_12_IRyy = p->c * K2_12_IRyy;
+    const double C1_21_rR = t106 * C1_12_IRyy;
     const double K2_12_mR = p->rR * C1_12_IBxz;
-    const double C1_12_IRyy = mu * t100;
-    const double K2_12_IRyy = C1_12_IBxz * t100;
-    const double t276 = t21 * mu;
-    const double ITzz_xB = t71 + t71;
-    const double M_22_xB = M_22_ITzz * ITzz_xB;
-    const double t279 = t21 * C1_12_IBxz;
-    const double t280 = p->mB * mu;
-    const double C1_22_xB = (mu * t280) + (C1_22_ITzz * ITzz_xB);
-    const double t284 = sin_lam * t280;
-    const double K2_22_xB = C1_12_IBxz * t280;
-    const double M_11_zB = t21 + t21;
-    const double t287 = p->xB * mu;
-    const double t288 = p->mB * t287;
-    const double t290 = mu + (p->xB * C1_12_IBxz);
-    const double t291 = p->mB * t290;
-    const double t292 = p->mB * C1_12_IBxz;
+    const double C1_12_mR = p->c * K2_12_mR;
+    const double mu = p->c * C1_12_IBxz;
+    const double M_22_ITzz = mu * mu;
+    const double C1_22_ITzz = C1_12_IBxz * mu;
+    const double t247 = t2 * C1_12_IBxz;
+    const double t248 = p->c * t247;
+    const double t249 = t44 + t44;
+    const double M_22_xB = M_22_ITzz * t249;
+    const double C1_22_xB = C1_22_ITzz * (t249 + (p->mB * p->c));
+    const double t254 = p->mB * C1_12_IBxz;
+    const double t255 = p->c * t254;
+    const double t256 = sin_lam * t255;
+    const double K2_22_xB = mu * t254;
+    const double M_11_zB = t2 + t2;
+    const double ITzz_mF = p->xB * mu;
+    const double t260 = p->mB * ITzz_mF;
+    const double t261 = p->xB * C1_12_IBxz;
+    const double t262 = mu + t261;
+    const double t263 = p->mB * t262;
     const double M_11_mB = p->zB * p->zB;
-    const double t294 = p->zB * t287;
-    const double ITzz_mB = p->xB * p->xB;
-    const double M_22_mB = M_22_ITzz * ITzz_mB;
-    const double t297 = p->zB * t290;
-    const double C1_22_mB = (mu * t287) + (C1_22_ITzz * ITzz_mB);
-    const double t301 = sin_lam * t287;
-    const double t302 = p->zB * C1_12_IBxz;
-    const double K2_22_mB = C1_12_IBxz * t287;
-    const double t305 = t130 + (t6 * mu);
-    const double t306 = t6 * sin_lam;
-    const double t308 = cos_lam * t35;
-    const double t311 = (p->xH * M_22_ITzz) - (t138 * t308);
-    const double M_22_xH = (p->mH * t311) + (t62 * M_22_ITzz) - t147 - (t138 * t306);
-    const double t317 = t6 * C1_12_IBxz;
-    const double t319 = t168 + (p->mH * mu);
-    const double t323 = (p->xH * C1_22_ITzz) - (C1_12_IBxz * t308);
-    const double C1_22_xH = t167 + (mu * t319) + (p->mH * t323) + (t62 * C1_22_ITzz) - (C1_12_IBxz *
-        t306);
-    const double t331 = sin_lam * t319;
-    const double K2_22_xH = C1_12_IBxz * t319;
-    const double M_11_zH = t6 + t6;
-    const double K0_12_mH = t308 + (p->zH * sin_lam) - (p->xH * mu);
-    const double M_12_zH = t306 + (p->mH * K0_12_mH);
-    const double t340 = p->xH * sin_lam;
-    const double M_22_IHxx = sin_lam * sin_lam;
-    const double t346 = (t140 * t308) + (p->zH * M_22_IHxx) - (t138 * t340);
-    const double M_22_zH = (p->mH * t346) + (t6 * M_22_IHxx);
-    const double t351 = mu + (p->xH * C1_12_IBxz);
-    const double t352 = p->mH * t351;
-    const double K0_12_zH = p->mH * sin_lam;
-    const double t355 = C1_12_IBxz * t340;
-    const double t357 = (mu * K0_12_zH) + (p->mH * t355);
-    const double K0_22_zH = sin_lam * K0_12_zH;
-    const double t359 = p->mH * C1_12_IBxz;
-    const double t360 = C1_12_IBxz * K0_12_zH;
-    const double M_11_mH = p->zH * p->zH;
-    const double M_12_mH = p->zH * K0_12_mH;
-    const double M_22_mH = (p->xH * t311) + (p->zH * t346) + (t35 * t142);
-    const double t368 = p->zH * t351;
-    const double C1_22_mH = (p->xH * t323) - (mu * K0_12_mH) - (p->zH * t355);
-    const double K0_22_mH = sin_lam * K0_12_mH;
-    const double t375 = p->zH * C1_12_IBxz;
-    const double t376 = C1_12_IBxz * K0_12_mH;
-    const double M_22_IHzz = t85 + M_22_ITzz + (cos_lam * t138);
-    const double C1_22_IHzz = C1_22_ITzz + (cos_lam * C1_12_IBxz);
+    const double t265 = p->zB * ITzz_mF;
+    const double M_22_mB = ITzz_mF * ITzz_mF;
+    const double t267 = p->zB * t262;
+    const double C1_22_mB = ITzz_mF * t262;
+    const double t269 = sin_lam * ITzz_mF;
+    const double t270 = p->zB * C1_12_IBxz;
+    const double K2_22_mB = mu * t261;
     const double M_12_IHxz = cos_lam + mu;
-    const double t384 = t228 + (sin_lam * mu);
-    const double M_22_IHxz = t384 + t384;
+    const double t273 = p->mH * M_12_IHxz;
+    const double t274 = p->zH * t273;
+    const double t275 = t160 * mu;
+    const double M_22_xH = t161 + t275 + t275;
+    const double t278 = t55 * t141;
+    const double t279 = p->xH + p->c;
+    const double C1_22_IHzz = C1_12_IBxz * M_12_IHxz;
+    const double K2_22_mH = C1_12_IBxz * t159;
+    const double C1_22_xH = p->mH * ((t279 * C1_22_IHzz) + K2_22_mH);
+    const double K0_12_zH = p->mH * sin_lam;
+    const double t286 = M_12_IHxz * K0_12_zH;
+    const double K2_22_xH = p->mH * C1_22_IHzz;
+    const double M_11_zH = t109 + t109;
+    const double M_12_zH = (sin_lam * t109) - t160;
+    const double t292 = sin_lam * t159;
+    const double t293 = (p->mH + p->mH) * t292;
+    const double t294 = p->mH * C1_12_IBxz;
+    const double t295 = t279 * t294;
+    const double t296 = C1_12_IBxz * K0_12_zH;
+    const double t297 = t279 * t296;
+    const double K0_22_zH = sin_lam * K0_12_zH;
+    const double t299 = p->zH * t159;
+    const double M_22_mH = t159 * t159;
+    const double t301 = p->zH * C1_12_IBxz;
+    const double t302 = t279 * t301;
+    const double C1_22_mH = t279 * K2_22_mH;
+    const double M_22_IHxx = sin_lam * sin_lam;
+    const double M_22_IHzz = M_12_IHxz * M_12_IHxz;
+    const double M_22_IHxz = sin_lam * (M_12_IHxz + M_12_IHxz);
     const double K2_22_SF = sin_lam * C1_12_IBxz;
-    const double M_11_rF = t10 + t10;
-    const double t388 = p->rF * sin_lam;
-    const double t389 = cos_lam * p->c;
-    const double t391 = t389 - (p->w * mu);
-    const double t392 = t388 - t391;
-    const double M_12_rF = t149 + (p->mF * t392);
-    const double t395 = p->w * sin_lam;
-    const double t400 = (t138 * t395) + (p->rF * M_22_IHxx) - (t140 * t389);
-    const double M_22_rF = (p->mF * t400) + (t10 * M_22_IHxx);
-    const double C1_12_SF = mu + (p->w * C1_12_IBxz);
-    const double t407 = t96 * SF;
-    const double C1_12_rF = (p->mF * C1_12_SF) - (C1_12_SF * t407);
-    const double C1_21_rF = M_12_IHxz * t407;
-    const double t411 = p->mF * sin_lam;
-    const double t413 = C1_12_IBxz * t395;
-    const double C1_22_rF = (mu * t411) + (p->mF * t413);
-    const double t416 = sin_lam * t411;
-    const double K2_12_rF = C1_12_IBxz * (p->mF - t407);
-    const double K2_22_rF = (C1_12_IBxz * t411) - (K2_22_SF * t407);
-    const double M_11_mF = p->rF * p->rF;
-    const double M_12_mF = p->rF * t392;
-    const double ITzz_mF = p->w * p->w;
-    const double M_22_mF = (p->c * t200) + (p->rF * t400) + (M_22_ITzz * ITzz_mF);
-    const double C1_12_mF = p->rF * C1_12_SF;
-    const double C1_22_mF = (mu * t392) + (p->rF * t413) + (C1_22_ITzz * ITzz_mF) - (p->c * t214);
-    const double t438 = sin_lam * t392;
+    const double M_11_rF = t49 + t49;
+    const double M_12_rF = p->mF * (t149 - K0_12_mF);
+    const double t313 = sin_lam * (t151 + t151);
+    const double t314 = t102 * SF;
+    const double t315 = p->mF - t314;
+    const double t316 = t146 + mu;
+    const double C1_12_rF = t315 * t316;
+    const double C1_21_rF = M_12_IHxz * t314;
+    const double t319 = p->mF * sin_lam;
+    const double C1_22_rF = t316 * t319;
+    const double t321 = p->mF * M_22_IHxx;
+    const double K2_12_rF = C1_12_IBxz * t315;
+    const double K2_22_rF = sin_lam * K2_12_rF;
+    const double t324 = p->rF * K0_12_mF;
+    const double M_22_mF = K0_12_mF * K0_12_mF;
     const double K2_12_mF = p->rF * C1_12_IBxz;
-    const double K2_22_mF = C1_12_IBxz * t392;
+    const double C1_12_mF = t34 * K2_12_mF;
+    const double t328 = K0_12_mF * t316;
+    const double K0_22_mF = sin_lam * K0_12_mF;
+    const double t330 = C1_12_IBxz * K0_12_mF;
     const double M_22_IFxx = M_22_IHxx + M_22_IHzz;
-    const double C1_12_IFyy = t96 * C1_12_SF;
-    const double t443 = t96 * M_12_IHxz;
-    const double K2_12_IFyy = C1_12_IBxz * t96;
-    const double K2_22_IFyy = t96 * K2_22_SF;
-    const double C1_21 = -(t111 + (mu * ST));
-    const double K0_11 = t104 - t103;
-    const double K0_12_mF = t391 - t388;
+    const double K2_12_IFyy = C1_12_IBxz * t102;
+    const double C1_12_IFyy = t34 * K2_12_IFyy;
+    const double t334 = t102 * M_12_IHxz;
+    const double K2_22_IFyy = sin_lam * K2_12_IFyy;
+    const double C1_21 = -(cos_lam * t120);
+    const double C1_22 = -(cos_lam * t133);
+    const double K0_11 = t111 - t108;
+    const double K2_22 = -(cos_lam * t139);
+    const double K2_12_rR = t236 - t235;
+    const double K0_12_mH = t158 - t157;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -767,33 +753,33 @@ void whipple_f64_derivatives(const whipple_f64_t *p, whipple_f64_matrices_t *mat
     matrices->k2[1][0] = 0.0;
     matrices->k2[1][1] = K2_22;
     derivatives->values[0] = M_12_w;
-    derivatives->values[1] = M_22_w;
-    derivatives->values[2] = C1_12_w;
+    derivatives->values[1] = t162;
+    derivatives->values[2] = t166;
     derivatives->values[3] = C1_21_w;
-    derivatives->values[4] = C1_22_w;
+    derivatives->values[4] = t178;
     derivatives->values[5] = K0_12_w;
     derivatives->values[6] = K0_22_w;
-    derivatives->values[7] = t188;
-    derivatives->values[8] = t191;
+    derivatives->values[7] = t182;
+    derivatives->values[8] = K2_22_w;
     derivatives->values[9] = M_12_c;
-    derivatives->values[10] = M_22_c;
+    derivatives->values[10] = t189;
     derivatives->values[11] = K2_12;
-    derivatives->values[12] = t208;
-    derivatives->values[13] = C1_22_c;
+    derivatives->values[12] = t167;
+    derivatives->values[13] = t195;
     derivatives->values[14] = K0_12_c;
     derivatives->values[15] = K0_22_c;
-    derivatives->values[16] = t221;
+    derivatives->values[16] = t198;
     derivatives->values[17] = M_12_lam;
     derivatives->values[18] = M_22_lam;
-    derivatives->values[19] = t243;
+    derivatives->values[19] = t214;
     derivatives->values[20] = C1_21_lam;
-    derivatives->values[21] = C1_22_lam;
+    derivatives->values[21] = t223;
     derivatives->values[22] = K0_12_lam;
     derivatives->values[23] = K0_22_lam;
-    derivatives->values[24] = t259;
+    derivatives->values[24] = t227;
     derivatives->values[25] = K2_22_lam;
     derivatives->values[26] = M_11_rR;
-    derivatives->values[27] = C1_12_rR;
+    derivatives->values[27] = t238;
     derivatives->values[28] = C1_21_rR;
     derivatives->values[29] = p->mR;
     derivatives->values[30] = K2_12_rR;
@@ -806,57 +792,57 @@ void whipple_f64_derivatives(const whipple_f64_t *p, whipple_f64_matrices_t *mat
     derivatives->values[37] = C1_22_ITzz;
     derivatives->values[38] = C1_12_IRyy;
     derivatives->values[39] = K2_12_IRyy;
-    derivatives->values[40] = t276;
+    derivatives->values[40] = t248;
     derivatives->values[41] = M_22_xB;
-    derivatives->values[42] = t279;
+    derivatives->values[42] = t247;
     derivatives->values[43] = C1_22_xB;
-    derivatives->values[44] = t280;
-    derivatives->values[45] = t284;
+    derivatives->values[44] = t255;
+    derivatives->values[45] = t256;
     derivatives->values[46] = K2_22_xB;
     derivatives->values[47] = M_11_zB;
-    derivatives->values[48] = t288;
-    derivatives->values[49] = t291;
+    derivatives->values[48] = t260;
+    derivatives->values[49] = t263;
     derivatives->values[50] = p->mB;
-    derivatives->values[51] = t292;
+    derivatives->values[51] = t254;
     derivatives->values[52] = M_11_mB;
-    derivatives->values[53] = t294;
+    derivatives->values[53] = t265;
     derivatives->values[54] = M_22_mB;
-    derivatives->values[55] = t297;
+    derivatives->values[55] = t267;
     derivatives->values[56] = C1_22_mB;
     derivatives->values[57] = p->zB;
-    derivatives->values[58] = t287;
-    derivatives->values[59] = t301;
-    derivatives->values[60] = t302;
+    derivatives->values[58] = ITzz_mF;
+    derivatives->values[59] = t269;
+    derivatives->values[60] = t270;
     derivatives->values[61] = K2_22_mB;
     derivatives->values[62] = mu;
     derivatives->values[63] = C1_12_IBxz;
-    derivatives->values[64] = t305;
+    derivatives->values[64] = t274;
     derivatives->values[65] = M_22_xH;
-    derivatives->values[66] = t317;
+    derivatives->values[66] = t278;
     derivatives->values[67] = C1_22_xH;
-    derivatives->values[68] = t319;
-    derivatives->values[69] = t331;
+    derivatives->values[68] = t273;
+    derivatives->values[69] = t286;
     derivatives->values[70] = K2_22_xH;
     derivatives->values[71] = M_11_zH;
     derivatives->values[72] = M_12_zH;
-    derivatives->values[73] = M_22_zH;
-    derivatives->values[74] = t352;
-    derivatives->values[75] = t357;
+    derivatives->values[73] = t293;
+    derivatives->values[74] = t295;
+    derivatives->values[75] = t297;
     derivatives->values[76] = p->mH;
     derivatives->values[77] = K0_12_zH;
     derivatives->values[78] = K0_22_zH;
-    derivatives->values[79] = t359;
-    derivatives->values[80] = t360;
+    derivatives->values[79] = t294;
+    derivatives->values[80] = t296;
     derivatives->values[81] = M_11_mH;
-    derivatives->values[82] = M_12_mH;
+    derivatives->values[82] = t299;
     derivatives->values[83] = M_22_mH;
-    derivatives->values[84] = t368;
+    derivatives->values[84] = t302;
     derivatives->values[85] = C1_22_mH;
     derivatives->values[86] = p->zH;
     derivatives->values[87] = K0_12_mH;
-    derivatives->values[88] = K0_22_mH;
-    derivatives->values[89] = t375;
-    derivatives->values[90] = t376;
+    derivatives->values[88] = t292;
+    derivatives->values[89] = t301;
+    derivatives->values[90] = K2_22_mH;
     derivatives->values[91] = sin_lam;
     derivatives->values[92] = M_22_IHxx;
     derivatives->values[93] = M_22_IHzz;
@@ -866,28 +852,28 @@ void whipple_f64_derivatives(const whipple_f64_t *p, whipple_f64_matrices_t *mat
     derivatives->values[97] = K2_22_SF;
     derivatives->values[98] = M_11_rF;
     derivatives->values[99] = M_12_rF;
-    derivatives->values[100] = M_22_rF;
+    derivatives->values[100] = t313;
     derivatives->values[101] = C1_12_rF;
     derivatives->values[102] = C1_21_rF;
     derivatives->values[103] = C1_22_rF;
     derivatives->values[104] = p->mF;
-    derivatives->values[105] = t411;
-    derivatives->values[106] = t416;
+    derivatives->values[105] = t319;
+    derivatives->values[106] = t321;
     derivatives->values[107] = K2_12_rF;
     derivatives->values[108] = K2_22_rF;
     derivatives->values[109] = M_11_mF;
-    derivatives->values[110] = M_12_mF;
+    derivatives->values[110] = t324;
     derivatives->values[111] = M_22_mF;
     derivatives->values[112] = C1_12_mF;
-    derivatives->values[113] = C1_22_mF;
+    derivatives->values[113] = t328;
     derivatives->values[114] = p->rF;
     derivatives->values[115] = K0_12_mF;
-    derivatives->values[116] = t438;
+    derivatives->values[116] = K0_22_mF;
     derivatives->values[117] = K2_12_mF;
-    derivatives->values[118] = K2_22_mF;
+    derivatives->values[118] = t330;
     derivatives->values[119] = M_22_IFxx;
     derivatives->values[120] = C1_12_IFyy;
-    derivatives->values[121] = t443;
+    derivatives->values[121] = t334;
     derivatives->values[122] = K2_12_IFyy;
     derivatives->values[123] = K2_22_IFyy;
 }
@@ -1202,226 +1188,212 @@ carvallo_system_error_t whipple_f32_state_space(const whipple_f32_system_t *syst
 void whipple_f32_derivatives(const whipple_f32_t *p, whipple_f32_matrices_t *matrices,
     whipple_f32_derivatives_t *derivatives)
 {
-    const float t6 = p->zH * p->mH;
-    const float t10 = p->rF * p->mF;
-    const float t14 = p->IHxx + p->IFxx + (p->zH * t6) + (p->rF * t10);
-    const float t17 = p->rR * p->mR;
-    const float t21 = p->zB * p->mB;
-    const float M_11 = p->IRxx + p->IBxx + t14 + (p->rR * t17) + (p->zB * t21);
+    const float t2 = p->zB * p->mB;
+    const float M_11_mH = p->zH * p->zH;
+    const float M_11_mF = p->rF * p->rF;
+    const float t18 = (p->mH * M_11_mH) + p->IFxx + p->IHxx + (p->mF * M_11_mF);
+    const float M_11_mR = p->rR * p->rR;
+    const float M_11 = (p->zB * t2) + p->IBxx + p->IRxx + t18 + (p->mR * M_11_mR);
     float sin_lam = 0.0F;
     float cos_lam = 0.0F;
     carvallo_sin_cos_f32(p->lam, &sin_lam, &cos_lam);
-    const float t35 = p->c + p->w - p->xH;
-    const float t38 = p->IHxz + (t6 * t35) - (t10 * p->c);
-    const float t39 = cos_lam * t38;
-    const float t42 = t39 + (t14 * sin_lam);
-    const float t47 = p->IHxz + (t10 * p->w) - (t6 * p->xH);
-    const float ITxz = p->IBxz + t47 - (t21 * p->xB);
-    const float t52 = 1.0F / p->w;
-    const float C1_12_IBxz = cos_lam * t52;
-    const float mu = p->c * C1_12_IBxz;
-    const float M_12 = t42 + (ITxz * mu);
-    const float t59 = p->IFxx + p->IHzz;
-    const float t60 = p->mF * p->c;
-    const float t62 = p->mH * p->xH;
-    const float t65 = t59 - (p->w * t60) - (t35 * t62);
-    const float IAlz = (sin_lam * t47) + (cos_lam * t65);
-    const float t69 = p->mF * p->w;
-    const float t71 = p->mB * p->xB;
-    const float ITzz = p->IRxx + t59 + p->IBzz + (p->w * t69) + (p->xB * t71) + (p->xH * t62);
-    const float t80 = IAlz + (mu * ITzz);
-    const float t85 = cos_lam * cos_lam;
-    const float t87 = p->mH * t35;
-    const float t90 = t59 + (p->c * t60) + (t35 * t87);
-    const float M_22 = (mu * (IAlz + t80)) + (sin_lam * (t39 + t42)) + (t85 * t90);
-    const float t96 = 1.0F / p->rF;
-    const float SF = p->IFyy * t96;
-    const float t100 = 1.0F / p->rR;
-    const float t101 = p->IRyy * t100;
-    const float ST = SF + t101;
-    const float t103 = t10 - t6;
-    const float t104 = t21 - t17;
-    const float t106 = ST + (t103 - t104);
-    const float t109 = ITxz + (p->w * SF) + (p->c * t106);
-    const float C1_12 = C1_12_IBxz * t109;
-    const float t111 = cos_lam * SF;
-    const float t115 = t62 + t69 + t71;
-    const float t118 = t60 + t87;
-    const float K0_12 = (cos_lam * t118) - (mu * t115) - (sin_lam * t103);
-    const float C1_22 = (C1_12_IBxz * t80) - (mu * K0_12);
+    const float t29 = t18 * sin_lam;
+    const float t34 = p->c + p->w;
+    const float t35 = p->xH - t34;
+    const float t36 = p->mH * t35;
+    const float t39 = p->mF * p->c;
+    const float C1_12_SF = p->rF * t39;
+    const float t42 = (p->zH * t36) + C1_12_SF - p->IHxz;
+    const float t44 = p->mB * p->xB;
+    const float t47 = p->mH * p->xH;
+    const float t49 = p->mF * p->rF;
+    const float t52 = p->IHxz + (p->w * t49) - (p->zH * t47);
+    const float t54 = (p->zB * t44) - p->IBxz - t52;
+    const float t55 = 1.0F / p->w;
+    const float t56 = p->c * t55;
+    const float t57 = t54 * t56;
+    const float t58 = t42 + t57;
+    const float M_12 = t29 - (cos_lam * t58);
+    const float t61 = cos_lam + cos_lam;
+    const float t63 = t29 - (t42 * t61);
+    const float t67 = p->IFxx + p->IHzz;
+    const float ITzz_mB = p->w * t39;
+    const float t76 = t67 + (t35 * t47) - ITzz_mB;
+    const float t79 = t55 * ((sin_lam * t52) + (cos_lam * t76));
+    const float C1_12_IBxz = cos_lam * t55;
+    const float t84 = p->mF * p->w;
+    const float t91 = C1_12_IBxz * (p->IRxx + t67 + p->IBzz + (p->xH * t47) + (p->xB * t44) +
+        (p->w * t84));
+    const float t92 = t56 * t91;
+    const float t93 = t79 + t92;
+    const float t95 = (cos_lam * ((t35 * t36) + t67 + (p->c * t39))) + (p->c * t93);
+    const float M_22 = (sin_lam * t63) + (cos_lam * (t95 + (p->c * t79)));
+    const float t102 = 1.0F / p->rF;
+    const float SF = p->IFyy * t102;
+    const float t105 = 1.0F / p->rR;
+    const float t106 = p->IRyy * t105;
+    const float ST = SF + t106;
+    const float t108 = p->mR * p->rR;
+    const float t109 = p->mH * p->zH;
+    const float t110 = t109 - t49;
+    const float t111 = t2 + t110;
+    const float t113 = ST + (t108 - t111);
+    const float t117 = (p->c * t113) + (p->w * SF) - t54;
+    const float C1_12 = C1_12_IBxz * t117;
+    const float t120 = SF + (t56 * ST);
+    const float t122 = t47 + t84;
+    const float t125 = p->mF - (t55 * (t44 + t122));
+    const float t126 = p->c * t125;
+    const float t127 = t36 - t126;
+    const float K0_12 = (sin_lam * t110) - (cos_lam * t127);
+    const float t131 = K0_12 - t91;
+    const float t132 = t56 * t131;
+    const float t133 = t132 - t79;
     const float K0_22 = sin_lam * K0_12;
-    const float K2_12 = C1_12_IBxz * t106;
-    const float t127 = sin_lam * SF;
-    const float t128 = t127 - K0_12;
-    const float K2_22 = C1_12_IBxz * t128;
-    const float t130 = t6 * cos_lam;
-    const float t132 = t52 * C1_12_IBxz;
-    const float t133 = p->c * ITxz;
-    const float M_12_w = t130 + (t10 * mu) - (t132 * t133);
-    const float t137 = cos_lam * t62;
-    const float t138 = mu + mu;
-    const float t140 = sin_lam + sin_lam;
-    const float t142 = t35 * t85;
-    const float t147 = (t130 * t140) + (p->mH * t142) + (t85 * t87) - (t137 * t138);
-    const float t149 = t10 * sin_lam;
-    const float IAlz_w = t149 - (cos_lam * t60);
-    const float M_22_mu = t80 + t80;
-    const float t153 = p->c * M_22_mu;
-    const float ITzz_w = t69 + t69;
-    const float M_22_ITzz = mu * mu;
-    const float M_22_w = t147 + (t138 * IAlz_w) + (ITzz_w * M_22_ITzz) - (t132 * t153);
-    const float C1_12_w = (C1_12_IBxz * (t10 + SF)) - (t109 * t132);
-    const float t165 = p->c * ST;
-    const float C1_21_w = t132 * t165;
-    const float t167 = C1_12_IBxz * t137;
-    const float t168 = p->mH * cos_lam;
-    const float t170 = p->c * t115;
-    const float K0_12_w = t168 + (t132 * t170) - (p->mF * mu);
-    const float C1_22_mu = (C1_12_IBxz * ITzz) - K0_12;
-    const float t179 = t80 + (p->c * C1_22_mu);
-    const float C1_22_ITzz = C1_12_IBxz * mu;
-    const float C1_22_w = (C1_12_IBxz * IAlz_w) + (ITzz_w * C1_22_ITzz) - t167 - (mu * K0_12_w) -
-        (t132 * t179);
+    const float K2_12 = C1_12_IBxz * t113;
+    const float t139 = t55 * (K0_12 - (sin_lam * SF));
+    const float t141 = cos_lam * t109;
+    const float M_12_w = t141 + (C1_12_IBxz * (C1_12_SF + t57));
+    const float t145 = t56 + t56;
+    const float t146 = p->w * C1_12_IBxz;
+    const float t149 = p->rF * sin_lam;
+    const float K0_12_mF = (p->c * (cos_lam - t146)) - t149;
+    const float t151 = p->mF * K0_12_mF;
+    const float t152 = t93 + t151;
+    const float t157 = cos_lam * (t35 + (p->xH * t56));
+    const float t158 = p->zH * sin_lam;
+    const float t159 = t157 - t158;
+    const float t160 = p->mH * t159;
+    const float t161 = t61 * t160;
+    const float t162 = (cos_lam * t145 * t152) + t161;
+    const float t163 = t55 * t117;
+    const float t166 = C1_12_IBxz * (t163 - t49 - SF);
+    const float t167 = C1_12_IBxz * ST;
+    const float C1_21_w = t56 * t167;
+    const float t171 = p->mH - (t55 * t126);
+    const float t176 = t152 + (cos_lam * (t47 - (p->c * ((t55 * t84) - t171))));
+    const float t178 = C1_12_IBxz * (t176 - t132);
+    const float K0_12_w = cos_lam * t171;
     const float K0_22_w = sin_lam * K0_12_w;
-    const float t188 = t106 * t132;
-    const float t191 = (C1_12_IBxz * K0_12_w) + (t128 * t132);
-    const float t192 = t10 * cos_lam;
-    const float M_12_c = t130 + (ITxz * C1_12_IBxz) - t192;
-    const float t197 = cos_lam * p->w;
-    const float t200 = (p->c * t85) - (t138 * t197);
-    const float M_22_c = t147 + (p->mF * t200) + (C1_12_IBxz * M_22_mu) + (t60 * t85) - (t140 *
-        t192);
-    const float t208 = C1_12_IBxz * ST;
-    const float K0_12_c = t168 + (p->mF * cos_lam) - (C1_12_IBxz * t115);
-    const float t214 = C1_12_IBxz * t197;
-    const float C1_22_c = (C1_12_IBxz * C1_22_mu) - t167 - (mu * K0_12_c) - (p->mF * t214);
+    const float t181 = t55 * t113;
+    const float t182 = C1_12_IBxz * t181;
+    const float K2_22_w = C1_12_IBxz * (t139 - K0_12_w);
+    const float t186 = cos_lam * t110;
+    const float M_12_c = t186 - (t54 * C1_12_IBxz);
+    const float t189 = t61 * (t160 - t152);
+    const float t190 = p->mH + t125;
+    const float t195 = C1_12_IBxz * (t131 + (cos_lam * (t122 + (p->c * t190))));
+    const float K0_12_c = cos_lam * t190;
     const float K0_22_c = sin_lam * K0_12_c;
-    const float t221 = C1_12_IBxz * K0_12_c;
-    const float t222 = t38 * sin_lam;
-    const float t224 = sin_lam * t52;
-    const float M_12_lam = (t14 * cos_lam) - t222 - (t133 * t224);
-    const float t228 = cos_lam * sin_lam;
-    const float IAlz_lam = (cos_lam * t47) - (sin_lam * t65);
-    const float M_22_lam = (t138 * IAlz_lam) + (cos_lam * (t42 + t42)) - (t90 * (t228 + t228)) -
-        (t140 * t222) - (t153 * t224);
-    const float t243 = t109 * t224;
-    const float C1_21_lam = t127 + (t165 * t224);
-    const float K0_12_lam = (t170 * t224) - (cos_lam * t103) - (sin_lam * t118);
-    const float C1_22_lam = (C1_12_IBxz * IAlz_lam) - (mu * K0_12_lam) - (t179 * t224);
+    const float t198 = C1_12_IBxz * K0_12_c;
+    const float M_12_lam = (t18 * cos_lam) + (sin_lam * t58);
+    const float t204 = sin_lam * ((sin_lam * t42) - t95);
+    const float t207 = (sin_lam * t76) - (cos_lam * t52);
+    const float M_22_lam = t204 + t204 + (cos_lam * (t29 + t63 - (t145 * t207)));
+    const float t214 = sin_lam * t163;
+    const float C1_21_lam = sin_lam * t120;
+    const float K0_12_lam = t186 + (sin_lam * t127);
+    const float t223 = (C1_12_IBxz * (t207 + (p->c * K0_12_lam))) + (sin_lam * (t92 - t133));
     const float K0_22_lam = (sin_lam * K0_12_lam) + (cos_lam * K0_12);
-    const float t259 = t106 * t224;
-    const float K2_22_lam = (C1_12_IBxz * (t111 - K0_12_lam)) - (t128 * t224);
-    const float M_11_rR = t17 + t17;
-    const float t265 = t100 * t101;
-    const float t266 = p->mR - t265;
-    const float C1_12_rR = mu * t266;
-    const float C1_21_rR = mu * t265;
-    const float K2_12_rR = C1_12_IBxz * t266;
-    const float M_11_mR = p->rR * p->rR;
-    const float C1_12_mR = p->rR * mu;
+    const float t227 = sin_lam * t181;
+    const float K2_22_lam = (sin_lam * t139) + (C1_12_IBxz * ((cos_lam * SF) - K0_12_lam));
+    const float M_11_rR = t108 + t108;
+    const float K2_12_IRyy = C1_12_IBxz * t105;
+    const float t235 = t106 * K2_12_IRyy;
+    const float t236 = p->mR * C1_12_IBxz;
+    const float t238 = p->c * (t235 - t236);
+    const float C1_12_IRyy = p->c * K2_12_IRyy;
+    const float C1_21_rR = t106 * C1_12_IRyy;
     const float K2_12_mR = p->rR * C1_12_IBxz;
-    const float C1_12_IRyy = mu * t100;
-    const float K2_12_IRyy = C1_12_IBxz * t100;
-    const float t276 = t21 * mu;
-    const float ITzz_xB = t71 + t71;
-    const float M_22_xB = M_22_ITzz * ITzz_xB;
-    const float t279 = t21 * C1_12_IBxz;
-    const float t280 = p->mB * mu;
-    const float C1_22_xB = (mu * t280) + (C1_22_ITzz * ITzz_xB);
-    const float t284 = sin_lam * t280;
-    const float K2_22_xB = C1_12_IBxz * t280;
-    const float M_11_zB = t21 + t21;
-    const float t287 = p->xB * mu;
-    const float t288 = p->mB * t287;
-    const float t290 = mu + (p->xB * C1_12_IBxz);
-    const float t291 = p->mB * t290;
-    const float t292 = p->mB * C1_12_IBxz;
+    const float C1_12_mR = p->c * K2_12_mR;
+    const float mu = p->c * C1_12_IBxz;
+    const float M_22_ITzz = mu * mu;
+    const float C1_22_ITzz = C1_12_IBxz * mu;
+    const float t247 = t2 * C1_12_IBxz;
+    const float t248 = p->c * t247;
+    const float t249 = t44 + t44;
+    const float M_22_xB = M_22_ITzz * t249;
+    const float C1_22_xB = C1_22_ITzz * (t249 + (p->mB * p->c));
+    const float t254 = p->mB * C1_12_IBxz;
+    const float t255 = p->c * t254;
+    const float t256 = sin_lam * t255;
+    const float K2_22_xB = mu * t254;
+    const float M_11_zB = t2 + t2;
+    const float ITzz_mF = p->xB * mu;
+    const float t260 = p->mB * ITzz_mF;
+    const float t261 = p->xB * C1_12_IBxz;
+    const float t262 = mu + t261;
+    const float t263 = p->mB * t262;
     const float M_11_mB = p->zB * p->zB;
-    const float t294 = p->zB * t287;
-    const float ITzz_mB = p->xB * p->xB;
-    const float M_22_mB = M_22_ITzz * ITzz_mB;
-    const float t297 = p->zB * t290;
-    const float C1_22_mB = (mu * t287) + (C1_22_ITzz * ITzz_mB);
-    const float t301 = sin_lam * t287;
-    const float t302 = p->zB * C1_12_IBxz;
-    const float K2_22_mB = C1_12_IBxz * t287;
-    const float t305 = t130 + (t6 * mu);
-    const float t306 = t6 * sin_lam;
-    const float t308 = cos_lam * t35;
-    const float t311 = (p->xH * M_22_ITzz) - (t138 * t308);
-    const float M_22_xH = (p->mH * t311) + (t62 * M_22_ITzz) - t147 - (t138 * t306);
-    const float t317 = t6 * C1_12_IBxz;
-    const float t319 = t168 + (p->mH * mu);
-    const float t323 = (p->xH * C1_22_ITzz) - (C1_12_IBxz * t308);
-    const float C1_22_xH = t167 + (mu * t319) + (p->mH * t323) + (t62 * C1_22_ITzz) - (C1_12_IBxz *
-        t306);
-    const float t331 = sin_lam * t319;
-    const float K2_22_xH = C1_12_IBxz * t319;
-    const float M_11_zH = t6 + t6;
-    const float K0_12_mH = t308 + (p->zH * sin_lam) - (p->xH * mu);
-    const float M_12_zH = t306 + (p->mH * K0_12_mH);
-    const float t340 = p->xH * sin_lam;
-    const float M_22_IHxx = sin_lam * sin_lam;
-    const float t346 = (t140 * t308) + (p->zH * M_22_IHxx) - (t138 * t340);
-    const float M_22_zH = (p->mH * t346) + (t6 * M_22_IHxx);
-    const float t351 = mu + (p->xH * C1_12_IBxz);
-    const float t352 = p->mH * t351;
-    const float K0_12_zH = p->mH * sin_lam;
-    const float t355 = C1_12_IBxz * t340;
-    const float t357 = (mu * K0_12_zH) + (p->mH * t355);
-    const float K0_22_zH = sin_lam * K0_12_zH;
-    const float t359 = p->mH * C1_12_IBxz;
-    const float t360 = C1_12_IBxz * K0_12_zH;
-    const float M_11_mH = p->zH * p->zH;
-    const float M_12_mH = p->zH * K0_12_mH;
-    const float M_22_mH = (p->xH * t311) + (p->zH * t346) + (t35 * t142);
-    const float t368 = p->zH * t351;
-    const float C1_22_mH = (p->xH * t323) - (mu * K0_12_mH) - (p->zH * t355);
-    const float K0_22_mH = sin_lam * K0_12_mH;
-    const float t375 = p->zH * C1_12_IBxz;
-    const float t376 = C1_12_IBxz * K0_12_mH;
-    const float M_22_IHzz = t85 + M_22_ITzz + (cos_lam * t138);
-    const float C1_22_IHzz = C1_22_ITzz + (cos_lam * C1_12_IBxz);
+    const float t265 = p->zB * ITzz_mF;
+    const float M_22_mB = ITzz_mF * ITzz_mF;
+    const float t267 = p->zB * t262;
+    const float C1_22_mB = ITzz_mF * t262;
+    const float t269 = sin_lam * ITzz_mF;
+    const float t270 = p->zB * C1_12_IBxz;
+    const float K2_22_mB = mu * t261;
     const float M_12_IHxz = cos_lam + mu;
-    const float t384 = t228 + (sin_lam * mu);
-    const float M_22_IHxz = t384 + t384;
+    const float t273 = p->mH * M_12_IHxz;
+    const float t274 = p->zH * t273;
+    const float t275 = t160 * mu;
+    const float M_22_xH = t161 + t275 + t275;
+    const float t278 = t55 * t141;
+    const float t279 = p->xH + p->c;
+    const float C1_22_IHzz = C1_12_IBxz * M_12_IHxz;
+    const float K2_22_mH = C1_12_IBxz * t159;
+    const float C1_22_xH = p->mH * ((t279 * C1_22_IHzz) + K2_22_mH);
+    const float K0_12_zH = p->mH * sin_lam;
+    const float t286 = M_12_IHxz * K0_12_zH;
+    const float K2_22_xH = p->mH * C1_22_IHzz;
+    const float M_11_zH = t109 + t109;
+    const float M_12_zH = (sin_lam * t109) - t160;
+    const float t292 = sin_lam * t159;
+    const float t293 = (p->mH + p->mH) * t292;
+    const float t294 = p->mH * C1_12_IBxz;
+    const float t295 = t279 * t294;
+    const float t296 = C1_12_IBxz * K0_12_zH;
+    const float t297 = t279 * t296;
+    const float K0_22_zH = sin_lam * K0_12_zH;
+    const float t299 = p->zH * t159;
+    const float M_22_mH = t159 * t159;
+    const float t301 = p->zH * C1_12_IBxz;
+    const float t302 = t279 * t301;
+    const float C1_22_mH = t279 * K2_22_mH;
+    const float M_22_IHxx = sin_lam * sin_lam;
+    const float M_22_IHzz = M_12_IHxz * M_12_IHxz;
+    const float M_22_IHxz = sin_lam * (M_12_IHxz + M_12_IHxz);
     const float K2_22_SF = sin_lam * C1_12_IBxz;
-    const float M_11_rF = t10 + t10;
-    const float t388 = p->rF * sin_lam;
-    const float t389 = cos_lam * p->c;
-    const float t391 = t389 - (p->w * mu);
-    const float t392 = t388 - t391;
-    const float M_12_rF = t149 + (p->mF * t392);
-    const float t395 = p->w * sin_lam;
-    const float t400 = (t138 * t395) + (p->rF * M_22_IHxx) - (t140 * t389);
-    const float M_22_rF = (p->mF * t400) + (t10 * M_22_IHxx);
-    const float C1_12_SF = mu + (p->w * C1_12_IBxz);
-    const float t407 = t96 * SF;
-    const float C1_12_rF = (p->mF * C1_12_SF) - (C1_12_SF * t407);
-    const float C1_21_rF = M_12_IHxz * t407;
-    const float t411 = p->mF * sin_lam;
-    const float t413 = C1_12_IBxz * t395;
-    const float C1_22_rF = (mu * t411) + (p->mF * t413);
-    const float t416 = sin_lam * t411;
-    const float K2_12_rF = C1_12_IBxz * (p->mF - t407);
-    const float K2_22_rF = (C1_12_IBxz * t411) - (K2_22_SF * t407);
-    const float M_11_mF = p->rF * p->rF;
-    const float M_12_mF = p->rF * t392;
-    const float ITzz_mF = p->w * p->w;
-    const float M_22_mF = (p->c * t200) + (p->rF * t400) + (M_22_ITzz * ITzz_mF);
-    const float C1_12_mF = p->rF * C1_12_SF;
-    const float C1_22_mF = (mu * t392) + (p->rF * t413) + (C1_22_ITzz * ITzz_mF) - (p->c * t214);
-    const float t438 = sin_lam * t392;
+    const float M_11_rF = t49 + t49;
+    const float M_12_rF = p->mF * (t149 - K0_12_mF);
+    const float t313 = sin_lam * (t151 + t151);
+    const float t314 = t102 * SF;
+    const float t315 = p->mF - t314;
+    const float t316 = t146 + mu;
+    const float C1_12_rF = t315 * t316;
+    const float C1_21_rF = M_12_IHxz * t314;
+    const float t319 = p->mF * sin_lam;
+    const float C1_22_rF = t316 * t319;
+    const float t321 = p->mF * M_22_IHxx;
+    const float K2_12_rF = C1_12_IBxz * t315;
+    const float K2_22_rF = sin_lam * K2_12_rF;
+    const float t324 = p->rF * K0_12_mF;
+    const float M_22_mF = K0_12_mF * K0_12_mF;
     const float K2_12_mF = p->rF * C1_12_IBxz;
-    const float K2_22_mF = C1_12_IBxz * t392;
+    const float C1_12_mF = t34 * K2_12_mF;
+    const float t328 = K0_12_mF * t316;
+    const float K0_22_mF = sin_lam * K0_12_mF;
+    const float t330 = C1_12_IBxz * K0_12_mF;
     const float M_22_IFxx = M_22_IHxx + M_22_IHzz;
-    const float C1_12_IFyy = t96 * C1_12_SF;
-    const float t443 = t96 * M_12_IHxz;
-    const float K2_12_IFyy = C1_12_IBxz * t96;
-    const float K2_22_IFyy = t96 * K2_22_SF;
-    const float C1_21 = -(t111 + (mu * ST));
-    const float K0_11 = t104 - t103;
-    const float K0_12_mF = t391 - t388;
+    const float K2_12_IFyy = C1_12_IBxz * t102;
+    const float C1_12_IFyy = t34 * K2_12_IFyy;
+    const float t334 = t102 * M_12_IHxz;
+    const float K2_22_IFyy = sin_lam * K2_12_IFyy;
+    const float C1_21 = -(cos_lam * t120);
+    const float C1_22 = -(cos_lam * t133);
+    const float K0_11 = t111 - t108;
+    const float K2_22 = -(cos_lam * t139);
+    const float K2_12_rR = t236 - t235;
+    const float K0_12_mH = t158 - t157;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -1439,33 +1411,33 @@ void whipple_f32_derivatives(const whipple_f32_t *p, whipple_f32_matrices_t *mat
     matrices->k2[1][0] = 0.0F;
     matrices->k2[1][1] = K2_22;
     derivatives->values[0] = M_12_w;
-    derivatives->values[1] = M_22_w;
-    derivatives->values[2] = C1_12_w;
+    derivatives->values[1] = t162;
+    derivatives->values[2] = t166;
     derivatives->values[3] = C1_21_w;
-    derivatives->values[4] = C1_22_w;
+    derivatives->values[4] = t178;
     derivatives->values[5] = K0_12_w;
     derivatives->values[6] = K0_22_w;
-    derivatives->values[7] = t188;
-    derivatives->values[8] = t191;
+    derivatives->values[7] = t182;
+    derivatives->values[8] = K2_22_w;
     derivatives->values[9] = M_12_c;
-    derivatives->values[10] = M_22_c;
+    derivatives->values[10] = t189;
     derivatives->values[11] = K2_12;
-    derivatives->values[12] = t208;
-    derivatives->values[13] = C1_22_c;
+    derivatives->values[12] = t167;
+    derivatives->values[13] = t195;
     derivatives->values[14] = K0_12_c;
     derivatives->values[15] = K0_22_c;
-    derivatives->values[16] = t221;
+    derivatives->values[16] = t198;
     derivatives->values[17] = M_12_lam;
     derivatives->values[18] = M_22_lam;
-    derivatives->values[19] = t243;
+    derivatives->values[19] = t214;
     derivatives->values[20] = C1_21_lam;
-    derivatives->values[21] = C1_22_lam;
+    derivatives->values[21] = t223;
     derivatives->values[22] = K0_12_lam;
     derivatives->values[23] = K0_22_lam;
-    derivatives->values[24] = t259;
+    derivatives->values[24] = t227;
     derivatives->values[25] = K2_22_lam;
     derivatives->values[26] = M_11_rR;
-    derivatives->values[27] = C1_12_rR;
+    derivatives->values[27] = t238;
     derivatives->values[28] = C1_21_rR;
     derivatives->values[29] = p->mR;
     derivatives->values[30] = K2_12_rR;
@@ -1478,57 +1450,57 @@ void whipple_f32_derivatives(const whipple_f32_t *p, whipple_f32_matrices_t *mat
     derivatives->values[37] = C1_22_ITzz;
     derivatives->values[38] = C1_12_IRyy;
     derivatives->values[39] = K2_12_IRyy;
-    derivatives->values[40] = t276;
+    derivatives->values[40] = t248;
     derivatives->values[41] = M_22_xB;
-    derivatives->values[42] = t279;
+    derivatives->values[42] = t247;
     derivatives->values[43] = C1_22_xB;
-    derivatives->values[44] = t280;
-    derivatives->values[45] = t284;
+    derivatives->values[44] = t255;
+    derivatives->values[45] = t256;
     derivatives->values[46] = K2_22_xB;
     derivatives->values[47] = M_11_zB;
-    derivatives->values[48] = t288;
-    derivatives->values[49] = t291;
+    derivatives->values[48] = t260;
+    derivatives->values[49] = t263;
     derivatives->values[50] = p->mB;
-    derivatives->values[51] = t292;
+    derivatives->values[51] = t254;
     derivatives->values[52] = M_11_mB;
-    derivatives->values[53] = t294;
+    derivatives->values[53] = t265;
     derivatives->values[54] = M_22_mB;
-    derivatives->values[55] = t297;
+    derivatives->values[55] = t267;
     derivatives->values[56] = C1_22_mB;
     derivatives->values[57] = p->zB;
-    derivatives->values[58] = t287;
-    derivatives->values[59] = t301;
-    derivatives->values[60] = t302;
+    derivatives->values[58] = ITzz_mF;
+    derivatives->values[59] = t269;
+    derivatives->values[60] = t270;
     derivatives->values[61] = K2_22_mB;
     derivatives->values[62] = mu;
     derivatives->values[63] = C1_12_IBxz;
-    derivatives->values[64] = t305;
+    derivatives->values[64] = t274;
     derivatives->values[65] = M_22_xH;
-    derivatives->values[66] = t317;
+    derivatives->values[66] = t278;
     derivatives->values[67] = C1_22_xH;
-    derivatives->values[68] = t319;
-    derivatives->values[69] = t331;
+    derivatives->values[68] = t273;
+    derivatives->values[69] = t286;
     derivatives->values[70] = K2_22_xH;
     derivatives->values[71] = M_11_zH;
     derivatives->values[72] = M_12_zH;
-    derivatives->values[73] = M_22_zH;
-    derivatives->values[74] = t352;
-    derivatives->values[75] = t357;
+    derivatives->values[73] = t293;
+    derivatives->values[74] = t295;
+    derivatives->values[75] = t297;
     derivatives->values[76] = p->mH;
     derivatives->values[77] = K0_12_zH;
     derivatives->values[78] = K0_22_zH;
-    derivatives->values[79] = t359;
-    derivatives->values[80] = t360;
+    derivatives->values[79] = t294;
+    derivatives->values[80] = t296;
     derivatives->values[81] = M_11_mH;
-    derivatives->values[82] = M_12_mH;
+    derivatives->values[82] = t299;
     derivatives->values[83] = M_22_mH;
-    derivatives->values[84] = t368;
+    derivatives->values[84] = t302;
     derivatives->values[85] = C1_22_mH;
     derivatives->values[86] = p->zH;
     derivatives->values[87] = K0_12_mH;
-    derivatives->values[88] = K0_22_mH;
-    derivatives->values[89] = t375;
-    derivatives->values[90] = t376;
+    derivatives->values[88] = t292;
+    derivatives->values[89] = t301;
+    derivatives->values[90] = K2_22_mH;
     derivatives->values[91] = sin_lam;
     derivatives->values[92] = M_22_IHxx;
     derivatives->values[93] = M_22_IHzz;
@@ -1538,28 +1510,28 @@ void whipple_f32_derivatives(const whipple_f32_t *p, whipple_f32_matrices_t *mat
     derivatives->values[97] = K2_22_SF;
     derivatives->values[98] = M_11_rF;
     derivatives->values[99] = M_12_rF;
-    derivatives->values[100] = M_22_rF;
+    derivatives->values[100] = t313;
     derivatives->values[101] = C1_12_rF;
     derivatives->values[102] = C1_21_rF;
     derivatives->values[103] = C1_22_rF;
     derivatives->values[104] = p->mF;
-    derivatives->values[105] = t411;
-    derivatives->values[106] = t416;
+    derivatives->values[105] = t319;
+    derivatives->values[106] = t321;
     derivatives->values[107] = K2_12_rF;
     derivatives->values[108] = K2_22_rF;
     derivatives->values[109] = M_11_mF;
-    derivatives->values[110] = M_12_mF;
+    derivatives->values[110] = t324;
     derivatives->values[111] = M_22_mF;
     derivatives->values[112] = C1_12_mF;
-    derivatives->values[113] = C1_22_mF;
+    derivatives->values[113] = t328;
     derivatives->values[114] = p->rF;
     derivatives->values[115] = K0_12_mF;
-    derivatives->values[116] = t438;
+    derivatives->values[116] = K0_22_mF;
     derivatives->values[117] = K2_12_mF;
-    derivatives->values[118] = K2_22_mF;
+    derivatives->values[118] = t330;
     derivatives->values[119] = M_22_IFxx;
     derivatives->values[120] = C1_12_IFyy;
-    derivatives->values[121] = t443;
+    derivatives->values[121] = t334;
     derivatives->values[122] = K2_12_IFyy;
     derivatives->values[123] = K2_22_IFyy;
 }

@@ -353,7 +353,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 62 additions, 60 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 130 operations.
+ * 58 additions, 59 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 126 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -465,12 +465,12 @@ void whipple_leaning_f64_kinematics(const whipple_leaning_f64_t *p, whipple_lean
  * parameters, each value once. Which is which is said by `whipple_leaning_partials`.
  */
 typedef struct {
-    double values[164];
+    double values[163];
 } whipple_leaning_f64_derivatives_t;
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 196 additions, 308 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 511 operations.
+ * 146 additions, 247 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 402 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -770,7 +770,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 62 additions, 60 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 130 operations.
+ * 58 additions, 59 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 126 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -882,12 +882,12 @@ void whipple_leaning_f32_kinematics(const whipple_leaning_f32_t *p, whipple_lean
  * parameters, each value once. Which is which is said by `whipple_leaning_partials`.
  */
 typedef struct {
-    float values[164];
+    float values[163];
 } whipple_leaning_f32_derivatives_t;
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 196 additions, 308 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 511 operations.
+ * 146 additions, 247 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 402 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

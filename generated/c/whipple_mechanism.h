@@ -432,7 +432,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 160 additions, 242 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 408 operations.
+ * 142 additions, 199 multiplications, 3 divisions, 6 negations and 2 trigonometric functions: 352 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -824,7 +824,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 160 additions, 242 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 408 operations.
+ * 142 additions, 199 multiplications, 3 divisions, 6 negations and 2 trigonometric functions: 352 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

@@ -358,7 +358,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 168 additions, 258 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 434 operations.
+ * 121 additions, 194 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 324 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -598,7 +598,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 168 additions, 258 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 434 operations.
+ * 121 additions, 194 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 324 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

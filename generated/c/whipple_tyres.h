@@ -319,7 +319,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 53 additions, 54 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 113 operations.
+ * 52 additions, 52 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 112 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -436,7 +436,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 185 additions, 280 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 471 operations.
+ * 158 additions, 231 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 396 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -711,7 +711,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 53 additions, 54 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 113 operations.
+ * 52 additions, 52 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 112 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -828,7 +828,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 185 additions, 280 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 471 operations.
+ * 158 additions, 231 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 396 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

@@ -349,262 +349,255 @@ pub struct BalanceAssistDerivatives<T = f64> {
 
 impl<T: Number> BalanceAssist<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 161 additions, 243 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 410 operations.
+    /// 127 additions, 194 multiplications, 3 divisions, 7 negations and 2 trigonometric functions: 333 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (BalanceAssistMatrices<T>, BalanceAssistDerivatives<T>) {
-        let t6 = self.zH * self.mH;
-        let t10 = self.rF * self.mF;
-        let Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
-        let t17 = self.rR * self.mR;
-        let t21 = self.zB * self.mB;
-        let M_11 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
+        let t4 = self.rF * self.mF;
+        let M_11_mH = self.zH * self.zH;
+        let Jxx_delta = self.IHxx + self.IFxx + self.rF * t4 + self.mH * M_11_mH;
+        let M_11_mB = self.zB * self.zB;
+        let M_11_mR = self.rR * self.rR;
+        let M_11 = Jxx_delta + self.IRxx + self.IBxx + self.mB * M_11_mB
+            + self.mR * M_11_mR;
         let (sin_lam, cos_lam) = self.lam.sin_cos();
+        let t31 = self.mH * self.zH;
         let t34 = self.c + self.w;
         let t36 = t34 - self.xH;
-        let Jxz_delta = self.IHxz + t6 * t36 - t10 * self.c;
-        let t41 = Jxz_delta * cos_lam;
-        let hx_delta = Jxx_delta * sin_lam + t41;
-        let t43 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = cos_lam * t43;
-        let mu = self.c * yaw_per_v_delta;
-        let Sz_delta = t6 - t10;
-        let Jxz_all = Jxz_delta + self.IBxz - t21 * self.xB - t34 * Sz_delta;
-        let M_12 = hx_delta + mu * Jxz_all;
-        let t57 = sin_lam * Jxz_delta;
-        let t59 = self.mF * self.c;
-        let t61 = self.mH * t36;
-        let Jzz_delta = self.IFxx + self.IHzz + self.c * t59 + t36 * t61;
-        let hz_delta = t57 + cos_lam * Jzz_delta;
-        let t70 = t59 + t61;
-        let t72 = sin_lam * Sz_delta + cos_lam * t70;
-        let M_yaw_delta = hz_delta - t34 * t72;
-        let mA = self.mH + self.mF;
-        let t78 = t70 - t34 * mA;
-        let t79 = t70 + t78;
-        let t81 = self.mB * self.xB;
-        let P_delta_yaw_mu = self.IRxx + Jzz_delta + self.IBzz + self.xB * t81
-            - t34 * t79;
-        let t87 = mu * P_delta_yaw_mu;
-        let P_delta_yaw = M_yaw_delta + t87;
-        let t89 = M_yaw_delta + P_delta_yaw;
-        let M_22 = sin_lam * hx_delta + cos_lam * hz_delta + mu * t89;
+        let t40 = self.IHxz + t31 * t36 - t4 * self.c;
+        let t42 = t40 * cos_lam;
+        let hx_delta = Jxx_delta * sin_lam + t42;
+        let t44 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = cos_lam * t44;
+        let Sz_delta = t31 - t4;
+        let t50 = self.mB * self.xB;
+        let t54 = t40 + self.IBxz - t34 * Sz_delta - self.zB * t50;
+        let t55 = yaw_per_v_delta * t54;
+        let M_12 = hx_delta + self.c * t55;
+        let t59 = sin_lam * t40;
+        let t61 = self.mF * self.c;
+        let t63 = self.mH * t36;
+        let Jzz_delta = self.IFxx + self.IHzz + self.c * t61 + t36 * t63;
+        let t69 = t59 + cos_lam * Jzz_delta;
+        let t71 = t61 + t63;
+        let t73 = sin_lam * Sz_delta + cos_lam * t71;
+        let t75 = t34 * t73 - t69;
+        let mA = self.mF + self.mH;
+        let t78 = t71 - t34 * mA;
+        let t87 = yaw_per_v_delta
+            * (self.IRxx + Jzz_delta + self.xB * t50 + self.IBzz - t34 * (t71 + t78));
+        let t88 = self.c * t87;
+        let t89 = t75 - t88;
+        let t91 = self.c * t44;
+        let M_22_hz_delta = cos_lam * ((t75 + t89) * t91 - t69);
+        let M_22 = sin_lam * hx_delta - M_22_hz_delta;
         let zero = self.w.like(0.0);
-        let t98 = self.w.like(1.0) / self.rF;
-        let SF = self.IFyy * t98;
-        let t100 = cos_lam * SF;
-        let t102 = self.w.like(1.0) / self.rR;
-        let t103 = self.IRyy * t102;
-        let ST = SF + t103;
-        let Sz_all = t21 + Sz_delta - t17;
-        let t107 = ST - Sz_all;
-        let t109 = yaw_per_v_delta * Jxz_all;
-        let C1_12 = t100 + mu * t107 + t109;
-        let C1_21 = self.kappa - t100 - mu * ST;
-        let Sx_all = t81 - t78;
-        let K0_12 = t72 - mu * Sx_all;
-        let C1_22 = yaw_per_v_delta * P_delta_yaw - mu * K0_12;
+        let t101 = self.w.like(1.0) / self.rF;
+        let SF = self.IFyy * t101;
+        let t104 = self.w.like(1.0) / self.rR;
+        let t105 = self.IRyy * t104;
+        let ST = SF + t105;
+        let t107 = self.mB * self.zB;
+        let t108 = self.mR * self.rR;
+        let K0_11 = Sz_delta + t107 - t108;
+        let t111 = ST - K0_11;
+        let t114 = t44 * (t54 + self.c * t111);
+        let t115 = SF + t114;
+        let C1_12 = cos_lam * t115;
+        let t117 = cos_lam * SF;
+        let mu = cos_lam * t91;
+        let P_delta_yaw_xB = ST * mu;
+        let C1_21 = self.kappa - t117 - P_delta_yaw_xB;
+        let t122 = t78 * mu;
+        let t123 = t73 + t122;
+        let t124 = t50 * mu;
+        let K0_12 = t123 - t124;
+        let t126 = K0_12 - t87;
+        let t128 = t75 + self.c * t126;
         let K0_22 = sin_lam * K0_12;
-        let K2_12 = yaw_per_v_delta * t107;
-        let t123 = sin_lam * SF;
-        let K2_22_yaw_per_v_delta = t123 - K0_12;
-        let K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
-        let t126 = t43 * yaw_per_v_delta;
-        let t127 = self.c * Jxz_all;
+        let K2_12 = yaw_per_v_delta * t111;
+        let t132 = sin_lam * SF;
+        let t133 = K0_12 - t132;
+        let t134 = yaw_per_v_delta * t133;
         let M_12_Jxz_delta = cos_lam + mu;
-        let t131 = t6 * M_12_Jxz_delta;
-        let t132 = t131 - mu * Sz_delta;
-        let M_12_w = t132 - t126 * t127;
-        let M_22_mu = t87 + t89;
-        let M_22_yaw_per_v_delta = self.c * M_22_mu;
-        let t138 = t34 * mu;
-        let t141 = mA * t138 - t72 - mu * t79;
-        let t144 = t138 + t138;
-        let t147 = cos_lam * t144 + mu * t144;
-        let M_22_hz_delta = mu + M_12_Jxz_delta;
-        let M_22_IRxx = mu * mu;
-        let M_22_Jzz_delta = cos_lam * M_22_hz_delta + M_22_IRxx;
-        let t153 = t36 * M_22_Jzz_delta - t147;
-        let M_22_Jxz_delta = sin_lam * (cos_lam + M_22_hz_delta);
-        let t160 = self.mH * t153 + t6 * M_22_Jxz_delta + t61 * M_22_Jzz_delta;
-        let t161 = mu * (t141 - t72) + t160;
-        let M_22_w = t161 - t126 * M_22_yaw_per_v_delta;
-        let C1_12_yaw_per_v_delta = Jxz_all + self.c * t107;
-        let t167 = t6 * yaw_per_v_delta;
-        let t168 = t167 - yaw_per_v_delta * Sz_delta;
-        let C1_12_w = t168 - t126 * C1_12_yaw_per_v_delta;
-        let t170 = self.c * ST;
-        let C1_21_w = t126 * t170;
-        let t172 = mu * mA;
-        let t173 = self.c * Sx_all;
-        let t175 = t172 - t126 * t173;
-        let t176 = self.mH * M_12_Jxz_delta;
-        let P_delta_lateral_w = t175 - t176;
-        let C1_22_mu = yaw_per_v_delta * P_delta_yaw_mu - K0_12;
-        let C1_22_yaw_per_v_delta = P_delta_yaw + self.c * C1_22_mu;
-        let t185 = t34 * yaw_per_v_delta;
-        let t188 = cos_lam * t185 + yaw_per_v_delta * t144;
-        let C1_22_IRxx = yaw_per_v_delta * mu;
-        let C1_22_Jzz_delta = cos_lam * yaw_per_v_delta + C1_22_IRxx;
-        let t193 = t36 * C1_22_Jzz_delta - t188;
-        let C1_22_Jxz_delta = sin_lam * yaw_per_v_delta;
-        let t199 = self.mH * t193 + t6 * C1_22_Jxz_delta + t61 * C1_22_Jzz_delta;
-        let t200 = yaw_per_v_delta * t141 + t199;
-        let C1_22_w = mu * P_delta_lateral_w + t200 - t126 * C1_22_yaw_per_v_delta;
-        let t203 = sin_lam * P_delta_lateral_w;
-        let t204 = t107 * t126;
-        let K2_22_w = yaw_per_v_delta * P_delta_lateral_w - K2_22_yaw_per_v_delta * t126;
-        let M_12_c = t109 + t132 - t10 * M_12_Jxz_delta;
-        let t213 = self.c * M_22_Jzz_delta - t147;
-        let M_22_c = t161 + self.mF * t213 + yaw_per_v_delta * M_22_mu
-            + t59 * M_22_Jzz_delta - t10 * M_22_Jxz_delta;
-        let C1_12_c = t168 + yaw_per_v_delta * (t107 - t10);
-        let t224 = yaw_per_v_delta * ST;
-        let t227 = self.c * C1_22_Jzz_delta - t188;
-        let t232 = t172 + yaw_per_v_delta * Sx_all - t176;
-        let t233 = self.mF * M_12_Jxz_delta;
-        let P_delta_lateral_c = t232 - t233;
-        let C1_22_c = t200 + self.mF * t227 + yaw_per_v_delta * C1_22_mu
-            + mu * P_delta_lateral_c + t59 * C1_22_Jzz_delta - t10 * C1_22_Jxz_delta;
-        let t242 = sin_lam * P_delta_lateral_c;
-        let K2_22_c = yaw_per_v_delta * P_delta_lateral_c;
-        let hx_delta_lam = Jxx_delta * cos_lam - t57;
-        let t246 = sin_lam * t43;
-        let M_12_lam = hx_delta_lam - t127 * t246;
-        let hz_delta_lam = t41 - sin_lam * Jzz_delta;
-        let t258 = cos_lam * Sz_delta - sin_lam * t70;
-        let M_22_lam = sin_lam * hx_delta_lam + cos_lam * hx_delta
-            + M_22_hz_delta * hz_delta_lam - sin_lam * hz_delta
-            - M_22_yaw_per_v_delta * t246 - t144 * t258;
-        let t266 = t123 + C1_12_yaw_per_v_delta * t246;
-        let C1_21_lam = t123 + t170 * t246;
-        let K0_12_lam = t258 + t173 * t246;
-        let C1_22_lam = yaw_per_v_delta * hz_delta_lam - mu * K0_12_lam
-            - C1_22_yaw_per_v_delta * t246 - t185 * t258;
+        let t137 = self.mH * M_12_Jxz_delta;
+        let t138 = self.zH * t137;
+        let t139 = Sz_delta * mu - t138;
+        let t141 = t139 + t55 * t91;
+        let t142 = mu * t123;
+        let t143 = self.zH * sin_lam;
+        let t144 = t36 * M_12_Jxz_delta;
+        let t145 = t143 + t144;
+        let t146 = t34 * mu;
+        let t147 = t146 + t146;
+        let t148 = t147 - t145;
+        let t149 = t145 - t148;
+        let t150 = t137 * t149;
+        let t152 = t142 + t142 - t150;
+        let t153 = t89 + t89;
+        let t154 = yaw_per_v_delta * t153;
+        let M_22_w = t91 * t154 - t152;
+        let C1_12_w = yaw_per_v_delta * (t4 - t114);
+        let C1_21_w = t44 * P_delta_yaw_xB;
+        let t161 = t44 * (t128 - t88);
+        let t163 = t137 - mA * mu;
+        let t164 = t78 - t50;
+        let t165 = yaw_per_v_delta * t164;
+        let K0_12_w = t163 - t91 * t165;
+        let t169 = t34 * M_12_Jxz_delta;
+        let t171 = t146 + t169 - t144;
+        let t172 = t171 - t145;
+        let P_delta_yaw_mA = self.mH * t172;
+        let t175 = t122 + t123 + P_delta_yaw_mA;
+        let C1_22_w = yaw_per_v_delta * (t161 - self.c * K0_12_w - t175);
+        let t180 = t44 * K2_12;
+        let K2_22_w = t44 * (t134 - cos_lam * K0_12_w);
+        let t186 = t139 + t4 * M_12_Jxz_delta - t55;
+        let t187 = self.c * M_12_Jxz_delta;
+        let t188 = t146 - t187;
+        let t189 = self.rF * sin_lam;
+        let t190 = t188 + t189;
+        let t191 = self.mF * M_12_Jxz_delta;
+        let t192 = t190 * t191;
+        let t195 = t152 + t154 + t192 + t192;
+        let t196 = yaw_per_v_delta * ST;
+        let t197 = t163 + t165;
+        let t204 = yaw_per_v_delta
+            * (t126 + t175 + self.c * t197 + self.mF * (t169 + t190));
+        let K0_12_c = t191 + t197;
+        let K0_22_c = sin_lam * K0_12_c;
+        let t207 = yaw_per_v_delta * K0_12_c;
+        let t208 = sin_lam * t44;
+        let t209 = self.c * t208;
+        let hx_delta_lam = Jxx_delta * cos_lam - t59;
+        let M_12_lam = hx_delta_lam - t54 * t209;
+        let t215 = sin_lam * Jzz_delta - t42;
+        let t216 = M_12_Jxz_delta * t215;
+        let t217 = sin_lam + sin_lam;
+        let t221 = cos_lam * Sz_delta - sin_lam * t71;
+        let t227 = t216 + t216 + t147 * t221 - hx_delta_lam * t217 - t153 * t209;
+        let t228 = sin_lam * t115;
+        let C1_21_lam = t132 + ST * t209;
+        let K0_12_lam = t221 - t164 * t209;
+        let C1_22_lam = sin_lam * t161
+            - yaw_per_v_delta * (t215 + self.c * K0_12_lam + t34 * t221);
         let K0_22_lam = sin_lam * K0_12_lam + cos_lam * K0_12;
-        let t281 = t107 * t246;
-        let K2_22_lam = yaw_per_v_delta * (t100 - K0_12_lam)
-            - K2_22_yaw_per_v_delta * t246;
-        let M_11_rR = t17 + t17;
-        let t287 = t102 * t103;
-        let t288 = self.mR - t287;
-        let C1_12_rR = mu * t288;
-        let C1_21_rR = mu * t287;
-        let K2_12_rR = yaw_per_v_delta * t288;
-        let M_11_mR = self.rR * self.rR;
+        let t243 = t111 * t208;
+        let C1_22_mA = t117 - K0_12_lam;
+        let K2_22_lam = t133 * t208 + yaw_per_v_delta * C1_22_mA;
+        let M_11_rR = t108 + t108;
+        let K2_12_rR = yaw_per_v_delta * (self.mR - t104 * t105);
+        let C1_12_rR = self.c * K2_12_rR;
+        let K2_12_IRyy = yaw_per_v_delta * t104;
+        let C1_12_IRyy = self.c * K2_12_IRyy;
+        let C1_21_rR = t105 * C1_12_IRyy;
         let C1_12_mR = self.rR * mu;
         let K2_12_mR = self.rR * yaw_per_v_delta;
-        let C1_12_IRyy = mu * t102;
-        let K2_12_IRyy = yaw_per_v_delta * t102;
-        let t298 = t21 * mu;
-        let t299 = mu * self.xB;
-        let t300 = self.mB * t299;
-        let P_delta_yaw_xB = t300 + mu * t81;
-        let M_22_xB = mu * P_delta_yaw_xB;
-        let t304 = t21 * yaw_per_v_delta;
-        let t306 = self.mB * mu;
-        let C1_22_xB = yaw_per_v_delta * P_delta_yaw_xB + mu * t306;
-        let t309 = sin_lam * t306;
-        let K2_22_xB = yaw_per_v_delta * t306;
-        let M_11_zB = t21 + t21;
-        let t313 = mu + yaw_per_v_delta * self.xB;
-        let t314 = self.mB * t313;
-        let t315 = self.mB * yaw_per_v_delta;
-        let M_11_mB = self.zB * self.zB;
-        let t317 = self.zB * t299;
-        let P_delta_yaw_mB = self.xB * t299;
-        let M_22_mB = mu * P_delta_yaw_mB;
-        let t320 = self.zB * t313;
-        let C1_22_mB = yaw_per_v_delta * P_delta_yaw_mB + mu * t299;
-        let t324 = sin_lam * t299;
-        let t325 = self.zB * yaw_per_v_delta;
-        let K2_22_mB = yaw_per_v_delta * t299;
-        let C1_22_xH = mu * t176 - t199;
-        let t329 = sin_lam * t176;
-        let K2_22_xH = yaw_per_v_delta * t176;
-        let M_11_zH = t6 + t6;
-        let K0_12_mH = self.zH * sin_lam + t36 * M_12_Jxz_delta - t138;
-        let M_12_zH = self.mH * K0_12_mH + t6 * sin_lam;
-        let t339 = sin_lam * t144;
-        let M_22_Jxx_delta = sin_lam * sin_lam;
-        let t344 = self.zH * M_22_Jxx_delta + t36 * M_22_Jxz_delta - t339;
-        let M_22_zH = self.mH * t344 + t6 * M_22_Jxx_delta;
-        let t348 = mu + t185;
-        let t350 = t36 * yaw_per_v_delta - t348;
-        let C1_12_zH = self.mH * t350;
-        let t352 = sin_lam * t185;
-        let t354 = t36 * C1_22_Jxz_delta - t352;
+        let C1_22_IRxx = yaw_per_v_delta * mu;
+        let M_22_IRxx = self.c * C1_22_IRxx;
+        let t261 = t107 * mu;
+        let t262 = self.mB * mu;
+        let t263 = self.xB * mu;
+        let t264 = t263 + t263;
+        let M_22_xB = t262 * t264;
+        let t266 = yaw_per_v_delta * t107;
+        let t267 = self.mB * yaw_per_v_delta;
+        let C1_22_xB = t264 * t267 + self.mB * M_22_IRxx;
+        let t271 = sin_lam * t262;
+        let K2_22_xB = self.mB * C1_22_IRxx;
+        let M_11_zB = t107 + t107;
+        let t274 = self.c + self.xB;
+        let t275 = t267 * t274;
+        let t276 = self.zB * t263;
+        let M_22_mB = t263 * t263;
+        let t278 = self.zB * yaw_per_v_delta;
+        let t279 = t274 * t278;
+        let K2_22_mB = self.xB * C1_22_IRxx;
+        let C1_22_mB = t274 * K2_22_mB;
+        let t282 = sin_lam * t263;
+        let t283 = t31 * yaw_per_v_delta;
+        let t285 = self.mH * yaw_per_v_delta;
+        let C1_22_xH = (t172 + t187) * t285;
+        let t287 = sin_lam * t137;
+        let K2_22_xH = M_12_Jxz_delta * t285;
+        let M_11_zH = t31 + t31;
+        let K0_12_mH = t145 - t146;
+        let M_12_zH = self.mH * (t143 + K0_12_mH);
         let K0_12_zH = self.mH * sin_lam;
-        let C1_22_zH = self.mH * t354 - mu * K0_12_zH;
-        let K0_22_zH = sin_lam * K0_12_zH;
-        let t360 = self.mH * yaw_per_v_delta;
-        let t361 = yaw_per_v_delta * K0_12_zH;
-        let M_11_mH = self.zH * self.zH;
-        let M_12_mH = self.zH * K0_12_mH;
-        let P_delta_yaw_mA = t34 * t138;
-        let M_22_mA = mu * P_delta_yaw_mA;
-        let M_22_mH = M_22_mA + self.zH * t344 + t36 * t153;
-        let C1_12_mH = self.zH * t350;
-        let C1_22_mA = yaw_per_v_delta * P_delta_yaw_mA;
-        let C1_22_mH = C1_22_mA + self.zH * t354 + t36 * t193 - mu * K0_12_mH;
-        let K0_22_mH = sin_lam * K0_12_mH;
-        let t379 = self.zH * yaw_per_v_delta;
-        let t380 = yaw_per_v_delta * K0_12_mH;
-        let M_11_rF = t10 + t10;
-        let K0_12_mF = self.c * M_12_Jxz_delta - t138 - self.rF * sin_lam;
-        let M_12_rF = t10 * sin_lam - self.mF * K0_12_mF;
-        let t392 = t339 + self.rF * M_22_Jxx_delta - self.c * M_22_Jxz_delta;
-        let M_22_rF = self.mF * t392 + t10 * M_22_Jxx_delta;
-        let t396 = t348 - mu;
-        let t398 = t98 * SF;
-        let C1_21_rF = M_12_Jxz_delta * t398;
-        let C1_12_rF = self.mF * t396 - C1_21_rF;
-        let t402 = t352 - self.c * C1_22_Jxz_delta;
+        let M_22_zH = t149 * K0_12_zH;
+        let t295 = self.c + self.xH;
+        let t296 = t285 * t295;
+        let C1_22_Jxz_delta = cos_lam * t208;
+        let t298 = self.mH * C1_22_Jxz_delta;
+        let t299 = t295 * t298;
+        let M_22_Jxx_delta = sin_lam * sin_lam;
+        let K0_22_zH = self.mH * M_22_Jxx_delta;
+        let t303 = t34 * t146;
+        let t304 = mu * t303;
+        let M_22_mH = t304 - t145 * t148;
+        let t307 = self.zH * yaw_per_v_delta;
+        let t308 = t295 * t307;
+        let C1_22_mH = yaw_per_v_delta
+            * (t303 - self.c * K0_12_mH - t36 * t171 - self.xH * t143);
+        let M_22_Jzz_delta = M_12_Jxz_delta * M_12_Jxz_delta;
+        let C1_22_Jzz_delta = yaw_per_v_delta * M_12_Jxz_delta;
+        let M_22_Jxz_delta = M_12_Jxz_delta * t217;
+        let M_11_rF = t4 + t4;
+        let M_12_rF = self.mF * (t189 + t190);
+        let t324 = sin_lam * t190;
+        let t325 = self.mF * t324;
+        let M_22_rF = t325 + t325;
+        let t327 = self.mF * yaw_per_v_delta;
+        let t328 = t34 * t327;
+        let C1_12_IFyy = t101 * M_12_Jxz_delta;
+        let C1_21_rF = SF * C1_12_IFyy;
+        let C1_12_rF = t328 - C1_21_rF;
+        let C1_22_rF = sin_lam * t328;
         let P_delta_lateral_rF = self.mF * sin_lam;
-        let C1_22_rF = self.mF * t402 + mu * P_delta_lateral_rF;
-        let t407 = sin_lam * P_delta_lateral_rF;
-        let K2_12_rF = self.mF * yaw_per_v_delta - yaw_per_v_delta * t398;
-        let K2_22_rF = yaw_per_v_delta * P_delta_lateral_rF - C1_22_Jxz_delta * t398;
+        let t334 = self.mF * M_22_Jxx_delta;
+        let K2_12_IFyy = yaw_per_v_delta * t101;
+        let K2_12_rF = t327 - SF * K2_12_IFyy;
+        let K2_22_rF = sin_lam * K2_12_rF;
         let M_11_mF = self.rF * self.rF;
-        let t415 = self.rF * K0_12_mF;
-        let M_22_mF = M_22_mA + self.c * t213 + self.rF * t392;
-        let C1_12_mF = self.rF * t396;
-        let C1_22_mF = C1_22_mA + self.c * t227 + self.rF * t402 - mu * K0_12_mF;
-        let K0_22_mF = sin_lam * K0_12_mF;
+        let M_12_mF = self.rF * t190;
+        let M_22_mF = t304 + t189 * (t188 + t190) - t187 * (t146 + t188);
         let K2_12_mF = self.rF * yaw_per_v_delta;
-        let t429 = yaw_per_v_delta * K0_12_mF;
-        let M_22_IFxx = M_22_Jzz_delta + M_22_Jxx_delta;
-        let C1_12_IFyy = t98 * M_12_Jxz_delta;
-        let K2_12_IFyy = yaw_per_v_delta * t98;
-        let K2_22_IFyy = t98 * C1_22_Jxz_delta;
+        let C1_12_mF = t34 * K2_12_mF;
+        let K2_22_mF = yaw_per_v_delta * t190;
+        let C1_22_mF = t34 * K2_22_mF;
+        let M_22_IFxx = M_22_Jxx_delta + M_22_Jzz_delta;
+        let K2_22_IFyy = sin_lam * K2_12_IFyy;
         let C0_21 = -(self.kappa * self.vo);
-        let K0_12_w = t176 - t175;
-        let K0_12_c = t233 - t232;
+        let C1_22 = -(yaw_per_v_delta * t128);
+        let K2_22 = -t134;
+        let t356 = -(sin_lam * K0_12_w);
+        let t357 = -(self.zH * K0_12_mH);
+        let t358 = -(sin_lam * K0_12_mH);
+        let K2_22_mH = -(yaw_per_v_delta * K0_12_mH);
         (
             BalanceAssistMatrices::from_entries([
-                M_11, M_12, M_12, M_22, zero, zero, C0_21, zero, zero, C1_12, C1_21, C1_22, Sz_all,
+                M_11, M_12, M_12, M_22, zero, zero, C0_21, zero, zero, C1_12, C1_21, C1_22, K0_11,
                 K0_12, K0_12, K0_22, zero, K2_12, zero, K2_22,
             ]),
             BalanceAssistDerivatives {
                 values: [
-                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_12_w, t203, t204, K2_22_w, M_12_c,
-                    M_22_c, C1_12_c, t224, C1_22_c, K0_12_c, t242, K2_22_c, M_12_lam, M_22_lam,
-                    t266, C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t281, K2_22_lam, M_11_rR,
-                    C1_12_rR, C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
-                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t298, M_22_xB,
-                    t304, C1_22_xB, t306, t309, K2_22_xB, M_11_zB, t300, t314, self.mB, t315,
-                    M_11_mB, t317, M_22_mB, t320, C1_22_mB, self.zB, t299, t324, t325, K2_22_mB, mu,
-                    yaw_per_v_delta, t131, t160, t167, C1_22_xH, t176, t329, K2_22_xH, M_11_zH,
-                    M_12_zH, M_22_zH, C1_12_zH, C1_22_zH, self.mH, K0_12_zH, K0_22_zH, t360, t361,
-                    M_11_mH, M_12_mH, M_22_mH, C1_12_mH, C1_22_mH, self.zH, K0_12_mH, K0_22_mH,
-                    t379, t380, sin_lam, M_22_Jxx_delta, M_22_Jzz_delta, C1_22_Jzz_delta,
-                    M_12_Jxz_delta, M_22_Jxz_delta, C1_22_Jxz_delta, M_11_rF, M_12_rF, M_22_rF,
-                    C1_12_rF, C1_21_rF, C1_22_rF, self.mF, P_delta_lateral_rF, t407, K2_12_rF,
-                    K2_22_rF, M_11_mF, t415, M_22_mF, C1_12_mF, C1_22_mF, self.rF, K0_12_mF,
-                    K0_22_mF, K2_12_mF, t429, M_22_IFxx, C1_12_IFyy, K2_12_IFyy, K2_22_IFyy,
-                    self.vo, self.kappa,
+                    t141, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_12_w, t356, t180, K2_22_w, t186,
+                    t195, K2_12, t196, t204, K0_12_c, K0_22_c, t207, M_12_lam, t227, t228,
+                    C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t243, K2_22_lam, M_11_rR, C1_12_rR,
+                    C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
+                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t261, M_22_xB,
+                    t266, C1_22_xB, t262, t271, K2_22_xB, M_11_zB, t124, t275, self.mB, t267,
+                    M_11_mB, t276, M_22_mB, t279, C1_22_mB, self.zB, t263, t282, t278, K2_22_mB, mu,
+                    yaw_per_v_delta, t138, t150, t283, C1_22_xH, t137, t287, K2_22_xH, M_11_zH,
+                    M_12_zH, M_22_zH, t296, t299, self.mH, K0_12_zH, K0_22_zH, t285, t298, M_11_mH,
+                    t357, M_22_mH, t308, C1_22_mH, self.zH, K0_12_mH, t358, t307, K2_22_mH, sin_lam,
+                    M_22_Jxx_delta, M_22_Jzz_delta, C1_22_Jzz_delta, M_12_Jxz_delta, M_22_Jxz_delta,
+                    C1_22_Jxz_delta, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF,
+                    self.mF, P_delta_lateral_rF, t334, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF,
+                    M_22_mF, C1_12_mF, C1_22_mF, self.rF, t190, t324, K2_12_mF, K2_22_mF, M_22_IFxx,
+                    C1_12_IFyy, K2_12_IFyy, K2_22_IFyy, self.vo, self.kappa,
                 ],
             },
         )
@@ -1107,22 +1100,27 @@ impl<T: Scalar> Differentiable<2> for BalanceAssist<T> {
 impl BalanceAssistDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 161] = &[
-        Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1), Partial::new(MatrixName::C1, 0, 1, 0, 2),
-        Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
-        Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
+        Partial::new(MatrixName::M, 0, 1, 0, 0).negative(),
+        Partial::new(MatrixName::M, 1, 0, 0, 0).negative(), Partial::new(MatrixName::M, 1, 1, 0, 1),
+        Partial::new(MatrixName::C1, 0, 1, 0, 2), Partial::new(MatrixName::C1, 1, 0, 0, 3),
+        Partial::new(MatrixName::C1, 1, 1, 0, 4), Partial::new(MatrixName::K0, 0, 1, 0, 5),
+        Partial::new(MatrixName::K0, 1, 0, 0, 5),
         Partial::new(MatrixName::K0, 1, 1, 0, 6).negative(),
         Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 0, 8), Partial::new(MatrixName::M, 0, 1, 1, 9),
-        Partial::new(MatrixName::M, 1, 0, 1, 9), Partial::new(MatrixName::M, 1, 1, 1, 10),
+        Partial::new(MatrixName::K2, 1, 1, 0, 8),
+        Partial::new(MatrixName::M, 0, 1, 1, 9).negative(),
+        Partial::new(MatrixName::M, 1, 0, 1, 9).negative(),
+        Partial::new(MatrixName::M, 1, 1, 1, 10).negative(),
         Partial::new(MatrixName::C1, 0, 1, 1, 11),
         Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 13),
+        Partial::new(MatrixName::C1, 1, 1, 1, 13).negative(),
         Partial::new(MatrixName::K0, 0, 1, 1, 14),
         Partial::new(MatrixName::K0, 1, 0, 1, 14),
-        Partial::new(MatrixName::K0, 1, 1, 1, 15).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 1, 16), Partial::new(MatrixName::M, 0, 1, 2, 17),
-        Partial::new(MatrixName::M, 1, 0, 2, 17), Partial::new(MatrixName::M, 1, 1, 2, 18),
+        Partial::new(MatrixName::K0, 1, 1, 1, 15),
+        Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
+        Partial::new(MatrixName::M, 0, 1, 2, 17),
+        Partial::new(MatrixName::M, 1, 0, 2, 17),
+        Partial::new(MatrixName::M, 1, 1, 2, 18).negative(),
         Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
         Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
         Partial::new(MatrixName::K0, 0, 1, 2, 22), Partial::new(MatrixName::K0, 1, 0, 2, 22),
@@ -1179,44 +1177,45 @@ impl BalanceAssistDerivatives {
         Partial::new(MatrixName::K0, 1, 1, 15, 69).negative(),
         Partial::new(MatrixName::K2, 1, 1, 15, 70), Partial::new(MatrixName::M, 0, 0, 16, 71),
         Partial::new(MatrixName::M, 0, 1, 16, 72), Partial::new(MatrixName::M, 1, 0, 16, 72),
-        Partial::new(MatrixName::M, 1, 1, 16, 73), Partial::new(MatrixName::C1, 0, 1, 16, 74),
-        Partial::new(MatrixName::C1, 1, 1, 16, 75), Partial::new(MatrixName::K0, 0, 0, 16, 76),
-        Partial::new(MatrixName::K0, 0, 1, 16, 77), Partial::new(MatrixName::K0, 1, 0, 16, 77),
-        Partial::new(MatrixName::K0, 1, 1, 16, 78),
+        Partial::new(MatrixName::M, 1, 1, 16, 73),
+        Partial::new(MatrixName::C1, 0, 1, 16, 74).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 16, 75).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 16, 76), Partial::new(MatrixName::K0, 0, 1, 16, 77),
+        Partial::new(MatrixName::K0, 1, 0, 16, 77), Partial::new(MatrixName::K0, 1, 1, 16, 78),
         Partial::new(MatrixName::K2, 0, 1, 16, 79).negative(),
         Partial::new(MatrixName::K2, 1, 1, 16, 80).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 81), Partial::new(MatrixName::M, 0, 1, 17, 82),
-        Partial::new(MatrixName::M, 1, 0, 17, 82), Partial::new(MatrixName::M, 1, 1, 17, 83),
-        Partial::new(MatrixName::C1, 0, 1, 17, 84), Partial::new(MatrixName::C1, 1, 1, 17, 85),
-        Partial::new(MatrixName::K0, 0, 0, 17, 86), Partial::new(MatrixName::K0, 0, 1, 17, 87),
-        Partial::new(MatrixName::K0, 1, 0, 17, 87), Partial::new(MatrixName::K0, 1, 1, 17, 88),
+        Partial::new(MatrixName::M, 0, 0, 17, 81),
+        Partial::new(MatrixName::M, 0, 1, 17, 82).negative(),
+        Partial::new(MatrixName::M, 1, 0, 17, 82).negative(),
+        Partial::new(MatrixName::M, 1, 1, 17, 83),
+        Partial::new(MatrixName::C1, 0, 1, 17, 84).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 85), Partial::new(MatrixName::K0, 0, 0, 17, 86),
+        Partial::new(MatrixName::K0, 0, 1, 17, 87), Partial::new(MatrixName::K0, 1, 0, 17, 87),
+        Partial::new(MatrixName::K0, 1, 1, 17, 88).negative(),
         Partial::new(MatrixName::K2, 0, 1, 17, 89).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 17, 90).negative(),
-        Partial::new(MatrixName::M, 0, 0, 18, 35), Partial::new(MatrixName::M, 0, 1, 18, 91),
-        Partial::new(MatrixName::M, 1, 0, 18, 91), Partial::new(MatrixName::M, 1, 1, 18, 92),
-        Partial::new(MatrixName::M, 1, 1, 20, 93), Partial::new(MatrixName::C1, 1, 1, 20, 94),
-        Partial::new(MatrixName::M, 0, 1, 21, 95), Partial::new(MatrixName::M, 1, 0, 21, 95),
-        Partial::new(MatrixName::M, 1, 1, 21, 96), Partial::new(MatrixName::C1, 0, 1, 21, 63),
-        Partial::new(MatrixName::C1, 1, 1, 21, 97), Partial::new(MatrixName::M, 0, 0, 22, 98),
-        Partial::new(MatrixName::M, 0, 1, 22, 99), Partial::new(MatrixName::M, 1, 0, 22, 99),
-        Partial::new(MatrixName::M, 1, 1, 22, 100), Partial::new(MatrixName::C1, 0, 1, 22, 101),
-        Partial::new(MatrixName::C1, 1, 0, 22, 102), Partial::new(MatrixName::C1, 1, 1, 22, 103),
+        Partial::new(MatrixName::K2, 1, 1, 17, 90), Partial::new(MatrixName::M, 0, 0, 18, 35),
+        Partial::new(MatrixName::M, 0, 1, 18, 91), Partial::new(MatrixName::M, 1, 0, 18, 91),
+        Partial::new(MatrixName::M, 1, 1, 18, 92), Partial::new(MatrixName::M, 1, 1, 20, 93),
+        Partial::new(MatrixName::C1, 1, 1, 20, 94), Partial::new(MatrixName::M, 0, 1, 21, 95),
+        Partial::new(MatrixName::M, 1, 0, 21, 95), Partial::new(MatrixName::M, 1, 1, 21, 96),
+        Partial::new(MatrixName::C1, 0, 1, 21, 63), Partial::new(MatrixName::C1, 1, 1, 21, 97),
+        Partial::new(MatrixName::M, 0, 0, 22, 98), Partial::new(MatrixName::M, 0, 1, 22, 99),
+        Partial::new(MatrixName::M, 1, 0, 22, 99), Partial::new(MatrixName::M, 1, 1, 22, 100),
+        Partial::new(MatrixName::C1, 0, 1, 22, 101), Partial::new(MatrixName::C1, 1, 0, 22, 102),
+        Partial::new(MatrixName::C1, 1, 1, 22, 103),
         Partial::new(MatrixName::K0, 0, 0, 22, 104).negative(),
         Partial::new(MatrixName::K0, 0, 1, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 0, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 1, 22, 106).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 107),
-        Partial::new(MatrixName::K2, 1, 1, 22, 108),
-        Partial::new(MatrixName::M, 0, 0, 23, 109),
-        Partial::new(MatrixName::M, 0, 1, 23, 110).negative(),
-        Partial::new(MatrixName::M, 1, 0, 23, 110).negative(),
-        Partial::new(MatrixName::M, 1, 1, 23, 111),
-        Partial::new(MatrixName::C1, 0, 1, 23, 112),
-        Partial::new(MatrixName::C1, 1, 1, 23, 113),
+        Partial::new(MatrixName::K2, 0, 1, 22, 107), Partial::new(MatrixName::K2, 1, 1, 22, 108),
+        Partial::new(MatrixName::M, 0, 0, 23, 109), Partial::new(MatrixName::M, 0, 1, 23, 110),
+        Partial::new(MatrixName::M, 1, 0, 23, 110), Partial::new(MatrixName::M, 1, 1, 23, 111),
+        Partial::new(MatrixName::C1, 0, 1, 23, 112), Partial::new(MatrixName::C1, 1, 1, 23, 113),
         Partial::new(MatrixName::K0, 0, 0, 23, 114).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 23, 115), Partial::new(MatrixName::K0, 1, 0, 23, 115),
-        Partial::new(MatrixName::K0, 1, 1, 23, 116), Partial::new(MatrixName::K2, 0, 1, 23, 117),
-        Partial::new(MatrixName::K2, 1, 1, 23, 118).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 23, 115).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 23, 115).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 23, 116).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 23, 117), Partial::new(MatrixName::K2, 1, 1, 23, 118),
         Partial::new(MatrixName::M, 0, 0, 24, 35), Partial::new(MatrixName::M, 0, 1, 24, 91),
         Partial::new(MatrixName::M, 1, 0, 24, 91), Partial::new(MatrixName::M, 1, 1, 24, 119),
         Partial::new(MatrixName::C1, 1, 1, 24, 94), Partial::new(MatrixName::C1, 0, 1, 25, 120),

@@ -156,31 +156,32 @@ pub struct CarTrailerMatrices<T = f64> {
 
 impl<T: Number> CarTrailer<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 14 additions, 14 multiplications and 4 negations: 32 operations.
+    /// 13 additions, 14 multiplications and 4 negations: 31 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> CarTrailerMatrices<T> {
         let m_all = self.m + self.mT;
-        let t4 = self.mT * self.e;
-        let t7 = t4 + self.mT * self.h;
-        let Jyy_q = self.IT + self.e * t4;
-        let Jzz_all = self.I + Jyy_q + self.h * (t4 + t7);
-        let M_psi_q = Jyy_q + t4 * self.h;
+        let t5 = self.e + self.h;
+        let t6 = self.mT * t5;
+        let t7 = self.mT * self.e;
+        let Jzz_all = t6 * t5 + (self.I + self.IT);
+        let Jyy_q = self.IT + self.e * t7;
+        let M_psi_q = Jyy_q + t7 * self.h;
         let Cm1_11 = self.Cf + self.Cr + self.CT;
-        let t24 = self.Cr * self.b;
-        let t26 = self.h + self.l;
-        let Kc_23 = self.CT * t26;
-        let t29 = self.Cf * self.a;
-        let Cm1_12 = t29 - t24 - Kc_23;
+        let t23 = self.Cf * self.a;
+        let t25 = self.Cr * self.b;
+        let t27 = self.h + self.l;
+        let Kc_23 = self.CT * t27;
+        let Cm1_12 = t23 - (t25 + Kc_23);
         let Kc_33 = self.CT * self.l;
-        let Cm1_22 = self.a * t29 + self.b * t24 + t26 * Kc_23;
+        let Cm1_22 = self.a * t23 + self.b * t25 + t27 * Kc_23;
         let Cm1_23 = self.l * Kc_23;
         let Cm1_33 = self.l * Kc_33;
         let zero = self.m.like(0.0);
-        let M_12 = -t7;
-        let M_13 = -t4;
+        let M_12 = -t6;
+        let M_13 = -t7;
         let Cm1_13 = -Kc_33;
         let Kc_13 = -self.CT;
         CarTrailerMatrices::from_entries([
@@ -271,38 +272,38 @@ impl<T: Number> CarTrailer<T> {
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (CarTrailerMatrices<T>, CarTrailerDerivatives<T>) {
         let m_all = self.m + self.mT;
-        let t5 = self.h + self.e;
+        let t5 = self.e + self.h;
         let t6 = self.mT * t5;
         let M_23_h = self.mT * self.e;
+        let Jzz_all = self.I + self.IT + t5 * t6;
         let Jyy_q = self.IT + self.e * M_23_h;
-        let M_23_e = t6 + M_23_h;
-        let Jzz_all = self.I + Jyy_q + self.h * M_23_e;
         let M_psi_q = Jyy_q + self.h * M_23_h;
         let Cm1_11 = self.Cf + self.Cr + self.CT;
-        let t24 = self.Cf * self.a;
-        let t26 = self.Cr * self.b;
+        let t23 = self.Cr * self.b;
         let Kc_23_CT = self.h + self.l;
         let Kc_23 = self.CT * Kc_23_CT;
-        let Cm1_12 = t24 - t26 - Kc_23;
+        let t28 = self.Cf * self.a;
+        let Cm1_12 = t28 - t23 - Kc_23;
         let Kc_33 = self.CT * self.l;
-        let Cm1_22 = self.a * t24 + self.b * t26 + Kc_23_CT * Kc_23;
-        let Cm1_23 = self.l * Kc_23;
+        let Cm1_22_CT = Kc_23_CT * Kc_23_CT;
+        let Cm1_22 = self.b * t23 + self.a * t28 + self.CT * Cm1_22_CT;
+        let Cm1_23_CT = self.l * Kc_23_CT;
+        let Cm1_23 = self.CT * Cm1_23_CT;
         let Cm1_33 = self.l * Kc_33;
         let zero = self.m.like(0.0);
-        let Cm1_22_a = t24 + t24;
-        let Cm1_22_b = t26 + t26;
+        let Cm1_22_a = t28 + t28;
+        let Cm1_22_b = t23 + t23;
         let M_22_h = t6 + t6;
         let Cm1_22_h = Kc_23 + Kc_23;
         let M_22_mT = t5 * t5;
         let M_23_mT = self.e * t5;
-        let M_33_mT = self.e * self.e;
-        let M_33_e = M_23_h + M_23_h;
+        let Jyy_q_mT = self.e * self.e;
+        let M_23_e = t6 + M_23_h;
+        let Jyy_q_e = M_23_h + M_23_h;
         let Cm1_23_l = Kc_23 + Kc_33;
         let Cm1_33_l = Kc_33 + Kc_33;
         let Cm1_22_Cf = self.a * self.a;
         let Cm1_22_Cr = self.b * self.b;
-        let Cm1_22_CT = Kc_23_CT * Kc_23_CT;
-        let Cm1_23_CT = self.l * Kc_23_CT;
         let Cm1_33_CT = self.l * self.l;
         let M_12 = -t6;
         let M_13 = -M_23_h;
@@ -318,9 +319,9 @@ impl<T: Number> CarTrailer<T> {
             CarTrailerDerivatives {
                 values: [
                     self.m.like(1.0), self.Cf, Cm1_22_a, self.Cr, Cm1_22_b, self.mT, M_22_h, M_23_h,
-                    self.CT, Cm1_22_h, Kc_33, t5, self.e, M_22_mT, M_23_mT, M_33_mT, M_23_e, M_33_e,
-                    Cm1_23_l, Cm1_33_l, self.a, Cm1_22_Cf, self.b, Cm1_22_Cr, Kc_23_CT, self.l,
-                    Cm1_22_CT, Cm1_23_CT, Cm1_33_CT, self.m.like(-1.0),
+                    self.CT, Cm1_22_h, Kc_33, t5, self.e, M_22_mT, M_23_mT, Jyy_q_mT, M_23_e,
+                    Jyy_q_e, Cm1_23_l, Cm1_33_l, self.a, Cm1_22_Cf, self.b, Cm1_22_Cr, Kc_23_CT,
+                    self.l, Cm1_22_CT, Cm1_23_CT, Cm1_33_CT, self.m.like(-1.0),
                 ],
             },
         )

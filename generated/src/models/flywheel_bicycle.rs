@@ -227,67 +227,64 @@ pub struct FlywheelBicycleMatrices<T = f64> {
 
 impl<T: Number> FlywheelBicycle<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 49 additions, 49 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 106 operations.
+    /// 47 additions, 51 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 105 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> FlywheelBicycleMatrices<T> {
-        let t6 = self.zH * self.mH;
-        let t10 = self.rF * self.mF;
-        let Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
-        let t17 = self.rR * self.mR;
-        let t21 = self.zB * self.mB;
-        let M_11 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
+        let t2 = self.zB * self.mB;
+        let t7 = self.zH * self.mH;
+        let t13 = self.rF * self.mF;
+        let Jxx_delta = self.IFxx + self.zH * t7 + (self.IHxx + self.rF * t13);
+        let t19 = self.rR * self.mR;
+        let M_11 = self.zB * t2
+            + (Jxx_delta + (self.rR * t19 + (self.IRxx + self.IBxx)));
         let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t35 = self.c + self.w;
-        let t36 = t35 - self.xH;
-        let Jxz_delta = self.IHxz + t6 * t36 - t10 * self.c;
-        let hx_delta = Jxx_delta * sin_lam + Jxz_delta * cos_lam;
-        let yaw_per_v_delta = cos_lam / self.w;
+        let t31 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = cos_lam * t31;
         let mu = self.c * yaw_per_v_delta;
-        let Sz_delta = t6 - t10;
-        let Jxz_all = Jxz_delta + self.IBxz - t21 * self.xB - t35 * Sz_delta;
-        let M_12 = hx_delta + mu * Jxz_all;
-        let t57 = self.mH * t36;
-        let t59 = self.mF * self.c;
-        let Jzz_delta = self.IFxx + self.IHzz + t36 * t57 + self.c * t59;
-        let hz_delta = sin_lam * Jxz_delta + cos_lam * Jzz_delta;
-        let t67 = t57 + t59;
-        let t69 = sin_lam * Sz_delta + cos_lam * t67;
-        let M_yaw_delta = hz_delta - t35 * t69;
-        let t73 = self.mB * self.xB;
-        let mA = self.mH + self.mF;
-        let t77 = t67 - t35 * mA;
-        let P_delta_yaw = M_yaw_delta
-            + mu
-                * (self.IRxx + Jzz_delta + self.IBzz + self.xB * t73
-                    - t35 * (t67 + t77));
-        let M_22 = mu * (M_yaw_delta + P_delta_yaw) + sin_lam * hx_delta
-            + cos_lam * hz_delta;
+        let t36 = self.c + self.w;
+        let t37 = self.xH - t36;
+        let t41 = self.IHxz - t7 * t37 - t13 * self.c;
+        let Sz_delta = t7 - t13;
+        let t47 = self.mB * self.xB;
+        let mA = self.zB * t47;
+        let t50 = t41 + (self.IBxz - t36 * Sz_delta - mA);
+        let t55 = Jxx_delta * sin_lam + t41 * cos_lam;
+        let M_12 = mu * t50 + t55;
+        let t59 = self.mH * t37;
+        let t62 = self.mF * self.c;
+        let Jzz_delta = self.IFxx + (self.IHzz + t37 * t59 + self.c * t62);
+        let t67 = sin_lam * t41 + cos_lam * Jzz_delta;
+        let t70 = t59 - t62;
+        let t72 = sin_lam * Sz_delta - cos_lam * t70;
+        let t74 = t36 * t72 - t67;
+        let t79 = self.mH * self.xH + self.mF * self.w;
+        let hx_delta = self.IRxx + Jzz_delta + (self.xB * t47 + t36 * (t70 + t79));
+        let t87 = mu * (hx_delta + self.IBzz) - t74;
         let zero = self.w.like(0.0);
-        let t96 = self.hH + self.hB;
-        let C0_12 = cos_lam * self.hH + mu * t96;
+        let t95 = self.hH + self.hB;
+        let t97 = cos_lam * self.hH;
+        let C0_12 = mu * t95 + t97;
+        let K0_11 = Sz_delta - (t19 - t2);
         let SF = self.IFyy / self.rF;
         let ST = SF + self.IRyy / self.rR;
-        let Sz_all = t21 + Sz_delta - t17;
-        let t106 = ST - Sz_all;
-        let t109 = cos_lam * SF;
-        let C1_12 = mu * t106 + yaw_per_v_delta * Jxz_all + t109;
-        let Sx_all = t73 - t77;
-        let t115 = mu * Sx_all;
-        let P_delta_lateral = t115 - t69;
-        let C1_22 = mu * P_delta_lateral + yaw_per_v_delta * P_delta_yaw;
-        let K1_12 = yaw_per_v_delta * t96;
-        let K1_22 = sin_lam * yaw_per_v_delta * self.hH;
-        let K2_12 = yaw_per_v_delta * t106;
-        let K2_22 = yaw_per_v_delta * (P_delta_lateral + sin_lam * SF);
+        let t111 = mu * ST + cos_lam * SF;
+        let C1_12 = (t50 - self.c * K0_11) * yaw_per_v_delta + t111;
+        let Sx_all = t47 + t79;
+        let K0_12 = t72 - mu * Sx_all;
+        let C1_22 = yaw_per_v_delta * t87 - mu * K0_12;
+        let K0_22 = sin_lam * K0_12;
+        let K1_12 = yaw_per_v_delta * t95;
+        let K1_22 = t31 * (sin_lam * t97);
+        let K2_12 = yaw_per_v_delta * (ST - K0_11);
+        let K2_22 = yaw_per_v_delta * (sin_lam * SF - K0_12);
+        let M_22 = cos_lam * t67 - (mu * (t74 - t87) - sin_lam * t55);
         let C0_21 = -C0_12;
-        let C1_21 = -(t109 + mu * ST);
-        let K0_12 = t69 - t115;
-        let K0_22 = -(sin_lam * P_delta_lateral);
+        let C1_21 = -t111;
         FlywheelBicycleMatrices::from_entries([
-            M_11, M_12, M_12, M_22, zero, C0_12, C0_21, zero, zero, C1_12, C1_21, C1_22, Sz_all,
+            M_11, M_12, M_12, M_22, zero, C0_12, C0_21, zero, zero, C1_12, C1_21, C1_22, K0_11,
             K0_12, K0_12, K0_22, zero, K1_12, zero, K1_22, zero, K2_12, zero, K2_22,
         ])
     }
@@ -356,271 +353,274 @@ pub struct FlywheelBicycleDerivatives<T = f64> {
 
 impl<T: Number> FlywheelBicycle<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 158 additions, 252 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 419 operations.
+    /// 145 additions, 215 multiplications, 6 divisions, 5 negations and 2 trigonometric functions: 373 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (FlywheelBicycleMatrices<T>, FlywheelBicycleDerivatives<T>) {
-        let t6 = self.zH * self.mH;
-        let t10 = self.rF * self.mF;
-        let Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
-        let t17 = self.rR * self.mR;
-        let t21 = self.zB * self.mB;
-        let M_11 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
-        let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t34 = self.c + self.w;
-        let t36 = t34 - self.xH;
-        let Jxz_delta = self.IHxz + t6 * t36 - t10 * self.c;
-        let t41 = Jxz_delta * cos_lam;
-        let hx_delta = Jxx_delta * sin_lam + t41;
-        let t43 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = cos_lam * t43;
-        let mu = self.c * yaw_per_v_delta;
-        let Sz_delta = t6 - t10;
-        let Jxz_all = Jxz_delta + self.IBxz - t21 * self.xB - t34 * Sz_delta;
-        let M_12 = hx_delta + mu * Jxz_all;
-        let t57 = sin_lam * Jxz_delta;
-        let t59 = self.mF * self.c;
-        let t61 = self.mH * t36;
-        let Jzz_delta = self.IFxx + self.IHzz + self.c * t59 + t36 * t61;
-        let hz_delta = t57 + cos_lam * Jzz_delta;
-        let t70 = t59 + t61;
-        let t72 = sin_lam * Sz_delta + cos_lam * t70;
-        let M_yaw_delta = hz_delta - t34 * t72;
-        let mA = self.mH + self.mF;
-        let t78 = t70 - t34 * mA;
-        let t79 = t70 + t78;
-        let t81 = self.mB * self.xB;
-        let P_delta_yaw_mu = self.IRxx + Jzz_delta + self.IBzz + self.xB * t81
-            - t34 * t79;
-        let t87 = mu * P_delta_yaw_mu;
-        let P_delta_yaw = M_yaw_delta + t87;
-        let t89 = M_yaw_delta + P_delta_yaw;
-        let M_22 = sin_lam * hx_delta + cos_lam * hz_delta + mu * t89;
-        let zero = self.w.like(0.0);
-        let t97 = self.hH + self.hB;
-        let C0_12 = cos_lam * self.hH + mu * t97;
-        let t101 = self.w.like(1.0) / self.rF;
-        let SF = self.IFyy * t101;
-        let t103 = cos_lam * SF;
-        let t105 = self.w.like(1.0) / self.rR;
-        let t106 = self.IRyy * t105;
-        let ST = SF + t106;
-        let Sz_all = t21 + Sz_delta - t17;
-        let t110 = ST - Sz_all;
-        let t112 = yaw_per_v_delta * Jxz_all;
-        let C1_12 = t103 + mu * t110 + t112;
-        let Sx_all = t81 - t78;
-        let K0_12 = t72 - mu * Sx_all;
-        let C1_22 = yaw_per_v_delta * P_delta_yaw - mu * K0_12;
-        let K0_22 = sin_lam * K0_12;
-        let K1_12 = yaw_per_v_delta * t97;
-        let C1_22_Jxz_delta = sin_lam * yaw_per_v_delta;
-        let K1_22 = self.hH * C1_22_Jxz_delta;
-        let K2_12 = yaw_per_v_delta * t110;
-        let t128 = sin_lam * SF;
-        let K2_22_yaw_per_v_delta = t128 - K0_12;
-        let K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
-        let M_12_Jxz_delta = cos_lam + mu;
-        let t132 = t6 * M_12_Jxz_delta;
-        let t134 = t132 - mu * Sz_delta;
-        let t135 = t43 * yaw_per_v_delta;
-        let M_12_yaw_per_v_delta = self.c * Jxz_all;
-        let M_12_w = t134 - t135 * M_12_yaw_per_v_delta;
-        let t139 = t34 * mu;
-        let t140 = t139 + t139;
-        let t143 = cos_lam * t140 + mu * t140;
-        let M_22_hz_delta = mu + M_12_Jxz_delta;
-        let M_22_IRxx = mu * mu;
-        let M_22_Jzz_delta = cos_lam * M_22_hz_delta + M_22_IRxx;
-        let t149 = t36 * M_22_Jzz_delta - t143;
-        let M_22_Jxz_delta = sin_lam * cos_lam + sin_lam * M_22_hz_delta;
-        let t157 = self.mH * t149 + t6 * M_22_Jxz_delta + t61 * M_22_Jzz_delta;
-        let t161 = mA * t139 - t72 - mu * t79;
-        let t164 = t157 + mu * (t161 - t72);
-        let M_22_mu = t87 + t89;
-        let M_22_yaw_per_v_delta = self.c * M_22_mu;
-        let M_22_w = t164 - t135 * M_22_yaw_per_v_delta;
-        let t169 = self.c * t97;
-        let C0_21_w = t135 * t169;
-        let t171 = t6 * yaw_per_v_delta;
-        let t173 = t171 - yaw_per_v_delta * Sz_delta;
-        let C1_12_yaw_per_v_delta = Jxz_all + self.c * t110;
-        let C1_12_w = t173 - t135 * C1_12_yaw_per_v_delta;
-        let t178 = self.c * ST;
-        let C1_21_w = t135 * t178;
-        let t180 = t34 * yaw_per_v_delta;
-        let t183 = cos_lam * t180 + yaw_per_v_delta * t140;
-        let t184 = cos_lam * yaw_per_v_delta;
-        let C1_22_IRxx = yaw_per_v_delta * mu;
-        let C1_22_Jzz_delta = t184 + C1_22_IRxx;
-        let t188 = t36 * C1_22_Jzz_delta - t183;
-        let t193 = self.mH * t188 + t6 * C1_22_Jxz_delta + t61 * C1_22_Jzz_delta;
-        let t195 = t193 + yaw_per_v_delta * t161;
-        let t196 = self.c * Sx_all;
-        let t199 = self.mH * M_12_Jxz_delta;
-        let t200 = mu * mA - t199;
-        let K0_12_w = t135 * t196 - t200;
-        let C1_22_mu = yaw_per_v_delta * P_delta_yaw_mu - K0_12;
-        let C1_22_yaw_per_v_delta = P_delta_yaw + self.c * C1_22_mu;
-        let C1_22_w = t195 - mu * K0_12_w - t135 * C1_22_yaw_per_v_delta;
-        let K0_22_w = sin_lam * K0_12_w;
-        let t211 = t97 * t135;
-        let K1_22_yaw_per_v_delta = sin_lam * self.hH;
-        let t213 = t135 * K1_22_yaw_per_v_delta;
-        let t214 = t110 * t135;
-        let t217 = yaw_per_v_delta * K0_12_w + K2_22_yaw_per_v_delta * t135;
-        let M_12_c = t112 + t134 - t10 * M_12_Jxz_delta;
-        let t223 = self.c * M_22_Jzz_delta - t143;
-        let M_22_c = t164 + self.mF * t223 + yaw_per_v_delta * M_22_mu
-            + t59 * M_22_Jzz_delta - t10 * M_22_Jxz_delta;
-        let C1_12_c = t173 + yaw_per_v_delta * (t110 - t10);
-        let t234 = yaw_per_v_delta * ST;
-        let t237 = self.c * C1_22_Jzz_delta - t183;
-        let t241 = t200 + yaw_per_v_delta * Sx_all;
-        let t242 = self.mF * M_12_Jxz_delta;
-        let P_delta_lateral_c = t241 - t242;
-        let C1_22_c = t195 + self.mF * t237 + yaw_per_v_delta * C1_22_mu
-            + mu * P_delta_lateral_c + t59 * C1_22_Jzz_delta - t10 * C1_22_Jxz_delta;
-        let t251 = sin_lam * P_delta_lateral_c;
-        let K2_22_c = yaw_per_v_delta * P_delta_lateral_c;
-        let hx_delta_lam = Jxx_delta * cos_lam - t57;
-        let t255 = sin_lam * t43;
-        let M_12_lam = hx_delta_lam - M_12_yaw_per_v_delta * t255;
-        let hz_delta_lam = t41 - sin_lam * Jzz_delta;
-        let t266 = cos_lam * Sz_delta - sin_lam * t70;
-        let M_22_lam = sin_lam * hx_delta_lam + cos_lam * hx_delta
-            + M_22_hz_delta * hz_delta_lam - sin_lam * hz_delta - t140 * t266
-            - M_22_yaw_per_v_delta * t255;
-        let C0_21_lam = K1_22_yaw_per_v_delta + t169 * t255;
-        let t277 = t128 + C1_12_yaw_per_v_delta * t255;
-        let C1_21_lam = t128 + t178 * t255;
-        let K0_12_lam = t266 + t196 * t255;
-        let C1_22_lam = yaw_per_v_delta * hz_delta_lam - mu * K0_12_lam - t180 * t266
-            - C1_22_yaw_per_v_delta * t255;
-        let K0_22_lam = sin_lam * K0_12_lam + cos_lam * K0_12;
-        let t292 = t97 * t255;
-        let K1_22_lam = self.hH * t184 - K1_22_yaw_per_v_delta * t255;
-        let t296 = t110 * t255;
-        let K2_22_lam = yaw_per_v_delta * (t103 - K0_12_lam)
-            - K2_22_yaw_per_v_delta * t255;
-        let M_11_rR = t17 + t17;
-        let t302 = t105 * t106;
-        let t303 = self.mR - t302;
-        let C1_12_rR = mu * t303;
-        let C1_21_rR = mu * t302;
-        let K2_12_rR = yaw_per_v_delta * t303;
-        let M_11_mR = self.rR * self.rR;
-        let C1_12_mR = self.rR * mu;
-        let K2_12_mR = self.rR * yaw_per_v_delta;
-        let C1_12_IRyy = mu * t105;
-        let K2_12_IRyy = yaw_per_v_delta * t105;
-        let t313 = t21 * mu;
-        let t314 = mu * self.xB;
-        let t315 = self.mB * t314;
-        let P_delta_yaw_xB = t315 + mu * t81;
-        let M_22_xB = mu * P_delta_yaw_xB;
-        let t319 = t21 * yaw_per_v_delta;
-        let t321 = self.mB * mu;
-        let C1_22_xB = yaw_per_v_delta * P_delta_yaw_xB + mu * t321;
-        let t324 = sin_lam * t321;
-        let K2_22_xB = yaw_per_v_delta * t321;
-        let M_11_zB = t21 + t21;
-        let t328 = mu + yaw_per_v_delta * self.xB;
-        let t329 = self.mB * t328;
-        let t330 = self.mB * yaw_per_v_delta;
+        let t3 = self.rF * self.mF;
+        let Jzz_all_mB = self.rF * t3;
+        let Jxz_delta_w = self.zH * self.mH;
+        let Jxx_delta = Jzz_all_mB + self.IFxx + self.IHxx + self.zH * Jxz_delta_w;
         let M_11_mB = self.zB * self.zB;
-        let t332 = self.zB * t314;
-        let P_delta_yaw_mB = self.xB * t314;
-        let M_22_mB = mu * P_delta_yaw_mB;
-        let t335 = self.zB * t328;
-        let C1_22_mB = yaw_per_v_delta * P_delta_yaw_mB + mu * t314;
-        let t339 = sin_lam * t314;
-        let t340 = self.zB * yaw_per_v_delta;
-        let K2_22_mB = yaw_per_v_delta * t314;
-        let C1_22_xH = mu * t199 - t193;
-        let t344 = sin_lam * t199;
-        let K2_22_xH = yaw_per_v_delta * t199;
-        let M_11_zH = t6 + t6;
-        let K0_12_mH = self.zH * sin_lam + t36 * M_12_Jxz_delta - t139;
-        let M_12_zH = self.mH * K0_12_mH + t6 * sin_lam;
-        let M_22_Jxx_delta = sin_lam * sin_lam;
-        let t359 = self.zH * M_22_Jxx_delta + t36 * M_22_Jxz_delta - sin_lam * t140;
-        let M_22_zH = self.mH * t359 + t6 * M_22_Jxx_delta;
-        let t363 = mu + t180;
-        let t365 = t36 * yaw_per_v_delta - t363;
-        let C1_12_zH = self.mH * t365;
-        let t367 = sin_lam * t180;
-        let t369 = t36 * C1_22_Jxz_delta - t367;
-        let K0_12_zH = self.mH * sin_lam;
-        let C1_22_zH = self.mH * t369 - mu * K0_12_zH;
-        let K0_22_zH = sin_lam * K0_12_zH;
-        let t375 = self.mH * yaw_per_v_delta;
-        let t376 = yaw_per_v_delta * K0_12_zH;
-        let M_11_mH = self.zH * self.zH;
-        let M_12_mH = self.zH * K0_12_mH;
-        let P_delta_yaw_mA = t34 * t139;
-        let M_22_mA = mu * P_delta_yaw_mA;
-        let M_22_mH = M_22_mA + self.zH * t359 + t36 * t149;
-        let C1_12_mH = self.zH * t365;
-        let C1_22_mA = yaw_per_v_delta * P_delta_yaw_mA;
-        let C1_22_mH = C1_22_mA + self.zH * t369 + t36 * t188 - mu * K0_12_mH;
-        let K0_22_mH = sin_lam * K0_12_mH;
-        let t394 = self.zH * yaw_per_v_delta;
-        let t395 = yaw_per_v_delta * K0_12_mH;
-        let Jxx_delta_rF = t10 + t10;
-        let M_12_rF = sin_lam * Jxx_delta_rF;
-        let M_22_rF = M_22_Jxx_delta * Jxx_delta_rF;
-        let t399 = t363 - mu;
-        let t401 = t101 * SF;
-        let C1_21_rF = M_12_Jxz_delta * t401;
-        let C1_12_rF = self.mF * t399 - C1_21_rF;
-        let t405 = t367 - self.c * C1_22_Jxz_delta;
-        let P_delta_lateral_rF = self.mF * sin_lam;
-        let C1_22_rF = self.mF * t405 + mu * P_delta_lateral_rF;
-        let t410 = sin_lam * P_delta_lateral_rF;
-        let K2_12_rF = self.mF * yaw_per_v_delta - yaw_per_v_delta * t401;
-        let K2_22_rF = yaw_per_v_delta * P_delta_lateral_rF - C1_22_Jxz_delta * t401;
+        let M_11_mR = self.rR * self.rR;
+        let M_11 = self.IRxx + Jxx_delta + self.IBxx + self.mB * M_11_mB
+            + self.mR * M_11_mR;
+        let (hx_delta_Jxx_delta, hx_delta_Jxz_delta) = self.lam.sin_cos();
+        let t31 = self.mF * self.c;
+        let Sx_all_mA = self.c + self.w;
+        let Sx_delta_mH = self.xH - Sx_all_mA;
+        let t40 = self.rF * t31 + Jxz_delta_w * Sx_delta_mH - self.IHxz;
+        let t42 = t40 * hx_delta_Jxz_delta;
+        let hx_delta = Jxx_delta * hx_delta_Jxx_delta - t42;
+        let t44 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = hx_delta_Jxz_delta * t44;
+        let mu = self.c * yaw_per_v_delta;
+        let t48 = self.mB * self.xB;
+        let t50 = t3 - Jxz_delta_w;
+        let t55 = t40 + self.zB * t48 - Sx_all_mA * t50 - self.IBxz;
+        let M_12 = hx_delta - mu * t55;
+        let t59 = hx_delta_Jxx_delta * t40;
+        let t62 = self.mH * Sx_delta_mH;
+        let Jzz_delta = self.IFxx + self.IHzz + self.c * t31 + Sx_delta_mH * t62;
+        let t68 = t59 - hx_delta_Jxz_delta * Jzz_delta;
+        let t70 = hx_delta_Jxx_delta * t50;
+        let Sx_delta = t62 - t31;
+        let py_delta = t70 + hx_delta_Jxz_delta * Sx_delta;
+        let t75 = t68 - Sx_all_mA * py_delta;
+        let mA = self.mF + self.mH;
+        let t80 = Sx_all_mA * mA;
+        let t81 = self.w.like(0.5) * t80;
+        let t82 = Sx_delta + Sx_delta;
+        let t84 = t81 + t81 + t82;
+        let t89 = self.IRxx + Jzz_delta + self.IBzz + self.xB * t48 + Sx_all_mA * t84;
+        let t90 = mu * t89;
+        let t91 = t75 - t90;
+        let t92 = t75 + t91;
+        let M_22 = hx_delta_Jxx_delta * hx_delta - hx_delta_Jxz_delta * t68 - mu * t92;
+        let zero = self.w.like(0.0);
+        let K1_12_yaw_per_v_delta = self.hH + self.hB;
+        let t101 = hx_delta_Jxz_delta * self.hH;
+        let C0_12 = mu * K1_12_yaw_per_v_delta + t101;
+        let SF_IFyy = self.w.like(1.0) / self.rF;
+        let SF = self.IFyy * SF_IFyy;
+        let t106 = hx_delta_Jxz_delta * SF;
+        let SR_IRyy = self.w.like(1.0) / self.rR;
+        let ST = SF + self.IRyy * SR_IRyy;
+        let t111 = self.mB * self.zB;
+        let t112 = self.mR * self.rR;
+        let t113 = t111 - t112;
+        let K2_12_yaw_per_v_delta = ST + (t50 - t113);
+        let t117 = self.c * K2_12_yaw_per_v_delta - t55;
+        let C1_12 = t106 + yaw_per_v_delta * t117;
+        let Sx_all = t48 + Sx_delta + t80;
+        let t124 = mu * Sx_all;
+        let P_delta_lateral = py_delta + t124;
+        let K1_12 = yaw_per_v_delta * K1_12_yaw_per_v_delta;
+        let t131 = hx_delta_Jxx_delta * t44;
+        let C1_22_Jxz_delta = hx_delta_Jxz_delta * t131;
+        let K1_22 = self.hH * C1_22_Jxz_delta;
+        let K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
+        let t135 = hx_delta_Jxx_delta * SF;
+        let K2_22_yaw_per_v_delta = P_delta_lateral + t135;
+        let K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
+        let M_12_Jxz_delta = hx_delta_Jxz_delta + mu;
+        let t140 = self.mH * M_12_Jxz_delta;
+        let t141 = self.zH * t140;
+        let t143 = hx_delta_Jxz_delta / (self.w * self.w);
+        let t144 = self.c * t143;
+        let M_12_w = mu * t50 + t141 + t55 * t144;
+        let t148 = Sx_delta_mH * M_12_Jxz_delta;
+        let t149 = M_12_Jxz_delta * t148;
+        let Jzz_all_Sx_delta = Sx_all_mA + Sx_all_mA;
+        let t151 = mu * Jzz_all_Sx_delta;
+        let M_22_Sx_delta = M_12_Jxz_delta * t151;
+        let M_22_Jxz_delta = M_12_Jxz_delta * (hx_delta_Jxx_delta + hx_delta_Jxx_delta);
+        let t157 = t149 + M_22_Sx_delta - self.zH * M_22_Jxz_delta;
+        let M_22_xH = self.mH * (t149 + t157);
+        let t160 = t92 - t90;
+        let Jzz_all_w = t80 + t84;
+        let t164 = py_delta + mu * Jzz_all_w;
+        let t166 = mu * (py_delta + t164);
+        let M_22_w = t144 * t160 + t166 - M_22_xH;
+        let C0_21_w = K1_12_yaw_per_v_delta * t144;
+        let C1_12_w = t3 * yaw_per_v_delta - t117 * t143;
+        let C1_21_w = ST * t144;
+        let t174 = mu * mA;
+        let t176 = t164 + self.c * t174;
+        let K2_22_Sx_delta = yaw_per_v_delta * M_12_Jxz_delta;
+        let C1_22_Jzz_all = yaw_per_v_delta * mu;
+        let M_22_Jzz_all = self.c * C1_22_Jzz_all;
+        let t182 = Sx_all_mA * yaw_per_v_delta;
+        let C1_22_py_delta = mu + t182;
+        let K2_22_mA = Sx_all_mA * C1_22_Jzz_all;
+        let t187 = M_22_Jzz_all + hx_delta_Jxz_delta * C1_22_py_delta + K2_22_mA;
+        let M_22_mA = self.c * t182;
+        let t189 = self.zH * hx_delta_Jxx_delta;
+        let t190 = M_22_mA - t189;
+        let t191 = t148 + t190;
+        let K2_22_mH = yaw_per_v_delta * t191;
+        let t193 = t187 + K2_22_mH;
+        let C1_22_xH = t62 * K2_22_Sx_delta + self.mH * t193;
+        let C1_22_mu = t124 + P_delta_lateral + yaw_per_v_delta * t89;
+        let t200 = t91 - self.c * C1_22_mu;
+        let C1_22_w = yaw_per_v_delta * t176 + t143 * t200 - C1_22_xH;
+        let K0_12_w = t140 + Sx_all * t144 - t174;
+        let K0_22_w = hx_delta_Jxx_delta * K0_12_w;
+        let t208 = K1_12_yaw_per_v_delta * t143;
+        let K1_22_yaw_per_v_delta = hx_delta_Jxx_delta * self.hH;
+        let t210 = t143 * K1_22_yaw_per_v_delta;
+        let t211 = K2_12_yaw_per_v_delta * t143;
+        let t214 = yaw_per_v_delta * K0_12_w + K2_22_yaw_per_v_delta * t143;
+        let t216 = hx_delta_Jxz_delta * t50;
+        let t217 = yaw_per_v_delta * t55 + t216;
+        let t220 = t70 + t82 * M_12_Jxz_delta;
+        let M_22_c = t166 - yaw_per_v_delta * t160
+            - M_12_Jxz_delta * (t70 + t220 + mA * t151);
+        let t227 = yaw_per_v_delta * ST;
+        let C1_22_Sx_delta = K2_22_mA + t187;
+        let C1_22_c = yaw_per_v_delta * (t176 + C1_22_mu - t220) - mA * C1_22_Sx_delta;
+        let K0_12_c = hx_delta_Jxz_delta * (mA - t44 * Sx_all);
+        let K0_22_c = hx_delta_Jxx_delta * K0_12_c;
+        let t238 = yaw_per_v_delta * K0_12_c;
+        let t239 = self.c * t131;
+        let hx_delta_lam = t59 + Jxx_delta * hx_delta_Jxz_delta;
+        let M_12_lam = t55 * t239 + hx_delta_lam;
+        let t245 = hx_delta_Jxx_delta * Sx_delta - t216;
+        let t248 = M_22_mA * t245 - t91 * t239;
+        let M_22_hz_delta = mu + M_12_Jxz_delta;
+        let t251 = t42 + hx_delta_Jxx_delta * Jzz_delta;
+        let M_22_lam = hx_delta_Jxz_delta * hx_delta
+            + hx_delta_Jxx_delta * (t68 + hx_delta_lam) - t248 - t248
+            - M_22_hz_delta * t251;
+        let t260 = K1_12_yaw_per_v_delta * t131;
+        let C0_21_lam = K1_22_yaw_per_v_delta + self.c * t260;
+        let t264 = t135 + t117 * t131;
+        let C1_21_lam = t135 + ST * t239;
+        let C1_22_lam = t131 * t200 - yaw_per_v_delta * t251 - C1_22_py_delta * t245;
+        let K0_12_lam = t245 + Sx_all * t239;
+        let K0_22_lam = hx_delta_Jxx_delta * K0_12_lam
+            - hx_delta_Jxz_delta * P_delta_lateral;
+        let K1_22_lam = yaw_per_v_delta * t101 - t131 * K1_22_yaw_per_v_delta;
+        let t280 = K2_12_yaw_per_v_delta * t131;
+        let K2_22_lam = yaw_per_v_delta * (t106 - K0_12_lam)
+            - t131 * K2_22_yaw_per_v_delta;
+        let M_11_rR = t112 + t112;
+        let t286 = self.IRyy / M_11_mR;
+        let K2_12_rR = yaw_per_v_delta * (self.mR - t286);
+        let C1_12_rR = self.c * K2_12_rR;
+        let C1_21_rR = mu * t286;
+        let K2_12_mR = self.rR * yaw_per_v_delta;
+        let C1_12_mR = self.c * K2_12_mR;
+        let C1_12_IRyy = mu * SR_IRyy;
+        let K2_12_IRyy = yaw_per_v_delta * SR_IRyy;
+        let t296 = yaw_per_v_delta * t111;
+        let t297 = self.c * t296;
+        let t298 = self.mB * yaw_per_v_delta;
+        let t299 = self.c * t298;
+        let t300 = yaw_per_v_delta * self.xB;
+        let t301 = self.c * t300;
+        let t302 = t299 * t301;
+        let M_22_xB = t302 + t302;
+        let t304 = mu + t300;
+        let Jzz_delta_mF = t300 + t304;
+        let C1_22_xB = t299 * Jzz_delta_mF;
+        let t307 = hx_delta_Jxx_delta * t299;
+        let K2_22_xB = yaw_per_v_delta * t299;
+        let M_11_zB = t111 + t111;
+        let t310 = self.mB * t301;
+        let t311 = self.mB * t304;
+        let t312 = self.zB * t301;
+        let M_22_mB = t301 * t301;
+        let t314 = self.zB * t304;
+        let K2_22_mB = yaw_per_v_delta * t301;
+        let C1_22_mB = self.xB * (M_22_Jzz_all + K2_22_mB);
+        let t318 = hx_delta_Jxx_delta * t301;
+        let t319 = self.zB * yaw_per_v_delta;
+        let t320 = self.mH * yaw_per_v_delta;
+        let t321 = self.zH * t320;
+        let K0_12_zH = self.mH * hx_delta_Jxx_delta;
+        let t323 = M_12_Jxz_delta * K0_12_zH;
+        let K2_22_xH = yaw_per_v_delta * t140;
+        let Jxx_delta_zH = Jxz_delta_w + Jxz_delta_w;
+        let M_12_zH = self.mH * (t189 - t191);
+        let t328 = hx_delta_Jxx_delta * t191;
+        let t330 = self.mH * (t328 + t328);
+        let t331 = self.c + self.xH;
+        let t332 = t320 * t331;
+        let t333 = hx_delta_Jxx_delta * t332;
+        let K0_22_zH = hx_delta_Jxx_delta * K0_12_zH;
+        let t335 = self.mH * C1_22_Jxz_delta;
+        let Jxx_delta_mH = self.zH * self.zH;
+        let t337 = self.zH * t191;
+        let t338 = M_22_mA * M_22_mA;
+        let M_22_mH = t338 + Sx_delta_mH * t157 - t189 * (M_22_mA + t190);
+        let t344 = self.zH * yaw_per_v_delta;
+        let t345 = t331 * t344;
+        let C1_22_mH = C1_22_py_delta * t190 + Sx_delta_mH * t193;
+        let M_delta_delta_Jxx_delta = hx_delta_Jxx_delta * hx_delta_Jxx_delta;
+        let M_22_Jzz_delta = M_12_Jxz_delta * M_12_Jxz_delta;
+        let Jxx_delta_rF = t3 + t3;
+        let py_delta_mF = self.rF * hx_delta_Jxx_delta;
+        let t353 = self.c * M_12_Jxz_delta;
+        let t354 = M_22_mA + py_delta_mF;
+        let K0_12_mF = t353 - t354;
+        let M_12_rF = self.mF * (py_delta_mF - K0_12_mF);
+        let M_22_rF = M_delta_delta_Jxx_delta * Jxx_delta_rF
+            - t31 * (M_22_Jxz_delta - C1_22_Jxz_delta * Jzz_all_Sx_delta);
+        let t363 = self.mF * t182;
         let Jxx_delta_mF = self.rF * self.rF;
-        let M_12_mF = sin_lam * Jxx_delta_mF;
-        let M_22_mF = M_22_mA + self.c * t223 + M_22_Jxx_delta * Jxx_delta_mF;
-        let C1_12_mF = self.rF * t399;
-        let K0_12_mF = self.c * M_12_Jxz_delta - t139 - self.rF * sin_lam;
-        let C1_22_mF = C1_22_mA + self.c * t237 + self.rF * t405 - mu * K0_12_mF;
+        let t365 = self.IFyy / Jxx_delta_mF;
+        let C1_21_rF = M_12_Jxz_delta * t365;
+        let C1_12_rF = t363 - C1_21_rF;
+        let C1_22_rF = hx_delta_Jxx_delta * t363;
+        let py_delta_rF = self.mF * hx_delta_Jxx_delta;
+        let t370 = self.mF * M_delta_delta_Jxx_delta;
+        let K2_12_rF = yaw_per_v_delta * (self.mF - t365);
+        let K2_22_rF = hx_delta_Jxx_delta * K2_12_rF;
+        let t374 = self.rF * K0_12_mF;
+        let M_22_mF = t338 + self.c * (self.c * M_22_Jzz_delta - M_22_Sx_delta)
+            - py_delta_mF * (t353 + K0_12_mF - M_22_mA);
+        let C1_12_mF = self.rF * t182;
+        let t385 = yaw_per_v_delta * K0_12_mF;
+        let C1_22_mF = C1_22_py_delta * t354 - self.c * (t187 - t385);
+        let K0_22_mF = hx_delta_Jxx_delta * K0_12_mF;
         let K2_12_mF = self.rF * yaw_per_v_delta;
-        let M_22_IFxx = M_22_Jzz_delta + M_22_Jxx_delta;
-        let C1_12_IFyy = t101 * M_12_Jxz_delta;
-        let K2_12_IFyy = yaw_per_v_delta * t101;
-        let K2_22_IFyy = t101 * C1_22_Jxz_delta;
+        let M_22_IFxx = M_delta_delta_Jxx_delta + M_22_Jzz_delta;
+        let C1_12_IFyy = SF_IFyy * M_12_Jxz_delta;
+        let K2_12_IFyy = yaw_per_v_delta * SF_IFyy;
+        let K2_22_IFyy = SF_IFyy * C1_22_Jxz_delta;
         let C0_21 = -C0_12;
-        let C1_21 = -(t103 + mu * ST);
-        let K0_12_c = t242 - t241;
-        let t444 = -(sin_lam * K0_12_mF);
-        let K2_22_mF = -(yaw_per_v_delta * K0_12_mF);
+        let C1_21 = -(t106 + mu * ST);
+        let C1_22 = -(yaw_per_v_delta * (t91 - self.c * P_delta_lateral));
+        let K0_11 = t113 - t50;
+        let K0_12 = -P_delta_lateral;
+        let K0_22 = -(hx_delta_Jxx_delta * P_delta_lateral);
         (
             FlywheelBicycleMatrices::from_entries([
-                M_11, M_12, M_12, M_22, zero, C0_12, C0_21, zero, zero, C1_12, C1_21, C1_22, Sz_all,
+                M_11, M_12, M_12, M_22, zero, C0_12, C0_21, zero, zero, C1_12, C1_21, C1_22, K0_11,
                 K0_12, K0_12, K0_22, zero, K1_12, zero, K1_22, zero, K2_12, zero, K2_22,
             ]),
             FlywheelBicycleDerivatives {
                 values: [
-                    M_12_w, M_22_w, C0_21_w, C1_12_w, C1_21_w, C1_22_w, K0_12_w, K0_22_w, t211,
-                    t213, t214, t217, M_12_c, M_22_c, K1_12, C1_12_c, t234, C1_22_c, K0_12_c, t251,
-                    K2_22_c, M_12_lam, M_22_lam, C0_21_lam, t277, C1_21_lam, C1_22_lam, K0_12_lam,
-                    K0_22_lam, t292, K1_22_lam, t296, K2_22_lam, M_11_rR, C1_12_rR, C1_21_rR,
+                    M_12_w, M_22_w, C0_21_w, C1_12_w, C1_21_w, C1_22_w, K0_12_w, K0_22_w, t208,
+                    t210, t211, t214, t217, M_22_c, K1_12, K2_12, t227, C1_22_c, K0_12_c, K0_22_c,
+                    t238, M_12_lam, M_22_lam, C0_21_lam, t264, C1_21_lam, C1_22_lam, K0_12_lam,
+                    K0_22_lam, t260, K1_22_lam, t280, K2_22_lam, M_11_rR, C1_12_rR, C1_21_rR,
                     self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR, self.w.like(1.0),
-                    M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t313, M_22_xB, t319, C1_22_xB,
-                    t321, t324, K2_22_xB, M_11_zB, t315, t329, self.mB, t330, M_11_mB, t332,
-                    M_22_mB, t335, C1_22_mB, self.zB, t314, t339, t340, K2_22_mB, mu,
-                    yaw_per_v_delta, t132, t157, t171, C1_22_xH, t199, t344, K2_22_xH, M_11_zH,
-                    M_12_zH, M_22_zH, C1_12_zH, C1_22_zH, self.mH, K0_12_zH, K0_22_zH, t375, t376,
-                    M_11_mH, M_12_mH, M_22_mH, C1_12_mH, C1_22_mH, self.zH, K0_12_mH, K0_22_mH,
-                    t394, t395, sin_lam, M_22_Jxx_delta, M_22_Jzz_delta, C1_22_Jzz_delta,
-                    M_12_Jxz_delta, M_22_Jxz_delta, C1_22_Jxz_delta, Jxx_delta_rF, M_12_rF, M_22_rF,
-                    C1_12_rF, C1_21_rF, C1_22_rF, self.mF, P_delta_lateral_rF, t410, K2_12_rF,
-                    K2_22_rF, Jxx_delta_mF, M_12_mF, M_22_mF, C1_12_mF, C1_22_mF, self.rF, K0_12_mF,
-                    t444, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy, K2_12_IFyy, K2_22_IFyy,
+                    M_22_Jzz_all, C1_22_Jzz_all, C1_12_IRyy, K2_12_IRyy, t297, M_22_xB, t296,
+                    C1_22_xB, t299, t307, K2_22_xB, M_11_zB, t310, t311, self.mB, t298, M_11_mB,
+                    t312, M_22_mB, t314, C1_22_mB, self.zB, t301, t318, t319, K2_22_mB, mu,
+                    yaw_per_v_delta, t141, M_22_xH, t321, C1_22_xH, t140, t323, K2_22_xH,
+                    Jxx_delta_zH, M_12_zH, t330, t332, t333, self.mH, K0_12_zH, K0_22_zH, t320,
+                    t335, Jxx_delta_mH, t337, M_22_mH, t345, C1_22_mH, self.zH, t191, t328, t344,
+                    K2_22_mH, hx_delta_Jxx_delta, M_delta_delta_Jxx_delta, M_22_Jzz_delta,
+                    K2_22_Sx_delta, M_12_Jxz_delta, M_22_Jxz_delta, C1_22_Jxz_delta, Jxx_delta_rF,
+                    M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF, self.mF, py_delta_rF, t370,
+                    K2_12_rF, K2_22_rF, Jxx_delta_mF, t374, M_22_mF, C1_12_mF, C1_22_mF, self.rF,
+                    K0_12_mF, K0_22_mF, K2_12_mF, t385, M_22_IFxx, C1_12_IFyy, K2_12_IFyy,
+                    K2_22_IFyy,
                 ],
             },
         )
@@ -1094,17 +1094,18 @@ impl FlywheelBicycleDerivatives {
         Partial::new(MatrixName::K1, 1, 1, 0, 9).negative(),
         Partial::new(MatrixName::K2, 0, 1, 0, 10).negative(),
         Partial::new(MatrixName::K2, 1, 1, 0, 11).negative(),
-        Partial::new(MatrixName::M, 0, 1, 1, 12), Partial::new(MatrixName::M, 1, 0, 1, 12),
+        Partial::new(MatrixName::M, 0, 1, 1, 12).negative(),
+        Partial::new(MatrixName::M, 1, 0, 1, 12).negative(),
         Partial::new(MatrixName::M, 1, 1, 1, 13), Partial::new(MatrixName::C0, 0, 1, 1, 14),
         Partial::new(MatrixName::C0, 1, 0, 1, 14).negative(),
         Partial::new(MatrixName::C1, 0, 1, 1, 15),
         Partial::new(MatrixName::C1, 1, 0, 1, 16).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 17),
-        Partial::new(MatrixName::K0, 0, 1, 1, 18),
-        Partial::new(MatrixName::K0, 1, 0, 1, 18),
-        Partial::new(MatrixName::K0, 1, 1, 1, 19).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 1, 20), Partial::new(MatrixName::M, 0, 1, 2, 21),
-        Partial::new(MatrixName::M, 1, 0, 2, 21), Partial::new(MatrixName::M, 1, 1, 2, 22),
+        Partial::new(MatrixName::C1, 1, 1, 1, 17), Partial::new(MatrixName::K0, 0, 1, 1, 18),
+        Partial::new(MatrixName::K0, 1, 0, 1, 18), Partial::new(MatrixName::K0, 1, 1, 1, 19),
+        Partial::new(MatrixName::K2, 1, 1, 1, 20).negative(),
+        Partial::new(MatrixName::M, 0, 1, 2, 21),
+        Partial::new(MatrixName::M, 1, 0, 2, 21),
+        Partial::new(MatrixName::M, 1, 1, 2, 22),
         Partial::new(MatrixName::C0, 0, 1, 2, 23).negative(),
         Partial::new(MatrixName::C0, 1, 0, 2, 23),
         Partial::new(MatrixName::C1, 0, 1, 2, 24).negative(),
@@ -1157,7 +1158,7 @@ impl FlywheelBicycleDerivatives {
         Partial::new(MatrixName::C1, 0, 1, 14, 70),
         Partial::new(MatrixName::M, 0, 1, 15, 71).negative(),
         Partial::new(MatrixName::M, 1, 0, 15, 71).negative(),
-        Partial::new(MatrixName::M, 1, 1, 15, 72).negative(),
+        Partial::new(MatrixName::M, 1, 1, 15, 72),
         Partial::new(MatrixName::C1, 0, 1, 15, 73).negative(),
         Partial::new(MatrixName::C1, 1, 1, 15, 74),
         Partial::new(MatrixName::K0, 0, 1, 15, 75).negative(),
@@ -1165,41 +1166,50 @@ impl FlywheelBicycleDerivatives {
         Partial::new(MatrixName::K0, 1, 1, 15, 76).negative(),
         Partial::new(MatrixName::K2, 1, 1, 15, 77), Partial::new(MatrixName::M, 0, 0, 16, 78),
         Partial::new(MatrixName::M, 0, 1, 16, 79), Partial::new(MatrixName::M, 1, 0, 16, 79),
-        Partial::new(MatrixName::M, 1, 1, 16, 80), Partial::new(MatrixName::C1, 0, 1, 16, 81),
-        Partial::new(MatrixName::C1, 1, 1, 16, 82), Partial::new(MatrixName::K0, 0, 0, 16, 83),
-        Partial::new(MatrixName::K0, 0, 1, 16, 84), Partial::new(MatrixName::K0, 1, 0, 16, 84),
-        Partial::new(MatrixName::K0, 1, 1, 16, 85),
+        Partial::new(MatrixName::M, 1, 1, 16, 80).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 16, 81).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 16, 82).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 16, 83), Partial::new(MatrixName::K0, 0, 1, 16, 84),
+        Partial::new(MatrixName::K0, 1, 0, 16, 84), Partial::new(MatrixName::K0, 1, 1, 16, 85),
         Partial::new(MatrixName::K2, 0, 1, 16, 86).negative(),
         Partial::new(MatrixName::K2, 1, 1, 16, 87).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 88), Partial::new(MatrixName::M, 0, 1, 17, 89),
-        Partial::new(MatrixName::M, 1, 0, 17, 89), Partial::new(MatrixName::M, 1, 1, 17, 90),
-        Partial::new(MatrixName::C1, 0, 1, 17, 91), Partial::new(MatrixName::C1, 1, 1, 17, 92),
-        Partial::new(MatrixName::K0, 0, 0, 17, 93), Partial::new(MatrixName::K0, 0, 1, 17, 94),
-        Partial::new(MatrixName::K0, 1, 0, 17, 94), Partial::new(MatrixName::K0, 1, 1, 17, 95),
+        Partial::new(MatrixName::M, 0, 0, 17, 88),
+        Partial::new(MatrixName::M, 0, 1, 17, 89).negative(),
+        Partial::new(MatrixName::M, 1, 0, 17, 89).negative(),
+        Partial::new(MatrixName::M, 1, 1, 17, 90),
+        Partial::new(MatrixName::C1, 0, 1, 17, 91).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 92),
+        Partial::new(MatrixName::K0, 0, 0, 17, 93),
+        Partial::new(MatrixName::K0, 0, 1, 17, 94).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 17, 94).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 17, 95).negative(),
         Partial::new(MatrixName::K2, 0, 1, 17, 96).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 17, 97).negative(),
-        Partial::new(MatrixName::M, 0, 0, 18, 42), Partial::new(MatrixName::M, 0, 1, 18, 98),
-        Partial::new(MatrixName::M, 1, 0, 18, 98), Partial::new(MatrixName::M, 1, 1, 18, 99),
-        Partial::new(MatrixName::M, 1, 1, 20, 100), Partial::new(MatrixName::C1, 1, 1, 20, 101),
-        Partial::new(MatrixName::M, 0, 1, 21, 102), Partial::new(MatrixName::M, 1, 0, 21, 102),
-        Partial::new(MatrixName::M, 1, 1, 21, 103), Partial::new(MatrixName::C1, 0, 1, 21, 70),
-        Partial::new(MatrixName::C1, 1, 1, 21, 104), Partial::new(MatrixName::M, 0, 0, 22, 105),
-        Partial::new(MatrixName::M, 0, 1, 22, 106), Partial::new(MatrixName::M, 1, 0, 22, 106),
-        Partial::new(MatrixName::M, 1, 1, 22, 107), Partial::new(MatrixName::C1, 0, 1, 22, 108),
-        Partial::new(MatrixName::C1, 1, 0, 22, 109), Partial::new(MatrixName::C1, 1, 1, 22, 110),
+        Partial::new(MatrixName::K2, 1, 1, 17, 97), Partial::new(MatrixName::M, 0, 0, 18, 42),
+        Partial::new(MatrixName::M, 0, 1, 18, 98), Partial::new(MatrixName::M, 1, 0, 18, 98),
+        Partial::new(MatrixName::M, 1, 1, 18, 99), Partial::new(MatrixName::M, 1, 1, 20, 100),
+        Partial::new(MatrixName::C1, 1, 1, 20, 101), Partial::new(MatrixName::M, 0, 1, 21, 102),
+        Partial::new(MatrixName::M, 1, 0, 21, 102), Partial::new(MatrixName::M, 1, 1, 21, 103),
+        Partial::new(MatrixName::C1, 0, 1, 21, 70), Partial::new(MatrixName::C1, 1, 1, 21, 104),
+        Partial::new(MatrixName::M, 0, 0, 22, 105), Partial::new(MatrixName::M, 0, 1, 22, 106),
+        Partial::new(MatrixName::M, 1, 0, 22, 106), Partial::new(MatrixName::M, 1, 1, 22, 107),
+        Partial::new(MatrixName::C1, 0, 1, 22, 108), Partial::new(MatrixName::C1, 1, 0, 22, 109),
+        Partial::new(MatrixName::C1, 1, 1, 22, 110),
         Partial::new(MatrixName::K0, 0, 0, 22, 111).negative(),
         Partial::new(MatrixName::K0, 0, 1, 22, 112).negative(),
         Partial::new(MatrixName::K0, 1, 0, 22, 112).negative(),
         Partial::new(MatrixName::K0, 1, 1, 22, 113).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 114), Partial::new(MatrixName::K2, 1, 1, 22, 115),
-        Partial::new(MatrixName::M, 0, 0, 23, 116), Partial::new(MatrixName::M, 0, 1, 23, 117),
-        Partial::new(MatrixName::M, 1, 0, 23, 117), Partial::new(MatrixName::M, 1, 1, 23, 118),
-        Partial::new(MatrixName::C1, 0, 1, 23, 119), Partial::new(MatrixName::C1, 1, 1, 23, 120),
+        Partial::new(MatrixName::K2, 0, 1, 22, 114),
+        Partial::new(MatrixName::K2, 1, 1, 22, 115),
+        Partial::new(MatrixName::M, 0, 0, 23, 116),
+        Partial::new(MatrixName::M, 0, 1, 23, 117).negative(),
+        Partial::new(MatrixName::M, 1, 0, 23, 117).negative(),
+        Partial::new(MatrixName::M, 1, 1, 23, 118),
+        Partial::new(MatrixName::C1, 0, 1, 23, 119),
+        Partial::new(MatrixName::C1, 1, 1, 23, 120),
         Partial::new(MatrixName::K0, 0, 0, 23, 121).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 23, 122),
-        Partial::new(MatrixName::K0, 1, 0, 23, 122),
-        Partial::new(MatrixName::K0, 1, 1, 23, 123).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 23, 124), Partial::new(MatrixName::K2, 1, 1, 23, 125),
+        Partial::new(MatrixName::K0, 0, 1, 23, 122), Partial::new(MatrixName::K0, 1, 0, 23, 122),
+        Partial::new(MatrixName::K0, 1, 1, 23, 123), Partial::new(MatrixName::K2, 0, 1, 23, 124),
+        Partial::new(MatrixName::K2, 1, 1, 23, 125).negative(),
         Partial::new(MatrixName::M, 0, 0, 24, 42), Partial::new(MatrixName::M, 0, 1, 24, 98),
         Partial::new(MatrixName::M, 1, 0, 24, 98), Partial::new(MatrixName::M, 1, 1, 24, 126),
         Partial::new(MatrixName::C1, 1, 1, 24, 101), Partial::new(MatrixName::C1, 0, 1, 25, 127),

@@ -382,12 +382,12 @@ impl<T: Scalar> Motorcycle<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotorcycleDerivatives<T = f64> {
     /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
-    pub values: [T; 86],
+    pub values: [T; 85],
 }
 
 impl<T: Number> Motorcycle<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 87 additions, 167 multiplications, 8 divisions, 9 negations and 2 trigonometric functions: 273 operations.
+    /// 71 additions, 131 multiplications, 8 divisions, 14 negations and 2 trigonometric functions: 226 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -395,164 +395,160 @@ impl<T: Number> Motorcycle<T> {
     pub fn matrices_and_derivatives(&self) -> (MotorcycleMatrices<T>, MotorcycleDerivatives<T>) {
         let m_all = self.Mf + self.Mr;
         let (s, c) = self.eps.sin_cos();
+        let t6 = self.f * s;
         let t10 = self.a + self.e;
-        let k = c * t10 - self.f * s;
-        let Sx_all = self.Mf * k;
+        let t11 = c * t10;
+        let t12 = t6 - t11;
+        let K0_33_eps = self.Mf * t12;
         let j = self.f * c + s * t10;
         let t17 = self.Mf * j;
         let t19 = self.Mr * self.h;
         let M_13 = t17 + t19;
-        let t21 = s * t17;
-        let t22 = self.Mf.like(1.0) / c;
-        let t23 = self.a * t22;
-        let t24 = k - t23;
-        let t25 = self.Mf * t24;
-        let t26 = c * t25;
-        let py_delta = t21 + t26;
+        let t21 = self.Mf.like(1.0) / c;
+        let t22 = self.a * t21;
+        let t23 = t12 + t22;
+        let t24 = c * t23;
+        let t25 = s * j;
+        let K0_34_Mf = t24 - t25;
+        let t27 = self.Mf * K0_34_Mf;
         let zero = self.Mf.like(0.0);
+        let t29 = t12 * K0_33_eps;
         let M_22_Ifx = s * s;
         let M_33_Ifx = c * c;
-        let t36 = self.Ifx * M_22_Ifx + self.Ifz * M_33_Ifx;
-        let M_22 = self.Irz + t36 + k * Sx_all;
-        let t40 = self.Ifz - self.Ifx;
+        let t37 = self.Ifx * M_22_Ifx + self.Ifz * M_33_Ifx;
+        let M_22 = t29 + self.Irz + t37;
+        let t41 = self.Ifx - self.Ifz;
         let Jxz_delta_Ifz = s * c;
-        let Jxz_delta = t40 * Jxz_delta_Ifz + j * t25;
-        let Jxz_all = Jxz_delta + t17 * t23 - self.Crxz;
-        let t49 = s * Jxz_delta;
-        let t51 = t36 + t24 * t25;
-        let hz_delta = t49 + c * t51;
-        let M_psi_delta = hz_delta + t23 * py_delta;
-        let Jxx_delta = self.Ifx * M_33_Ifx + M_22_Ifx * self.Ifz + j * t17;
-        let M_33 = self.Irx + Jxx_delta + self.h * t19;
-        let t66 = c * Jxz_delta;
-        let hx_delta = s * Jxx_delta + t66;
-        let M_44 = s * hx_delta + c * hz_delta;
+        let t43 = t41 * Jxz_delta_Ifz;
+        let t45 = t43 + K0_33_eps * j;
+        let t48 = t43 + t17 * t23;
+        let t50 = self.Mf * t23;
+        let t52 = t37 + t23 * t50;
+        let t54 = s * t48 - c * t52;
+        let Jxx_delta_Mf = j * j;
+        let t60 = self.Mf * Jxx_delta_Mf;
+        let Jxx_delta = M_22_Ifx * self.Ifz + self.Ifx * M_33_Ifx + t60;
+        let M_33 = Jxx_delta + self.Irx + self.h * t19;
+        let hx_delta = s * Jxx_delta - c * t48;
+        let M_44 = s * hx_delta - c * t54;
         let C0_66_Cf1 = self.Mf.like(1.0) / self.sigma;
         let C0_55 = self.Cr1 * C0_66_Cf1;
-        let C0_52 = C0_55 * self.b;
+        let C0_52_Cr1 = C0_66_Cf1 * self.b;
+        let C0_52 = self.Cr1 * C0_52_Cr1;
         let C0_66 = C0_66_Cf1 * self.Cf1;
-        let t81 = self.a - self.t;
-        let l = t22 * t81;
+        let t84 = self.a - self.t;
+        let l = t21 * t84;
         let Kc_26 = C0_66 * l;
-        let t85 = self.a - c * l;
-        let C0_64 = C0_66 * t85;
+        let t87 = c * t21;
+        let t89 = self.a - t84 * t87;
+        let C0_64_Cf1 = C0_66_Cf1 * t89;
+        let C0_64 = self.Cf1 * C0_64_Cf1;
         let C1_32_ify = self.Mf.like(1.0) / self.Rf;
         let h_spin_F = self.ify * C1_32_ify;
         let C1_32_iry = self.Mf.like(1.0) / self.Rr;
-        let t94 = self.iry * C1_32_iry;
-        let h_wheels_all = h_spin_F + t94;
-        let C1_43_eps = s * h_spin_F;
+        let t99 = self.iry * C1_32_iry;
+        let h_wheels_all = h_spin_F + t99;
+        let C1_42_ify = s * C1_32_ify;
+        let C1_43_eps = self.ify * C1_42_ify;
         let C1_32 = M_13 + h_wheels_all;
         let C1_34 = c * h_spin_F;
-        let C1_42 = py_delta + C1_43_eps;
-        let t103 = (Sx_all + m_all * self.b) / (self.b + l);
-        let t107 = self.Mf.like(1.0) / self.g;
-        let t108 = self.Zf * t107;
-        let rest = t103 - t108;
-        let K0_34 = self.t * rest - py_delta - t85 * t103;
-        let K0_44 = s * K0_34;
+        let C1_42 = C1_43_eps - t27;
+        let t109 = (K0_33_eps - m_all * self.b) / (self.b + l);
+        let t112 = self.Mf.like(1.0) / self.g;
+        let t113 = self.Zf * t112;
+        let t114 = t109 + t113;
+        let t116 = self.t * t114 - t27;
+        let t117 = t89 * t109;
+        let t118 = t116 - t117;
         let K1_53 = C0_66_Cf1 * self.Cr2;
-        let t116 = self.sigma * self.sigma;
-        let K1_66_Cf1 = self.Mf.like(1.0) / t116;
+        let t122 = self.sigma * self.sigma;
+        let K1_66_Cf1 = self.Mf.like(1.0) / t122;
         let K1_55 = self.Cr1 * K1_66_Cf1;
         let K1_63 = C0_66_Cf1 * self.Cf2;
-        let t123 = c * self.Cf1 + s * self.Cf2;
-        let K1_64 = C0_66_Cf1 * t123;
+        let K1_64_Cf1 = c * C0_66_Cf1;
+        let t129 = self.Cf1 * K1_64_Cf1;
+        let K1_64 = s * K1_63 + t129;
         let K1_66 = self.Cf1 * K1_66_Cf1;
-        let t127 = c * t24;
-        let py_delta_Mf = t127 + s * j;
-        let M_22_Mf = k * k;
-        let Jxz_delta_Mf = j * t24;
-        let M_23_Mf = Jxz_delta_Mf + j * t23;
-        let hz_delta_Mf = s * Jxz_delta_Mf + t24 * t127;
-        let M_24_Mf = hz_delta_Mf + t23 * py_delta_Mf;
-        let Jxx_delta_Mf = j * j;
-        let hx_delta_Mf = s * Jxx_delta_Mf + c * Jxz_delta_Mf;
-        let M_44_Mf = s * hx_delta_Mf + c * hz_delta_Mf;
-        let t146 = s * py_delta_Mf;
+        let M_22_Mf = t12 * t12;
+        let t134 = t12 * j;
+        let M_24_Mf = t12 * K0_34_Mf;
+        let t136 = j * K0_34_Mf;
+        let M_44_Mf = K0_34_Mf * K0_34_Mf;
+        let K0_44_Mf = s * K0_34_Mf;
         let M_33_Mr = self.h * self.h;
-        let hz_delta_Ifz = s * Jxz_delta_Ifz + c * M_33_Ifx;
-        let hx_delta_Ifz = s * M_22_Ifx + c * Jxz_delta_Ifz;
-        let M_44_Ifz = s * hx_delta_Ifz + c * hz_delta_Ifz;
-        let C1_42_ify = s * C1_32_ify;
+        let t140 = M_22_Ifx + M_33_Ifx;
+        let hz_delta_Ifz = c * t140;
+        let hx_delta_Ifz = s * t140;
+        let M_44_Ifz = t140 * t140;
         let C1_34_ify = c * C1_32_ify;
         let M_12_a = self.Mf * c;
         let M_13_a = self.Mf * s;
-        let M_22_k = Sx_all + Sx_all;
-        let M_22_a = c * M_22_k;
-        let M_23_j = self.Mf * t23;
-        let t164 = s * M_23_j;
-        let t165 = s * t25;
-        let t166 = c - t22;
-        let Jxz_delta_a = t165 + t17 * t166;
-        let M_23_a = t164 + Jxz_delta_a + t17 * t22;
-        let t174 = t26 + self.Mf * t127;
-        let M_24_a = s * Jxz_delta_a + t166 * t174 + t22 * py_delta;
-        let Jxx_delta_j = t17 + t17;
-        let hx_delta_j = s * Jxx_delta_j;
-        let t181 = s * hx_delta_j;
-        let hx_delta_a = t181 + c * Jxz_delta_a;
-        let Kc_26_a = t22 * C0_66;
-        let py_delta_e = self.Mf * M_33_Ifx + self.Mf * M_22_Ifx;
-        let Jxz_delta_e = t165 + c * t17;
-        let M_23_e = t164 + Jxz_delta_e;
-        let hz_delta_e = s * Jxz_delta_e + c * t174;
-        let M_24_e = hz_delta_e + t23 * py_delta_e;
-        let hx_delta_e = t181 + c * Jxz_delta_e;
-        let M_44_e = s * hx_delta_e + c * hz_delta_e;
-        let t201 = s * py_delta_e;
-        let t202 = s * M_22_k;
-        let Jxz_delta_f = t26 - t21;
-        let M_23_f = Jxz_delta_f + c * M_23_j;
-        let hz_delta_f = s * (Jxz_delta_f - t174);
-        let M_33_f = c * Jxx_delta_j;
-        let hx_delta_f = c * (hx_delta_j + Jxz_delta_f);
+        let t147 = c * K0_33_eps;
+        let t148 = t147 + t147;
+        let t149 = j * M_12_a;
+        let t150 = t12 * M_13_a;
+        let M_23_a = t149 - t150;
+        let t152 = t50 * t87;
+        let t153 = s * t17;
+        let t157 = c * t153 - t50 * (M_33_Ifx + t140);
+        let M_24_a = t152 + t157;
+        let hx_delta_j = t153 + t153;
+        let hz_delta_f = s * t27;
+        let hx_delta_e = t17 * t140 - hz_delta_f;
+        let M_34_a = hx_delta_e - t17 * t87;
+        let Kc_26_a = t21 * C0_66;
+        let py_delta_e = self.Mf * t140;
+        let Jxx_delta_j = t22 * py_delta_e;
+        let M_24_e = t157 + Jxx_delta_j;
+        let M_44_e = c * t157 + s * hx_delta_e;
+        let t172 = t140 * M_13_a;
+        let M_22_f = t150 + t150;
+        let t174 = t147 + t153;
+        let M_33_f = t149 + t149;
+        let t176 = c * t27;
         let M_33_h = t19 + t19;
         let C1_23_Rf = C1_32_ify * h_spin_F;
         let C1_24_Rf = s * C1_23_Rf;
         let C1_43_Rf = c * C1_23_Rf;
-        let C1_23_Rr = C1_32_iry * t94;
-        let C0_64_t = c * Kc_26_a;
-        let K0_34_t = rest - c * t22 * t103;
+        let C1_23_Rr = C1_32_iry * t99;
+        let C0_64_t = t21 * t129;
+        let K0_34_t = t87 * t109 - t114;
         let K0_44_t = s * K0_34_t;
-        let t221 = Jxz_delta_Ifz + Jxz_delta_Ifz;
-        let t224 = self.Ifx * t221 - self.Ifz * t221;
-        let M_22_eps = t224 - j * M_22_k;
-        let t231 = s * t22 * t22;
-        let t232 = self.a * t231;
-        let t233 = j + t232;
-        let Jxz_delta_eps = M_33_Ifx * t40 + k * t25 - M_22_Ifx * t40 - t17 * t233;
-        let M_23_eps = Jxz_delta_eps + t17 * t232 + k * M_23_j;
-        let M_24_eps = t66 + s * Jxz_delta_eps + c * t224 + py_delta * t232 - s * t51
-            - t174 * t233;
-        let M_33_eps = k * Jxx_delta_j - t224;
-        let hx_delta_eps = c * Jxz_delta_eps + c * Jxx_delta + k * hx_delta_j - t49
-            - s * t224;
-        let Kc_26_eps = C0_66 * t81 * t231;
-        let K0_44_eps = c * K0_34;
-        let K1_64_eps = C0_66_Cf1 * (c * self.Cf2 - s * self.Cf1);
-        let Kc_26_Cf1 = C0_66_Cf1 * l;
-        let C0_64_Cf1 = C0_66_Cf1 * t85;
-        let K1_64_Cf1 = c * C0_66_Cf1;
+        let M_22_eps = t45 + t45;
+        let t188 = t41 * (M_22_Ifx - M_33_Ifx);
+        let M_23_eps = t29 + t188 - t60;
+        let t196 = s * t21;
+        let t197 = t22 * t196;
+        let t198 = j + t197;
+        let M_24_eps = c * (t43 + t50 * (t197 + t198))
+            - s * (t52 - M_23_eps - t22 * (K0_33_eps - t152));
+        let M_34_eps = s * (t48 - M_22_eps)
+            + c * (Jxx_delta + t188 + t12 * t50 - t17 * t198);
+        let Kc_26_eps = Kc_26 * t196;
+        let t214 = c * t118;
         let K1_64_Cf2 = s * C0_66_Cf1;
-        let C0_52_Cr1 = C0_66_Cf1 * self.b;
-        let t274 = C0_66_Cf1 * C0_66_Cf1;
-        let C0_51_sigma = self.Cr1 * t274;
-        let Kc_25_sigma = self.b * C0_51_sigma;
-        let C0_61_sigma = self.Cf1 * t274;
+        let K1_64_eps = self.Cf2 * K1_64_Cf1 - self.Cf1 * K1_64_Cf2;
+        let Kc_26_Cf1 = C0_66_Cf1 * l;
+        let C0_51_sigma = C0_66_Cf1 * C0_55;
+        let Kc_25_sigma = C0_55 * C0_52_Cr1;
+        let C0_61_sigma = C0_66_Cf1 * C0_66;
         let C0_62_sigma = l * C0_61_sigma;
-        let Kc_46_sigma = t85 * C0_61_sigma;
-        let t280 = self.Cr2 * t274;
-        let t282 = self.Mf.like(1.0) / (self.sigma * t116);
-        let t283 = t282 + t282;
-        let t284 = self.Cr1 * t283;
-        let t285 = self.Cf2 * t274;
-        let t286 = t123 * t274;
-        let t287 = self.Cf1 * t283;
-        let t288 = self.t * t107;
-        let t289 = s * t288;
-        let K0_34_g = t108 * t288;
-        let K0_44_g = s * K0_34_g;
+        let Kc_46_sigma = C0_66_Cf1 * C0_64;
+        let t225 = C0_66_Cf1 * K1_53;
+        let t227 = self.Mf.like(1.0) / (self.sigma * t122);
+        let t228 = t227 + t227;
+        let t229 = self.Cr1 * t228;
+        let t230 = C0_66_Cf1 * K1_63;
+        let t231 = C0_66_Cf1 * K1_64;
+        let t232 = self.Cf1 * t228;
+        let t233 = self.t * t112;
+        let t234 = s * t233;
+        let K0_34_g = t113 * t233;
+        let K0_44_g = t113 * t234;
+        let M_12 = -K0_33_eps;
+        let M_14 = -t27;
+        let M_23 = -(self.Crxz + t45);
+        let M_24 = -(t54 + t22 * t27);
         let C0_51 = -C0_55;
         let C0_61 = -C0_66;
         let C0_62 = -Kc_26;
@@ -562,40 +558,43 @@ impl<T: Number> Motorcycle<T> {
         let Kc_25 = -C0_52;
         let Kc_46 = -C0_64;
         let K0_33 = -M_13;
+        let K0_34 = t117 - t116;
+        let K0_44 = -(s * t118);
+        let M_12_Mf = t11 - t6;
+        let M_14_Mf = t25 - t24;
         (
             MotorcycleMatrices::from_entries([
-                m_all, Sx_all, M_13, py_delta, zero, zero, Sx_all, M_22, Jxz_all, M_psi_delta, zero,
-                zero, M_13, Jxz_all, M_33, hx_delta, zero, zero, py_delta, M_psi_delta, hx_delta,
-                M_44, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-                zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-                zero, zero, zero, zero, zero, zero, zero, zero, self.K, zero, zero, C0_51, C0_52,
-                zero, zero, C0_55, zero, C0_61, C0_62, zero, C0_64, zero, C0_66, zero, m_all, zero,
-                zero, zero, zero, zero, Sx_all, C1_23, C1_24, zero, zero, zero, C1_32, zero, C1_34,
-                zero, zero, zero, C1_42, C1_43, zero, zero, zero, zero, zero, zero, zero, zero,
-                zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, C0_55, C0_66,
-                zero, zero, zero, zero, Kc_25, Kc_26, zero, zero, zero, zero, zero, zero, zero,
-                zero, zero, zero, zero, Kc_46, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-                zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-                zero, zero, zero, K0_33, K0_34, zero, zero, zero, zero, K0_34, K0_44, zero, zero,
+                m_all, M_12, M_13, M_14, zero, zero, M_12, M_22, M_23, M_24, zero, zero, M_13, M_23,
+                M_33, hx_delta, zero, zero, M_14, M_24, hx_delta, M_44, zero, zero, zero, zero,
                 zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
                 zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-                zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, K1_53, zero, K1_55,
-                zero, zero, zero, K1_63, K1_64, zero, K1_66,
+                zero, zero, zero, self.K, zero, zero, C0_51, C0_52, zero, zero, C0_55, zero, C0_61,
+                C0_62, zero, C0_64, zero, C0_66, zero, m_all, zero, zero, zero, zero, zero, M_12,
+                C1_23, C1_24, zero, zero, zero, C1_32, zero, C1_34, zero, zero, zero, C1_42, C1_43,
+                zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+                zero, zero, zero, zero, zero, C0_55, C0_66, zero, zero, zero, zero, Kc_25, Kc_26,
+                zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, Kc_46, zero, zero,
+                zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+                zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, K0_33, K0_34, zero,
+                zero, zero, zero, K0_34, K0_44, zero, zero, zero, zero, zero, zero, zero, zero,
+                zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+                zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+                zero, zero, zero, zero, K1_53, zero, K1_55, zero, zero, zero, K1_63, K1_64, zero,
+                K1_66,
             ]),
             MotorcycleDerivatives {
                 values: [
-                    self.Mf.like(1.0), k, j, py_delta_Mf, M_22_Mf, M_23_Mf, M_24_Mf, Jxx_delta_Mf,
-                    hx_delta_Mf, M_44_Mf, t146, self.h, M_33_Mr, self.Mf.like(-1.0), M_22_Ifx,
-                    Jxz_delta_Ifz, M_33_Ifx, hz_delta_Ifz, hx_delta_Ifz, M_44_Ifz, C1_32_ify,
-                    C1_42_ify, C1_34_ify, C1_32_iry, M_12_a, M_13_a, M_22_a, M_23_a, M_24_a,
-                    hx_delta_j, hx_delta_a, Kc_26_a, C0_55, py_delta_e, M_23_e, M_24_e, hx_delta_e,
-                    M_44_e, t201, t202, M_23_f, hz_delta_f, M_33_f, hx_delta_f, self.Mr, M_33_h,
-                    C1_23_Rf, C1_24_Rf, C1_43_Rf, C1_23_Rr, C0_64_t, K0_34_t, K0_44_t, t17, Sx_all,
-                    M_22_eps, M_23_eps, M_24_eps, M_33_eps, hx_delta_eps, Kc_26_eps, C1_34,
-                    C1_43_eps, K0_44_eps, K1_64_eps, C0_66_Cf1, Kc_26_Cf1, C0_64_Cf1, K1_64_Cf1,
-                    K1_66_Cf1, K1_64_Cf2, C0_52_Cr1, C0_51_sigma, Kc_25_sigma, C0_61_sigma,
-                    C0_62_sigma, Kc_46_sigma, t280, t284, t285, t286, t287, t288, t289, K0_34_g,
-                    K0_44_g,
+                    self.Mf.like(1.0), M_12_Mf, j, M_14_Mf, M_22_Mf, t134, M_24_Mf, Jxx_delta_Mf,
+                    t136, M_44_Mf, K0_34_Mf, K0_44_Mf, self.h, M_33_Mr, self.Mf.like(-1.0),
+                    M_22_Ifx, Jxz_delta_Ifz, M_33_Ifx, hz_delta_Ifz, hx_delta_Ifz, M_44_Ifz,
+                    C1_32_ify, C1_42_ify, C1_34_ify, C1_32_iry, M_12_a, M_13_a, t148, M_23_a,
+                    M_24_a, hx_delta_j, M_34_a, Kc_26_a, C0_55, py_delta_e, M_24_e, hx_delta_e,
+                    M_44_e, t172, M_22_f, t174, hz_delta_f, M_33_f, t176, self.Mr, M_33_h, C1_23_Rf,
+                    C1_24_Rf, C1_43_Rf, C1_23_Rr, C0_64_t, K0_34_t, K0_44_t, t17, K0_33_eps,
+                    M_22_eps, M_23_eps, M_24_eps, M_34_eps, Kc_26_eps, C1_34, C1_43_eps, t214,
+                    K1_64_eps, C0_66_Cf1, Kc_26_Cf1, C0_64_Cf1, K1_64_Cf1, K1_66_Cf1, K1_64_Cf2,
+                    C0_52_Cr1, C0_51_sigma, Kc_25_sigma, C0_61_sigma, C0_62_sigma, Kc_46_sigma,
+                    t225, t229, t230, t231, t232, t233, t234, K0_34_g, K0_44_g,
                 ],
             },
         )
@@ -1118,76 +1117,80 @@ impl MotorcycleDerivatives {
         Partial::new(MatrixName::M, 0, 0, 0, 0), Partial::new(MatrixName::M, 0, 1, 0, 1),
         Partial::new(MatrixName::M, 0, 2, 0, 2), Partial::new(MatrixName::M, 0, 3, 0, 3),
         Partial::new(MatrixName::M, 1, 0, 0, 1), Partial::new(MatrixName::M, 1, 1, 0, 4),
-        Partial::new(MatrixName::M, 1, 2, 0, 5), Partial::new(MatrixName::M, 1, 3, 0, 6),
-        Partial::new(MatrixName::M, 2, 0, 0, 2), Partial::new(MatrixName::M, 2, 1, 0, 5),
-        Partial::new(MatrixName::M, 2, 2, 0, 7), Partial::new(MatrixName::M, 2, 3, 0, 8),
+        Partial::new(MatrixName::M, 1, 2, 0, 5).negative(), Partial::new(MatrixName::M, 1, 3, 0, 6),
+        Partial::new(MatrixName::M, 2, 0, 0, 2), Partial::new(MatrixName::M, 2, 1, 0, 5).negative(),
+        Partial::new(MatrixName::M, 2, 2, 0, 7), Partial::new(MatrixName::M, 2, 3, 0, 8).negative(),
         Partial::new(MatrixName::M, 3, 0, 0, 3), Partial::new(MatrixName::M, 3, 1, 0, 6),
-        Partial::new(MatrixName::M, 3, 2, 0, 8), Partial::new(MatrixName::M, 3, 3, 0, 9),
+        Partial::new(MatrixName::M, 3, 2, 0, 8).negative(), Partial::new(MatrixName::M, 3, 3, 0, 9),
         Partial::new(MatrixName::C1, 0, 1, 0, 0), Partial::new(MatrixName::C1, 1, 1, 0, 1),
         Partial::new(MatrixName::C1, 2, 1, 0, 2), Partial::new(MatrixName::C1, 3, 1, 0, 3),
         Partial::new(MatrixName::K0, 2, 2, 0, 2).negative(),
-        Partial::new(MatrixName::K0, 2, 3, 0, 3).negative(),
-        Partial::new(MatrixName::K0, 3, 2, 0, 3).negative(),
-        Partial::new(MatrixName::K0, 3, 3, 0, 10).negative(),
-        Partial::new(MatrixName::M, 0, 0, 1, 0), Partial::new(MatrixName::M, 0, 2, 1, 11),
-        Partial::new(MatrixName::M, 2, 0, 1, 11), Partial::new(MatrixName::M, 2, 2, 1, 12),
-        Partial::new(MatrixName::C1, 0, 1, 1, 0), Partial::new(MatrixName::C1, 2, 1, 1, 11),
-        Partial::new(MatrixName::K0, 2, 2, 1, 11).negative(),
+        Partial::new(MatrixName::K0, 2, 3, 0, 10), Partial::new(MatrixName::K0, 3, 2, 0, 10),
+        Partial::new(MatrixName::K0, 3, 3, 0, 11), Partial::new(MatrixName::M, 0, 0, 1, 0),
+        Partial::new(MatrixName::M, 0, 2, 1, 12), Partial::new(MatrixName::M, 2, 0, 1, 12),
+        Partial::new(MatrixName::M, 2, 2, 1, 13), Partial::new(MatrixName::C1, 0, 1, 1, 0),
+        Partial::new(MatrixName::C1, 2, 1, 1, 12),
+        Partial::new(MatrixName::K0, 2, 2, 1, 12).negative(),
         Partial::new(MatrixName::M, 2, 2, 2, 0), Partial::new(MatrixName::M, 1, 1, 3, 0),
-        Partial::new(MatrixName::M, 1, 2, 4, 13), Partial::new(MatrixName::M, 2, 1, 4, 13),
-        Partial::new(MatrixName::M, 1, 1, 5, 14),
-        Partial::new(MatrixName::M, 1, 2, 5, 15).negative(),
-        Partial::new(MatrixName::M, 2, 1, 5, 15).negative(),
-        Partial::new(MatrixName::M, 2, 2, 5, 16), Partial::new(MatrixName::M, 1, 1, 6, 16),
-        Partial::new(MatrixName::M, 1, 2, 6, 15), Partial::new(MatrixName::M, 1, 3, 6, 17),
-        Partial::new(MatrixName::M, 2, 1, 6, 15), Partial::new(MatrixName::M, 2, 2, 6, 14),
-        Partial::new(MatrixName::M, 2, 3, 6, 18), Partial::new(MatrixName::M, 3, 1, 6, 17),
-        Partial::new(MatrixName::M, 3, 2, 6, 18), Partial::new(MatrixName::M, 3, 3, 6, 19),
-        Partial::new(MatrixName::C1, 1, 2, 7, 20).negative(),
-        Partial::new(MatrixName::C1, 1, 3, 7, 21).negative(),
-        Partial::new(MatrixName::C1, 2, 1, 7, 20),
-        Partial::new(MatrixName::C1, 2, 3, 7, 22),
-        Partial::new(MatrixName::C1, 3, 1, 7, 21),
-        Partial::new(MatrixName::C1, 3, 2, 7, 22).negative(),
-        Partial::new(MatrixName::C1, 1, 2, 8, 23).negative(),
-        Partial::new(MatrixName::C1, 2, 1, 8, 23), Partial::new(MatrixName::M, 0, 1, 9, 24),
-        Partial::new(MatrixName::M, 0, 2, 9, 25), Partial::new(MatrixName::M, 1, 0, 9, 24),
-        Partial::new(MatrixName::M, 1, 1, 9, 26), Partial::new(MatrixName::M, 1, 2, 9, 27),
-        Partial::new(MatrixName::M, 1, 3, 9, 28), Partial::new(MatrixName::M, 2, 0, 9, 25),
-        Partial::new(MatrixName::M, 2, 1, 9, 27), Partial::new(MatrixName::M, 2, 2, 9, 29),
-        Partial::new(MatrixName::M, 2, 3, 9, 30), Partial::new(MatrixName::M, 3, 1, 9, 28),
-        Partial::new(MatrixName::M, 3, 2, 9, 30),
-        Partial::new(MatrixName::C0, 5, 1, 9, 31).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 9, 24),
-        Partial::new(MatrixName::C1, 2, 1, 9, 25),
-        Partial::new(MatrixName::Kc, 1, 5, 9, 31),
-        Partial::new(MatrixName::K0, 2, 2, 9, 25).negative(),
-        Partial::new(MatrixName::C0, 4, 1, 10, 32),
-        Partial::new(MatrixName::Kc, 1, 4, 10, 32).negative(),
-        Partial::new(MatrixName::M, 0, 1, 11, 24), Partial::new(MatrixName::M, 0, 2, 11, 25),
-        Partial::new(MatrixName::M, 0, 3, 11, 33), Partial::new(MatrixName::M, 1, 0, 11, 24),
-        Partial::new(MatrixName::M, 1, 1, 11, 26), Partial::new(MatrixName::M, 1, 2, 11, 34),
-        Partial::new(MatrixName::M, 1, 3, 11, 35), Partial::new(MatrixName::M, 2, 0, 11, 25),
-        Partial::new(MatrixName::M, 2, 1, 11, 34), Partial::new(MatrixName::M, 2, 2, 11, 29),
-        Partial::new(MatrixName::M, 2, 3, 11, 36), Partial::new(MatrixName::M, 3, 0, 11, 33),
-        Partial::new(MatrixName::M, 3, 1, 11, 35), Partial::new(MatrixName::M, 3, 2, 11, 36),
-        Partial::new(MatrixName::M, 3, 3, 11, 37), Partial::new(MatrixName::C1, 1, 1, 11, 24),
-        Partial::new(MatrixName::C1, 2, 1, 11, 25), Partial::new(MatrixName::C1, 3, 1, 11, 33),
-        Partial::new(MatrixName::K0, 2, 2, 11, 25).negative(),
-        Partial::new(MatrixName::K0, 2, 3, 11, 33).negative(),
-        Partial::new(MatrixName::K0, 3, 2, 11, 33).negative(),
+        Partial::new(MatrixName::M, 1, 2, 4, 14), Partial::new(MatrixName::M, 2, 1, 4, 14),
+        Partial::new(MatrixName::M, 1, 1, 5, 15),
+        Partial::new(MatrixName::M, 1, 2, 5, 16).negative(),
+        Partial::new(MatrixName::M, 2, 1, 5, 16).negative(),
+        Partial::new(MatrixName::M, 2, 2, 5, 17), Partial::new(MatrixName::M, 1, 1, 6, 17),
+        Partial::new(MatrixName::M, 1, 2, 6, 16), Partial::new(MatrixName::M, 1, 3, 6, 18),
+        Partial::new(MatrixName::M, 2, 1, 6, 16), Partial::new(MatrixName::M, 2, 2, 6, 15),
+        Partial::new(MatrixName::M, 2, 3, 6, 19), Partial::new(MatrixName::M, 3, 1, 6, 18),
+        Partial::new(MatrixName::M, 3, 2, 6, 19), Partial::new(MatrixName::M, 3, 3, 6, 20),
+        Partial::new(MatrixName::C1, 1, 2, 7, 21).negative(),
+        Partial::new(MatrixName::C1, 1, 3, 7, 22).negative(),
+        Partial::new(MatrixName::C1, 2, 1, 7, 21),
+        Partial::new(MatrixName::C1, 2, 3, 7, 23),
+        Partial::new(MatrixName::C1, 3, 1, 7, 22),
+        Partial::new(MatrixName::C1, 3, 2, 7, 23).negative(),
+        Partial::new(MatrixName::C1, 1, 2, 8, 24).negative(),
+        Partial::new(MatrixName::C1, 2, 1, 8, 24), Partial::new(MatrixName::M, 0, 1, 9, 25),
+        Partial::new(MatrixName::M, 0, 2, 9, 26), Partial::new(MatrixName::M, 1, 0, 9, 25),
+        Partial::new(MatrixName::M, 1, 1, 9, 27).negative(),
+        Partial::new(MatrixName::M, 1, 2, 9, 28), Partial::new(MatrixName::M, 1, 3, 9, 29),
+        Partial::new(MatrixName::M, 2, 0, 9, 26), Partial::new(MatrixName::M, 2, 1, 9, 28),
+        Partial::new(MatrixName::M, 2, 2, 9, 30), Partial::new(MatrixName::M, 2, 3, 9, 31),
+        Partial::new(MatrixName::M, 3, 1, 9, 29), Partial::new(MatrixName::M, 3, 2, 9, 31),
+        Partial::new(MatrixName::C0, 5, 1, 9, 32).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 9, 25),
+        Partial::new(MatrixName::C1, 2, 1, 9, 26),
+        Partial::new(MatrixName::Kc, 1, 5, 9, 32),
+        Partial::new(MatrixName::K0, 2, 2, 9, 26).negative(),
+        Partial::new(MatrixName::C0, 4, 1, 10, 33),
+        Partial::new(MatrixName::Kc, 1, 4, 10, 33).negative(),
+        Partial::new(MatrixName::M, 0, 1, 11, 25), Partial::new(MatrixName::M, 0, 2, 11, 26),
+        Partial::new(MatrixName::M, 0, 3, 11, 34), Partial::new(MatrixName::M, 1, 0, 11, 25),
+        Partial::new(MatrixName::M, 1, 1, 11, 27).negative(),
+        Partial::new(MatrixName::M, 1, 2, 11, 28), Partial::new(MatrixName::M, 1, 3, 11, 35),
+        Partial::new(MatrixName::M, 2, 0, 11, 26), Partial::new(MatrixName::M, 2, 1, 11, 28),
+        Partial::new(MatrixName::M, 2, 2, 11, 30), Partial::new(MatrixName::M, 2, 3, 11, 36),
+        Partial::new(MatrixName::M, 3, 0, 11, 34), Partial::new(MatrixName::M, 3, 1, 11, 35),
+        Partial::new(MatrixName::M, 3, 2, 11, 36), Partial::new(MatrixName::M, 3, 3, 11, 37),
+        Partial::new(MatrixName::C1, 1, 1, 11, 25), Partial::new(MatrixName::C1, 2, 1, 11, 26),
+        Partial::new(MatrixName::C1, 3, 1, 11, 34),
+        Partial::new(MatrixName::K0, 2, 2, 11, 26).negative(),
+        Partial::new(MatrixName::K0, 2, 3, 11, 34).negative(),
+        Partial::new(MatrixName::K0, 3, 2, 11, 34).negative(),
         Partial::new(MatrixName::K0, 3, 3, 11, 38).negative(),
-        Partial::new(MatrixName::M, 0, 1, 12, 25).negative(),
-        Partial::new(MatrixName::M, 0, 2, 12, 24),
-        Partial::new(MatrixName::M, 1, 0, 12, 25).negative(),
-        Partial::new(MatrixName::M, 1, 1, 12, 39).negative(),
-        Partial::new(MatrixName::M, 1, 2, 12, 40), Partial::new(MatrixName::M, 1, 3, 12, 41),
-        Partial::new(MatrixName::M, 2, 0, 12, 24), Partial::new(MatrixName::M, 2, 1, 12, 40),
-        Partial::new(MatrixName::M, 2, 2, 12, 42), Partial::new(MatrixName::M, 2, 3, 12, 43),
-        Partial::new(MatrixName::M, 3, 1, 12, 41), Partial::new(MatrixName::M, 3, 2, 12, 43),
-        Partial::new(MatrixName::C1, 1, 1, 12, 25).negative(),
-        Partial::new(MatrixName::C1, 2, 1, 12, 24),
-        Partial::new(MatrixName::K0, 2, 2, 12, 24).negative(),
+        Partial::new(MatrixName::M, 0, 1, 12, 26).negative(),
+        Partial::new(MatrixName::M, 0, 2, 12, 25),
+        Partial::new(MatrixName::M, 1, 0, 12, 26).negative(),
+        Partial::new(MatrixName::M, 1, 1, 12, 39),
+        Partial::new(MatrixName::M, 1, 2, 12, 40).negative(),
+        Partial::new(MatrixName::M, 1, 3, 12, 41),
+        Partial::new(MatrixName::M, 2, 0, 12, 25),
+        Partial::new(MatrixName::M, 2, 1, 12, 40).negative(),
+        Partial::new(MatrixName::M, 2, 2, 12, 42),
+        Partial::new(MatrixName::M, 2, 3, 12, 43).negative(),
+        Partial::new(MatrixName::M, 3, 1, 12, 41),
+        Partial::new(MatrixName::M, 3, 2, 12, 43).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 12, 26).negative(),
+        Partial::new(MatrixName::C1, 2, 1, 12, 25),
+        Partial::new(MatrixName::K0, 2, 2, 12, 25).negative(),
         Partial::new(MatrixName::M, 0, 2, 13, 44), Partial::new(MatrixName::M, 2, 0, 13, 44),
         Partial::new(MatrixName::M, 2, 2, 13, 45), Partial::new(MatrixName::C1, 2, 1, 13, 44),
         Partial::new(MatrixName::K0, 2, 2, 13, 44).negative(),
@@ -1199,67 +1202,69 @@ impl MotorcycleDerivatives {
         Partial::new(MatrixName::C1, 3, 2, 14, 48),
         Partial::new(MatrixName::C1, 1, 2, 15, 49),
         Partial::new(MatrixName::C1, 2, 1, 15, 49).negative(),
-        Partial::new(MatrixName::C0, 5, 1, 16, 31),
+        Partial::new(MatrixName::C0, 5, 1, 16, 32),
         Partial::new(MatrixName::C0, 5, 3, 16, 50),
-        Partial::new(MatrixName::Kc, 1, 5, 16, 31).negative(),
+        Partial::new(MatrixName::Kc, 1, 5, 16, 32).negative(),
         Partial::new(MatrixName::Kc, 3, 5, 16, 50).negative(),
         Partial::new(MatrixName::K0, 2, 3, 16, 51),
         Partial::new(MatrixName::K0, 3, 2, 16, 51),
         Partial::new(MatrixName::K0, 3, 3, 16, 52),
         Partial::new(MatrixName::M, 0, 1, 17, 53).negative(),
-        Partial::new(MatrixName::M, 0, 2, 17, 54),
+        Partial::new(MatrixName::M, 0, 2, 17, 54).negative(),
         Partial::new(MatrixName::M, 1, 0, 17, 53).negative(),
-        Partial::new(MatrixName::M, 1, 1, 17, 55), Partial::new(MatrixName::M, 1, 2, 17, 56),
-        Partial::new(MatrixName::M, 1, 3, 17, 57), Partial::new(MatrixName::M, 2, 0, 17, 54),
-        Partial::new(MatrixName::M, 2, 1, 17, 56), Partial::new(MatrixName::M, 2, 2, 17, 58),
-        Partial::new(MatrixName::M, 2, 3, 17, 59), Partial::new(MatrixName::M, 3, 1, 17, 57),
-        Partial::new(MatrixName::M, 3, 2, 17, 59),
-        Partial::new(MatrixName::C0, 5, 1, 17, 60).negative(),
+        Partial::new(MatrixName::M, 1, 1, 17, 55),
+        Partial::new(MatrixName::M, 1, 2, 17, 56),
+        Partial::new(MatrixName::M, 1, 3, 17, 57),
+        Partial::new(MatrixName::M, 2, 0, 17, 54).negative(),
+        Partial::new(MatrixName::M, 2, 1, 17, 56),
+        Partial::new(MatrixName::M, 2, 2, 17, 55).negative(),
+        Partial::new(MatrixName::M, 2, 3, 17, 58),
+        Partial::new(MatrixName::M, 3, 1, 17, 57),
+        Partial::new(MatrixName::M, 3, 2, 17, 58),
+        Partial::new(MatrixName::C0, 5, 1, 17, 59).negative(),
         Partial::new(MatrixName::C1, 1, 1, 17, 53).negative(),
-        Partial::new(MatrixName::C1, 1, 3, 17, 61).negative(),
-        Partial::new(MatrixName::C1, 2, 1, 17, 54),
-        Partial::new(MatrixName::C1, 2, 3, 17, 62).negative(),
-        Partial::new(MatrixName::C1, 3, 1, 17, 61),
-        Partial::new(MatrixName::C1, 3, 2, 17, 62),
-        Partial::new(MatrixName::Kc, 1, 5, 17, 60),
-        Partial::new(MatrixName::K0, 2, 2, 17, 54).negative(),
-        Partial::new(MatrixName::K0, 3, 3, 17, 63),
-        Partial::new(MatrixName::K1, 5, 3, 17, 64),
-        Partial::new(MatrixName::C0, 5, 0, 18, 65).negative(),
-        Partial::new(MatrixName::C0, 5, 1, 18, 66).negative(),
-        Partial::new(MatrixName::C0, 5, 3, 18, 67), Partial::new(MatrixName::C0, 5, 5, 18, 65),
-        Partial::new(MatrixName::Kc, 0, 5, 18, 65), Partial::new(MatrixName::Kc, 1, 5, 18, 66),
-        Partial::new(MatrixName::Kc, 3, 5, 18, 67).negative(),
-        Partial::new(MatrixName::K1, 5, 3, 18, 68), Partial::new(MatrixName::K1, 5, 5, 18, 69),
-        Partial::new(MatrixName::K1, 5, 2, 19, 65), Partial::new(MatrixName::K1, 5, 3, 19, 70),
-        Partial::new(MatrixName::C0, 4, 0, 20, 65).negative(),
-        Partial::new(MatrixName::C0, 4, 1, 20, 71),
-        Partial::new(MatrixName::C0, 4, 4, 20, 65),
-        Partial::new(MatrixName::Kc, 0, 4, 20, 65),
-        Partial::new(MatrixName::Kc, 1, 4, 20, 71).negative(),
-        Partial::new(MatrixName::K1, 4, 4, 20, 69), Partial::new(MatrixName::K1, 4, 2, 21, 65),
-        Partial::new(MatrixName::C0, 3, 3, 22, 0), Partial::new(MatrixName::C0, 4, 0, 23, 72),
-        Partial::new(MatrixName::C0, 4, 1, 23, 73).negative(),
-        Partial::new(MatrixName::C0, 4, 4, 23, 72).negative(),
-        Partial::new(MatrixName::C0, 5, 0, 23, 74),
-        Partial::new(MatrixName::C0, 5, 1, 23, 75),
-        Partial::new(MatrixName::C0, 5, 3, 23, 76).negative(),
-        Partial::new(MatrixName::C0, 5, 5, 23, 74).negative(),
-        Partial::new(MatrixName::Kc, 0, 4, 23, 72).negative(),
-        Partial::new(MatrixName::Kc, 0, 5, 23, 74).negative(),
-        Partial::new(MatrixName::Kc, 1, 4, 23, 73),
-        Partial::new(MatrixName::Kc, 1, 5, 23, 75).negative(),
-        Partial::new(MatrixName::Kc, 3, 5, 23, 76),
-        Partial::new(MatrixName::K1, 4, 2, 23, 77).negative(),
-        Partial::new(MatrixName::K1, 4, 4, 23, 78).negative(),
-        Partial::new(MatrixName::K1, 5, 2, 23, 79).negative(),
-        Partial::new(MatrixName::K1, 5, 3, 23, 80).negative(),
-        Partial::new(MatrixName::K1, 5, 5, 23, 81).negative(),
-        Partial::new(MatrixName::K0, 2, 3, 24, 82).negative(),
-        Partial::new(MatrixName::K0, 3, 2, 24, 82).negative(),
-        Partial::new(MatrixName::K0, 3, 3, 24, 83).negative(),
-        Partial::new(MatrixName::K0, 2, 3, 25, 84),
-        Partial::new(MatrixName::K0, 3, 2, 25, 84),
-        Partial::new(MatrixName::K0, 3, 3, 25, 85),
+        Partial::new(MatrixName::C1, 1, 3, 17, 60).negative(),
+        Partial::new(MatrixName::C1, 2, 1, 17, 54).negative(),
+        Partial::new(MatrixName::C1, 2, 3, 17, 61).negative(),
+        Partial::new(MatrixName::C1, 3, 1, 17, 60), Partial::new(MatrixName::C1, 3, 2, 17, 61),
+        Partial::new(MatrixName::Kc, 1, 5, 17, 59), Partial::new(MatrixName::K0, 2, 2, 17, 54),
+        Partial::new(MatrixName::K0, 3, 3, 17, 62).negative(),
+        Partial::new(MatrixName::K1, 5, 3, 17, 63),
+        Partial::new(MatrixName::C0, 5, 0, 18, 64).negative(),
+        Partial::new(MatrixName::C0, 5, 1, 18, 65).negative(),
+        Partial::new(MatrixName::C0, 5, 3, 18, 66), Partial::new(MatrixName::C0, 5, 5, 18, 64),
+        Partial::new(MatrixName::Kc, 0, 5, 18, 64), Partial::new(MatrixName::Kc, 1, 5, 18, 65),
+        Partial::new(MatrixName::Kc, 3, 5, 18, 66).negative(),
+        Partial::new(MatrixName::K1, 5, 3, 18, 67), Partial::new(MatrixName::K1, 5, 5, 18, 68),
+        Partial::new(MatrixName::K1, 5, 2, 19, 64), Partial::new(MatrixName::K1, 5, 3, 19, 69),
+        Partial::new(MatrixName::C0, 4, 0, 20, 64).negative(),
+        Partial::new(MatrixName::C0, 4, 1, 20, 70),
+        Partial::new(MatrixName::C0, 4, 4, 20, 64),
+        Partial::new(MatrixName::Kc, 0, 4, 20, 64),
+        Partial::new(MatrixName::Kc, 1, 4, 20, 70).negative(),
+        Partial::new(MatrixName::K1, 4, 4, 20, 68), Partial::new(MatrixName::K1, 4, 2, 21, 64),
+        Partial::new(MatrixName::C0, 3, 3, 22, 0), Partial::new(MatrixName::C0, 4, 0, 23, 71),
+        Partial::new(MatrixName::C0, 4, 1, 23, 72).negative(),
+        Partial::new(MatrixName::C0, 4, 4, 23, 71).negative(),
+        Partial::new(MatrixName::C0, 5, 0, 23, 73),
+        Partial::new(MatrixName::C0, 5, 1, 23, 74),
+        Partial::new(MatrixName::C0, 5, 3, 23, 75).negative(),
+        Partial::new(MatrixName::C0, 5, 5, 23, 73).negative(),
+        Partial::new(MatrixName::Kc, 0, 4, 23, 71).negative(),
+        Partial::new(MatrixName::Kc, 0, 5, 23, 73).negative(),
+        Partial::new(MatrixName::Kc, 1, 4, 23, 72),
+        Partial::new(MatrixName::Kc, 1, 5, 23, 74).negative(),
+        Partial::new(MatrixName::Kc, 3, 5, 23, 75),
+        Partial::new(MatrixName::K1, 4, 2, 23, 76).negative(),
+        Partial::new(MatrixName::K1, 4, 4, 23, 77).negative(),
+        Partial::new(MatrixName::K1, 5, 2, 23, 78).negative(),
+        Partial::new(MatrixName::K1, 5, 3, 23, 79).negative(),
+        Partial::new(MatrixName::K1, 5, 5, 23, 80).negative(),
+        Partial::new(MatrixName::K0, 2, 3, 24, 81).negative(),
+        Partial::new(MatrixName::K0, 3, 2, 24, 81).negative(),
+        Partial::new(MatrixName::K0, 3, 3, 24, 82).negative(),
+        Partial::new(MatrixName::K0, 2, 3, 25, 83),
+        Partial::new(MatrixName::K0, 3, 2, 25, 83),
+        Partial::new(MatrixName::K0, 3, 3, 25, 84),
     ];
 }

@@ -330,273 +330,261 @@ pub struct RearSteeredDerivatives<T = f64> {
 
 impl<T: Number> RearSteered<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 168 additions, 262 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 437 operations.
+    /// 129 additions, 208 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 347 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (RearSteeredMatrices<T>, RearSteeredDerivatives<T>) {
-        let t6 = self.zH * self.mH;
-        let t10 = self.rF * self.mF;
-        let Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
-        let t17 = self.rR * self.mR;
-        let t21 = self.zB * self.mB;
-        let M_11 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
+        let M_11_mF = self.rF * self.rF;
+        let Jxx_delta_mH = self.zH * self.zH;
+        let Jxx_delta = self.IHxx + self.mF * M_11_mF + self.IFxx
+            + self.mH * Jxx_delta_mH;
+        let t17 = self.zB * self.mB;
+        let M_11_mR = self.rR * self.rR;
+        let M_11 = self.IBxx + Jxx_delta + self.IRxx + self.zB * t17 + self.mR * M_11_mR;
         let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t32 = self.w + self.c;
-        let t34 = t32 - self.xH;
-        let t35 = self.mH * t34;
-        let Jxz_delta = t10 * self.c - self.zH * t35 - self.IHxz;
-        let t42 = Jxz_delta * cos_lam;
-        let hx_delta = t42 - Jxx_delta * sin_lam;
-        let t44 = self.w.like(1.0) / self.w;
-        let C1_12_IBxz = cos_lam * t44;
-        let yaw_by_delta = self.c * C1_12_IBxz;
-        let Sz_delta = t6 - t10;
-        let Jxz_all = Jxz_delta + t21 * self.xB + t32 * Sz_delta - self.IBxz;
-        let M_12 = hx_delta + yaw_by_delta * Jxz_all;
-        let t58 = sin_lam * Jxz_delta;
-        let t60 = self.IFxx + self.IHzz;
-        let t61 = self.mF * self.c;
-        let t65 = t60 + self.c * t61 + t34 * t35;
-        let hz_delta = cos_lam * t65 - t58;
-        let t70 = t35 + t61;
-        let py_delta = sin_lam * Sz_delta + cos_lam * t70;
-        let M_yaw_delta = hz_delta - t32 * py_delta;
-        let t76 = self.mF * self.w;
-        let t78 = self.mB * self.xB;
-        let t80 = self.mH * self.xH;
-        let P_delta_yaw_yaw_by_delta = self.IRxx + t60 + self.IBzz + self.w * t76
-            + self.xB * t78 + self.xH * t80;
-        let t87 = yaw_by_delta * P_delta_yaw_yaw_by_delta;
-        let P_delta_yaw = M_yaw_delta + t87;
-        let t89 = M_yaw_delta + P_delta_yaw;
-        let M_22 = cos_lam * hz_delta + yaw_by_delta * t89 - sin_lam * hx_delta;
+        let t31 = self.mF * self.c;
+        let t34 = self.mH * self.zH;
+        let t36 = self.c + self.w;
+        let t38 = t36 - self.xH;
+        let t41 = self.rF * t31 - self.IHxz - t34 * t38;
+        let t43 = t41 * cos_lam;
+        let t44 = Jxx_delta * sin_lam - t43;
+        let t45 = self.mF * self.rF;
+        let Sz_delta = t34 - t45;
+        let t53 = t41 + t36 * Sz_delta + t17 * self.xB - self.IBxz;
+        let t54 = self.w.like(1.0) / self.w;
+        let t55 = self.c * t54;
+        let yaw_by_delta = cos_lam * t55;
+        let M_12 = t53 * yaw_by_delta - t44;
+        let t60 = sin_lam * t41;
+        let t63 = self.IFxx + self.IHzz;
+        let t64 = self.mH * t38;
+        let t67 = self.c * t31 + t63 + t38 * t64;
+        let hz_delta = cos_lam * t67 - t60;
+        let t71 = t31 + t64;
+        let py_delta = sin_lam * Sz_delta + cos_lam * t71;
+        let M_yaw_delta = hz_delta - t36 * py_delta;
+        let t77 = self.mH * self.xH;
+        let t79 = self.mF * self.w;
+        let t81 = self.mB * self.xB;
+        let t87 = self.IRxx + t63 + self.IBzz + self.xH * t77 + self.w * t79
+            + self.xB * t81;
+        let t88 = yaw_by_delta * t87;
+        let P_delta_yaw = M_yaw_delta + t88;
+        let t92 = hz_delta + t55 * (M_yaw_delta + P_delta_yaw);
+        let M_22 = sin_lam * t44 + cos_lam * t92;
         let zero = self.w.like(0.0);
-        let t95 = self.w.like(1.0) / self.rF;
-        let h_spin_R = self.IFyy * t95;
-        let t97 = cos_lam * h_spin_R;
-        let t98 = C1_12_IBxz * Jxz_all;
+        let t97 = self.w.like(1.0) / self.rF;
+        let h_spin_R = self.IFyy * t97;
         let t100 = self.w.like(1.0) / self.rR;
         let t101 = self.IRyy * t100;
         let h_wheels_all = h_spin_R + t101;
-        let Sz_all = t21 + Sz_delta - t17;
-        let t105 = h_wheels_all - Sz_all;
-        let C1_12 = t97 + yaw_by_delta * t105 - t98;
-        let t113 = t76 + t78 + t80;
-        let t114 = yaw_by_delta * t113;
-        let P_delta_lateral = py_delta - t114;
-        let C1_22 = yaw_by_delta * P_delta_lateral - C1_12_IBxz * P_delta_yaw;
-        let K0_22 = sin_lam * P_delta_lateral;
-        let t120 = sin_lam * h_spin_R;
-        let t121 = t120 - P_delta_lateral;
-        let K2_22 = C1_12_IBxz * t121;
-        let M_12_Jxz_delta = cos_lam + yaw_by_delta;
-        let M_12_xH = t6 * M_12_Jxz_delta;
-        let t126 = yaw_by_delta * Sz_delta - M_12_xH;
-        let t127 = t44 * C1_12_IBxz;
-        let t128 = self.c * Jxz_all;
-        let M_12_w = t126 - t127 * t128;
-        let t131 = t34 * cos_lam;
-        let t134 = self.mH * t131 + t35 * cos_lam;
-        let t135 = yaw_by_delta + yaw_by_delta;
-        let M_22_hz_delta = cos_lam + t135;
-        let M_22_IHxz = sin_lam * (cos_lam + M_22_hz_delta);
-        let t141 = self.mH * cos_lam;
-        let t142 = t32 * t135;
-        let t145 = t134 * M_22_hz_delta + t6 * M_22_IHxz - t141 * t142;
-        let t147 = t145 - py_delta * t135;
-        let t148 = self.w * yaw_by_delta;
-        let P_delta_yaw_w = self.mF * t148 + yaw_by_delta * t76;
-        let M_22_yaw_by_delta = t87 + t89;
-        let t154 = self.c * M_22_yaw_by_delta;
-        let M_22_w = t147 + yaw_by_delta * P_delta_yaw_w - t127 * t154;
-        let t158 = t6 * C1_12_IBxz;
-        let t160 = t158 - C1_12_IBxz * Sz_delta;
-        let t162 = self.c * t105 - Jxz_all;
-        let C1_12_w = t160 - t127 * t162;
-        let t165 = self.c * h_wheels_all;
-        let C1_21_w = t127 * t165;
-        let C1_22_Jxz_delta = sin_lam * C1_12_IBxz;
-        let C1_22_py_delta = t32 * C1_12_IBxz;
-        let t173 = t141 * C1_22_py_delta - C1_12_IBxz * t134 - t6 * C1_22_Jxz_delta;
-        let t175 = t173 + C1_12_IBxz * py_delta;
-        let t178 = self.c * t113;
-        let t180 = self.mF * yaw_by_delta - t127 * t178;
-        let P_delta_lateral_w = t141 - t180;
-        let C1_22_yaw_by_delta = P_delta_lateral - C1_12_IBxz * P_delta_yaw_yaw_by_delta;
-        let t186 = self.c * C1_22_yaw_by_delta - P_delta_yaw;
-        let C1_22_w = t175 + yaw_by_delta * P_delta_lateral_w
-            - C1_12_IBxz * P_delta_yaw_w - t127 * t186;
-        let K0_22_w = sin_lam * P_delta_lateral_w;
-        let K2_12_w = t105 * t127;
-        let t195 = C1_12_IBxz * P_delta_lateral_w + t121 * t127;
-        let M_12_c = t98 + t126 + t10 * M_12_Jxz_delta;
+        let t103 = self.mR * self.rR;
+        let K0_11 = t17 + Sz_delta - t103;
+        let t106 = h_wheels_all - K0_11;
+        let t109 = t54 * (self.c * t106 - t53);
+        let t110 = h_spin_R + t109;
+        let C1_12 = cos_lam * t110;
+        let t112 = cos_lam * h_spin_R;
+        let C1_12_IBxz = cos_lam * t54;
+        let t114 = h_wheels_all * C1_12_IBxz;
+        let t118 = t77 + t79 + t81;
+        let M_22_yaw_by_delta = t54 * t118;
         let py_delta_mF = self.c * cos_lam;
-        let hz_delta_c = self.mF * py_delta_mF + cos_lam * t61;
-        let py_delta_c = self.mF * cos_lam;
-        let M_22_c = t147 + C1_12_IBxz * M_22_yaw_by_delta + M_22_hz_delta * hz_delta_c
-            - t10 * M_22_IHxz - t142 * py_delta_c;
-        let C1_12_c = t160 + C1_12_IBxz * (t105 - t10);
-        let t215 = C1_12_IBxz * h_wheels_all;
-        let K0_12_c = C1_12_IBxz * t113 - t141 - py_delta_c;
-        let C1_22_c = t175 + t10 * C1_22_Jxz_delta
-            + C1_12_IBxz * (C1_22_yaw_by_delta - hz_delta_c)
-            + C1_22_py_delta * py_delta_c - yaw_by_delta * K0_12_c;
-        let t228 = sin_lam * K0_12_c;
-        let K2_22_c = C1_12_IBxz * K0_12_c;
-        let t231 = t58 + Jxx_delta * cos_lam;
-        let t232 = sin_lam * t44;
-        let t234 = t231 + t128 * t232;
-        let t239 = t42 + sin_lam * t65;
-        let py_delta_lam = cos_lam * Sz_delta - sin_lam * t70;
-        let M_22_lam = sin_lam * t231 - cos_lam * hx_delta - sin_lam * hz_delta
-            - M_22_hz_delta * t239 - t154 * t232 - t142 * py_delta_lam;
-        let t252 = t120 + t162 * t232;
-        let C1_21_lam = t120 + t165 * t232;
-        let P_delta_lateral_lam = py_delta_lam + t178 * t232;
-        let C1_22_lam = C1_12_IBxz * t239 + yaw_by_delta * P_delta_lateral_lam
-            + C1_22_py_delta * py_delta_lam - t186 * t232;
-        let K0_22_lam = sin_lam * P_delta_lateral_lam + cos_lam * P_delta_lateral;
-        let K2_12_lam = t105 * t232;
-        let K2_22_lam = C1_12_IBxz * (t97 - P_delta_lateral_lam) - t121 * t232;
-        let M_11_rR = t17 + t17;
-        let t273 = t100 * t101;
-        let t274 = self.mR - t273;
-        let C1_12_rR = yaw_by_delta * t274;
-        let C1_21_rR = yaw_by_delta * t273;
-        let t277 = C1_12_IBxz * t274;
-        let M_11_mR = self.rR * self.rR;
-        let C1_12_mR = self.rR * yaw_by_delta;
-        let t280 = self.rR * C1_12_IBxz;
-        let M_22_IRxx = yaw_by_delta * yaw_by_delta;
-        let t283 = C1_12_IBxz * yaw_by_delta;
-        let C1_12_IRyy = yaw_by_delta * t100;
-        let t285 = C1_12_IBxz * t100;
-        let M_12_xB = t21 * yaw_by_delta;
-        let K0_12_mB = yaw_by_delta * self.xB;
+        let t121 = M_22_yaw_by_delta * py_delta_mF;
+        let P_delta_lateral = py_delta - t121;
+        let t124 = P_delta_yaw - self.c * P_delta_lateral;
+        let K0_22 = sin_lam * P_delta_lateral;
+        let C1_12_c = t106 * C1_12_IBxz;
+        let t128 = sin_lam * h_spin_R;
+        let t129 = P_delta_lateral - t128;
+        let t130 = C1_12_IBxz * t129;
+        let M_12_Jxz_delta = cos_lam + yaw_by_delta;
+        let M_12_xH = t34 * M_12_Jxz_delta;
+        let t134 = cos_lam * Sz_delta;
+        let M_12_c = t53 * C1_12_IBxz - t134;
+        let t138 = yaw_by_delta + yaw_by_delta;
+        let t139 = C1_12_IBxz * t138;
+        let t140 = t79 * t139;
+        let t142 = P_delta_yaw * (C1_12_IBxz + C1_12_IBxz);
+        let t146 = t38 * cos_lam;
+        let M_22_hz_delta = yaw_by_delta + M_12_Jxz_delta;
+        let t148 = t146 * M_22_hz_delta;
+        let C1_22_py_delta = t36 * C1_12_IBxz;
+        let t150 = py_delta_mF * C1_22_py_delta;
+        let t151 = sin_lam * M_12_Jxz_delta;
+        let M_22_IHxz = t151 + t151;
+        let t154 = t148 + self.zH * M_22_IHxz;
+        let t158 = self.mH * (t148 + t154 - t150 - t150);
+        let t160 = py_delta * t138 - t158;
+        let M_22_w = self.c * (t140 - t54 * t142) - t160;
+        let P_delta_yaw_mB = t45 - t109;
+        let C1_12_w = C1_12_IBxz * P_delta_yaw_mB;
+        let C1_21_w = t55 * t114;
+        let t165 = self.mF - M_22_yaw_by_delta;
+        let hz_delta_mF = self.mH - t55 * t165;
+        let t169 = self.xH * cos_lam;
+        let t170 = self.zH * sin_lam;
+        let py_delta_mH = t146 + t170;
+        let t173 = self.mH * (py_delta_mH - t169);
+        let t174 = py_delta - t173;
+        let t175 = t88 + t124;
+        let P_delta_yaw_xB = t54 * t175;
+        let C1_22_w = C1_12_IBxz * (py_delta_mF * hz_delta_mF + t174 + P_delta_yaw_xB)
+            - t140;
+        let P_delta_lateral_w = cos_lam * hz_delta_mF;
+        let K0_22_w = sin_lam * P_delta_lateral_w;
+        let K2_12_w = t54 * C1_12_c;
+        let hz_delta_mH = cos_lam * P_delta_lateral_w;
+        let K2_22_w = t54 * (t130 - hz_delta_mH);
+        let t187 = M_12_Jxz_delta - C1_22_py_delta;
+        let t190 = t31 * cos_lam * (yaw_by_delta + t187);
+        let M_22_c = t142 + t190 + t190 - t160 - t45 * M_22_IHxz;
+        let t197 = self.rF * sin_lam;
+        let t198 = py_delta_mF - t197;
+        let t201 = self.mH + t165;
+        let P_delta_yaw_mF = P_delta_lateral + t174 + self.mF * (self.w * cos_lam - t198)
+            + py_delta_mF * t201 - t87 * C1_12_IBxz;
+        let C1_22_c = C1_12_IBxz * P_delta_yaw_mF;
+        let t209 = cos_lam * t201;
+        let K0_22_c = sin_lam * t209;
+        let t211 = C1_12_IBxz * t209;
+        let t213 = t60 + Jxx_delta * cos_lam;
+        let t214 = sin_lam * t54;
+        let t215 = self.c * t214;
+        let t217 = t213 + t53 * t215;
+        let py_delta_lam = t134 - sin_lam * t71;
+        let t224 = t36 * py_delta_lam;
+        let P_delta_yaw_xH = cos_lam * t44;
+        let t228 = t43 + sin_lam * t67;
+        let t231 = P_delta_yaw_xH - sin_lam * (t92 + t55 * t88 - t213) - t138 * t224;
+        let M_22_lam = t231 - M_22_hz_delta * t228;
+        let t233 = sin_lam * t110;
+        let C1_21_lam = t128 + h_wheels_all * t215;
+        let P_delta_lateral_lam = py_delta_lam + t118 * t215;
+        let C1_22_lam = t175 * t214
+            + C1_12_IBxz * (t224 + t228 + self.c * P_delta_lateral_lam);
+        let K0_22_lam = cos_lam * P_delta_lateral + sin_lam * P_delta_lateral_lam;
+        let K2_12_lam = t106 * t214;
+        let K2_22_lam = t129 * t214 + C1_12_IBxz * (t112 - P_delta_lateral_lam);
+        let M_11_rR = t103 + t103;
+        let t254 = self.mR - t100 * t101;
+        let C1_12_rR = yaw_by_delta * t254;
+        let t256 = t100 * C1_12_IBxz;
+        let C1_12_IRyy = self.c * t256;
+        let C1_21_rR = t101 * C1_12_IRyy;
+        let t259 = C1_12_IBxz * t254;
+        let t260 = self.rR * C1_12_IBxz;
+        let C1_12_mR = self.c * t260;
+        let t263 = yaw_by_delta * C1_12_IBxz;
+        let M_22_IRxx = self.c * t263;
+        let M_12_xB = t17 * yaw_by_delta;
+        let K0_12_mB = self.xB * yaw_by_delta;
         let M_12_zB = self.mB * K0_12_mB;
-        let P_delta_yaw_xB = M_12_zB + yaw_by_delta * t78;
-        let M_22_xB = yaw_by_delta * P_delta_yaw_xB;
-        let t292 = t21 * C1_12_IBxz;
-        let K0_12_xB = self.mB * yaw_by_delta;
-        let t296 = C1_12_IBxz * P_delta_yaw_xB + yaw_by_delta * K0_12_xB;
-        let t297 = sin_lam * K0_12_xB;
-        let K2_22_xB = C1_12_IBxz * K0_12_xB;
-        let M_11_zB = t21 + t21;
-        let t301 = yaw_by_delta + C1_12_IBxz * self.xB;
-        let t302 = self.mB * t301;
+        let M_22_xB = t138 * M_12_zB;
         let K2_12_zB = self.mB * C1_12_IBxz;
+        let t270 = self.zB * K2_12_zB;
+        let t271 = self.c + self.xB;
+        let K2_22_xB = yaw_by_delta * K2_12_zB;
+        let t274 = (self.xB + t271) * K2_22_xB;
+        let K0_12_xB = self.mB * yaw_by_delta;
+        let t276 = sin_lam * K0_12_xB;
+        let M_11_zB = t17 + t17;
+        let t278 = K2_12_zB * t271;
         let M_11_mB = self.zB * self.zB;
         let M_12_mB = self.zB * K0_12_mB;
-        let P_delta_yaw_mB = self.xB * K0_12_mB;
-        let M_22_mB = yaw_by_delta * P_delta_yaw_mB;
-        let t308 = self.zB * t301;
-        let t311 = C1_12_IBxz * P_delta_yaw_mB + yaw_by_delta * K0_12_mB;
-        let t312 = sin_lam * K0_12_mB;
+        let M_22_mB = K0_12_mB * K0_12_mB;
         let K2_12_mB = self.zB * C1_12_IBxz;
-        let K2_22_mB = C1_12_IBxz * K0_12_mB;
-        let t315 = self.xH * yaw_by_delta;
-        let P_delta_yaw_xH = self.mH * t315 + yaw_by_delta * t80;
-        let M_22_xH = yaw_by_delta * P_delta_yaw_xH - t145;
-        let K0_12_xH = t141 + self.mH * yaw_by_delta;
-        let t326 = t173 + C1_12_IBxz * P_delta_yaw_xH + yaw_by_delta * K0_12_xH;
-        let t327 = sin_lam * K0_12_xH;
-        let K2_22_xH = C1_12_IBxz * K0_12_xH;
-        let Jxx_delta_zH = t6 + t6;
-        let M_12_Sz_delta = t32 * yaw_by_delta;
-        let M_12_zH = self.mH * M_12_Sz_delta - sin_lam * Jxx_delta_zH
-            - t35 * M_12_Jxz_delta;
-        let M_22_Jxx_delta = sin_lam * sin_lam;
-        let py_delta_zH = self.mH * sin_lam;
-        let M_22_zH = t35 * M_22_IHxz + Jxx_delta_zH * M_22_Jxx_delta
-            - t142 * py_delta_zH;
-        let t343 = yaw_by_delta + C1_22_py_delta;
-        let C1_12_zH = t35 * C1_12_IBxz - self.mH * t343;
-        let C1_22_zH = yaw_by_delta * py_delta_zH + C1_22_py_delta * py_delta_zH
-            - t35 * C1_22_Jxz_delta;
-        let K0_22_zH = sin_lam * py_delta_zH;
+        let t283 = t271 * K2_12_mB;
+        let K2_22_mB = self.xB * t263;
+        let t285 = t271 * K2_22_mB;
+        let t286 = sin_lam * K0_12_mB;
+        let t287 = t77 * t139;
+        let M_22_xH = self.c * t287 - t158;
+        let t290 = t34 * C1_12_IBxz;
+        let K0_12_xH = self.mH * M_12_Jxz_delta;
+        let C1_22_xH = C1_12_IBxz * (t173 - self.c * K0_12_xH) - t287;
+        let t296 = self.mH * t151;
         let K2_12_zH = self.mH * C1_12_IBxz;
-        let t354 = C1_12_IBxz * py_delta_zH;
-        let Jxx_delta_mH = self.zH * self.zH;
-        let t358 = self.zH * t34;
-        let M_12_mH = self.zH * M_12_Sz_delta - sin_lam * Jxx_delta_mH
-            - M_12_Jxz_delta * t358;
-        let P_delta_yaw_mH = self.xH * t315;
-        let hz_delta_mH = t34 * t131;
-        let py_delta_mH = t131 + self.zH * sin_lam;
-        let M_22_mH = yaw_by_delta * P_delta_yaw_mH + M_22_hz_delta * hz_delta_mH
-            + M_22_Jxx_delta * Jxx_delta_mH + M_22_IHxz * t358 - t142 * py_delta_mH;
-        let C1_12_mH = C1_12_IBxz * t358 - self.zH * t343;
-        let K0_12_mH = t315 - py_delta_mH;
-        let C1_22_mH = C1_22_py_delta * py_delta_mH
-            - C1_12_IBxz * (P_delta_yaw_mH + hz_delta_mH) - yaw_by_delta * K0_12_mH
-            - C1_22_Jxz_delta * t358;
-        let t387 = sin_lam * K0_12_mH;
+        let K2_22_xH = M_12_Jxz_delta * K2_12_zH;
+        let Jxx_delta_zH = t34 + t34;
+        let t300 = t55 * t169;
+        let K0_12_mH = t300 - py_delta_mH;
+        let t303 = self.mH * (t170 - K0_12_mH);
+        let py_delta_zH = self.mH * sin_lam;
+        let t306 = (K0_12_mH + K0_12_mH) * py_delta_zH;
+        let t308 = yaw_by_delta + t54 * t169;
+        let t309 = self.mH * t308;
+        let C1_22_zH = sin_lam * t309;
+        let M_22_Jxx_delta = sin_lam * sin_lam;
+        let K0_22_zH = self.mH * M_22_Jxx_delta;
+        let t313 = sin_lam * K2_12_zH;
+        let M_12_mH = self.zH * K0_12_mH;
+        let t318 = t36 * yaw_by_delta * py_delta_mH;
+        let M_22_mH = t170 * t170 + t300 * t300 + t38 * t154 - t318 - t318;
+        let t324 = self.zH * t308;
+        let t325 = K0_12_mH * t308;
+        let t326 = sin_lam * K0_12_mH;
         let K2_12_mH = self.zH * C1_12_IBxz;
         let K2_22_mH = C1_12_IBxz * K0_12_mH;
         let M_22_IHzz = M_22_IRxx + cos_lam * M_22_hz_delta;
-        let t393 = t283 + cos_lam * C1_12_IBxz;
-        let M_11_rF = t10 + t10;
-        let t397 = self.rF * sin_lam;
-        let t399 = self.c * M_12_Jxz_delta - M_12_Sz_delta - t397;
-        let M_12_rF = self.mF * t399 - t10 * sin_lam;
-        let t406 = sin_lam * t142 + self.rF * M_22_Jxx_delta - self.c * M_22_IHxz;
-        let M_22_rF = self.mF * t406 + t10 * M_22_Jxx_delta;
-        let t410 = t343 - yaw_by_delta;
-        let t412 = t95 * h_spin_R;
-        let C1_21_rF = M_12_Jxz_delta * t412;
-        let C1_12_rF = self.mF * t410 - C1_21_rF;
-        let t417 = self.c * C1_22_Jxz_delta - sin_lam * C1_22_py_delta;
+        let t331 = C1_12_IBxz * M_12_Jxz_delta;
+        let C1_22_Jxz_delta = sin_lam * C1_12_IBxz;
+        let M_11_rF = t45 + t45;
+        let t335 = self.c * t187 - t197;
+        let t337 = self.mF * (t197 - t335);
+        let t338 = self.w * yaw_by_delta;
+        let t339 = t198 - t338;
         let K0_12_rF = self.mF * sin_lam;
-        let C1_22_rF = self.mF * t417 - yaw_by_delta * K0_12_rF;
-        let t422 = sin_lam * K0_12_rF;
-        let K2_12_rF = C1_12_IBxz * t412 - self.mF * C1_12_IBxz;
-        let K2_22_rF = C1_12_IBxz * K0_12_rF - C1_22_Jxz_delta * t412;
-        let M_11_mF = self.rF * self.rF;
-        let M_12_mF = self.rF * t399;
-        let P_delta_yaw_mF = self.w * t148;
-        let hz_delta_mF = self.c * py_delta_mF;
-        let M_22_mF = self.rF * t406 + yaw_by_delta * P_delta_yaw_mF
-            + M_22_hz_delta * hz_delta_mF - t142 * py_delta_mF;
-        let C1_12_mF = self.rF * t410;
-        let K0_12_mF = t148 + t397 - py_delta_mF;
-        let C1_22_mF = self.rF * t417 + C1_22_py_delta * py_delta_mF
-            - C1_12_IBxz * (P_delta_yaw_mF + hz_delta_mF) - yaw_by_delta * K0_12_mF;
-        let t451 = sin_lam * K0_12_mF;
-        let t452 = self.rF * C1_12_IBxz;
-        let K2_22_mF = C1_12_IBxz * K0_12_mF;
+        let t342 = (t335 + t339) * K0_12_rF;
+        let C1_12_IFyy = t97 * M_12_Jxz_delta;
+        let C1_21_rF = h_spin_R * C1_12_IFyy;
+        let C1_12_rF = self.mF * C1_22_py_delta - C1_21_rF;
+        let t347 = C1_22_py_delta * K0_12_rF;
+        let t348 = sin_lam * K0_12_rF;
+        let t351 = C1_12_IBxz * (self.mF - t97 * h_spin_R);
+        let K2_22_rF = sin_lam * t351;
+        let M_12_mF = self.rF * t335;
+        let M_22_mF = t198 * t335 - t338 * t339;
+        let C1_12_mF = self.rF * C1_22_py_delta;
+        let C1_22_mF = C1_22_py_delta * t339;
+        let K0_22_mF = sin_lam * t339;
+        let t360 = self.rF * C1_12_IBxz;
+        let t361 = C1_12_IBxz * t339;
         let M_22_IFxx = M_22_Jxx_delta + M_22_IHzz;
-        let C1_12_IFyy = t95 * M_12_Jxz_delta;
-        let t456 = C1_12_IBxz * t95;
-        let K2_22_IFyy = t95 * C1_22_Jxz_delta;
-        let C1_21 = -(t97 + yaw_by_delta * h_wheels_all);
-        let K0_12 = t114 - py_delta;
-        let K2_12 = -(C1_12_IBxz * t105);
-        let K0_12_w = t180 - t141;
+        let t363 = t97 * C1_12_IBxz;
+        let K2_22_IFyy = t97 * C1_22_Jxz_delta;
+        let C1_21 = -(t112 + self.c * t114);
+        let C1_22 = -(C1_12_IBxz * t124);
+        let K0_12 = t121 - py_delta;
+        let K2_12 = -C1_12_c;
+        let K2_22 = -t130;
+        let M_12_w = -(M_12_xH + t55 * M_12_c);
+        let K0_12_mF = t338 - t198;
         (
             RearSteeredMatrices::from_entries([
-                M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, Sz_all, K0_12, K0_12, K0_22,
-                zero, K2_12, zero, K2_22,
+                M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
+                K2_12, zero, K2_22,
             ]),
             RearSteeredDerivatives {
                 values: [
-                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_12_w, K0_22_w, K2_12_w, t195,
-                    M_12_c, M_22_c, C1_12_c, t215, C1_22_c, K0_12_c, t228, K2_22_c, t234, M_22_lam,
-                    t252, C1_21_lam, C1_22_lam, P_delta_lateral_lam, K0_22_lam, K2_12_lam,
-                    K2_22_lam, M_11_rR, C1_12_rR, C1_21_rR, self.mR, t277, M_11_mR, C1_12_mR,
-                    self.rR, t280, self.w.like(1.0), M_22_IRxx, t283, C1_12_IRyy, t285, M_12_xB,
-                    M_22_xB, t292, t296, K0_12_xB, t297, K2_22_xB, M_11_zB, M_12_zB, t302, self.mB,
-                    K2_12_zB, M_11_mB, M_12_mB, M_22_mB, t308, t311, self.zB, K0_12_mB, t312,
-                    K2_12_mB, K2_22_mB, yaw_by_delta, C1_12_IBxz, M_12_xH, M_22_xH, t158, t326,
-                    K0_12_xH, t327, K2_22_xH, Jxx_delta_zH, M_12_zH, M_22_zH, C1_12_zH, C1_22_zH,
-                    self.mH, py_delta_zH, K0_22_zH, K2_12_zH, t354, Jxx_delta_mH, M_12_mH, M_22_mH,
-                    C1_12_mH, C1_22_mH, self.zH, K0_12_mH, t387, K2_12_mH, K2_22_mH, sin_lam,
-                    M_22_Jxx_delta, M_22_IHzz, t393, M_12_Jxz_delta, M_22_IHxz, C1_22_Jxz_delta,
-                    M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF, self.mF, K0_12_rF,
-                    t422, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF, C1_22_mF,
-                    self.rF, K0_12_mF, t451, t452, K2_22_mF, M_22_IFxx, C1_12_IFyy, t456,
-                    K2_22_IFyy,
+                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, P_delta_lateral_w, K0_22_w, K2_12_w,
+                    K2_22_w, M_12_c, M_22_c, C1_12_c, t114, C1_22_c, t209, K0_22_c, t211, t217,
+                    M_22_lam, t233, C1_21_lam, C1_22_lam, P_delta_lateral_lam, K0_22_lam, K2_12_lam,
+                    K2_22_lam, M_11_rR, C1_12_rR, C1_21_rR, self.mR, t259, M_11_mR, C1_12_mR,
+                    self.rR, t260, self.w.like(1.0), M_22_IRxx, t263, C1_12_IRyy, t256, M_12_xB,
+                    M_22_xB, t270, t274, K0_12_xB, t276, K2_22_xB, M_11_zB, M_12_zB, t278, self.mB,
+                    K2_12_zB, M_11_mB, M_12_mB, M_22_mB, t283, t285, self.zB, K0_12_mB, t286,
+                    K2_12_mB, K2_22_mB, yaw_by_delta, C1_12_IBxz, M_12_xH, M_22_xH, t290, C1_22_xH,
+                    K0_12_xH, t296, K2_22_xH, Jxx_delta_zH, t303, t306, t309, C1_22_zH, self.mH,
+                    py_delta_zH, K0_22_zH, K2_12_zH, t313, Jxx_delta_mH, M_12_mH, M_22_mH, t324,
+                    t325, self.zH, K0_12_mH, t326, K2_12_mH, K2_22_mH, sin_lam, M_22_Jxx_delta,
+                    M_22_IHzz, t331, M_12_Jxz_delta, M_22_IHxz, C1_22_Jxz_delta, M_11_rF, t337,
+                    t342, C1_12_rF, C1_21_rF, t347, self.mF, K0_12_rF, t348, t351, K2_22_rF,
+                    M_11_mF, M_12_mF, M_22_mF, C1_12_mF, C1_22_mF, self.rF, K0_12_mF, K0_22_mF,
+                    t360, t361, M_22_IFxx, C1_12_IFyy, t363, K2_22_IFyy,
                 ],
             },
         )
@@ -1029,17 +1017,18 @@ impl RearSteeredDerivatives {
         Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
         Partial::new(MatrixName::M, 1, 1, 0, 1), Partial::new(MatrixName::C1, 0, 1, 0, 2),
         Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
-        Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
+        Partial::new(MatrixName::K0, 0, 1, 0, 5).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 0, 5).negative(),
         Partial::new(MatrixName::K0, 1, 1, 0, 6), Partial::new(MatrixName::K2, 0, 1, 0, 7),
-        Partial::new(MatrixName::K2, 1, 1, 0, 8).negative(),
-        Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
-        Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
+        Partial::new(MatrixName::K2, 1, 1, 0, 8), Partial::new(MatrixName::M, 0, 1, 1, 9),
+        Partial::new(MatrixName::M, 1, 0, 1, 9), Partial::new(MatrixName::M, 1, 1, 1, 10),
+        Partial::new(MatrixName::C1, 0, 1, 1, 11),
         Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
         Partial::new(MatrixName::C1, 1, 1, 1, 13),
-        Partial::new(MatrixName::K0, 0, 1, 1, 14),
-        Partial::new(MatrixName::K0, 1, 0, 1, 14),
-        Partial::new(MatrixName::K0, 1, 1, 1, 15).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 1, 16),
+        Partial::new(MatrixName::K0, 0, 1, 1, 14).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 1, 14).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 1, 15),
+        Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
         Partial::new(MatrixName::M, 0, 1, 2, 17).negative(),
         Partial::new(MatrixName::M, 1, 0, 2, 17).negative(),
         Partial::new(MatrixName::M, 1, 1, 2, 18),
@@ -1091,14 +1080,18 @@ impl RearSteeredDerivatives {
         Partial::new(MatrixName::C1, 0, 1, 14, 63), Partial::new(MatrixName::M, 0, 1, 15, 64),
         Partial::new(MatrixName::M, 1, 0, 15, 64), Partial::new(MatrixName::M, 1, 1, 15, 65),
         Partial::new(MatrixName::C1, 0, 1, 15, 66).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 15, 67).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 15, 67),
         Partial::new(MatrixName::K0, 0, 1, 15, 68),
         Partial::new(MatrixName::K0, 1, 0, 15, 68),
         Partial::new(MatrixName::K0, 1, 1, 15, 69).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 15, 70), Partial::new(MatrixName::M, 0, 0, 16, 71),
-        Partial::new(MatrixName::M, 0, 1, 16, 72), Partial::new(MatrixName::M, 1, 0, 16, 72),
-        Partial::new(MatrixName::M, 1, 1, 16, 73), Partial::new(MatrixName::C1, 0, 1, 16, 74),
-        Partial::new(MatrixName::C1, 1, 1, 16, 75), Partial::new(MatrixName::K0, 0, 0, 16, 76),
+        Partial::new(MatrixName::K2, 1, 1, 15, 70),
+        Partial::new(MatrixName::M, 0, 0, 16, 71),
+        Partial::new(MatrixName::M, 0, 1, 16, 72).negative(),
+        Partial::new(MatrixName::M, 1, 0, 16, 72).negative(),
+        Partial::new(MatrixName::M, 1, 1, 16, 73).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 16, 74).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 16, 75),
+        Partial::new(MatrixName::K0, 0, 0, 16, 76),
         Partial::new(MatrixName::K0, 0, 1, 16, 77).negative(),
         Partial::new(MatrixName::K0, 1, 0, 16, 77).negative(),
         Partial::new(MatrixName::K0, 1, 1, 16, 78),
@@ -1106,8 +1099,10 @@ impl RearSteeredDerivatives {
         Partial::new(MatrixName::K2, 1, 1, 16, 80).negative(),
         Partial::new(MatrixName::M, 0, 0, 17, 81), Partial::new(MatrixName::M, 0, 1, 17, 82),
         Partial::new(MatrixName::M, 1, 0, 17, 82), Partial::new(MatrixName::M, 1, 1, 17, 83),
-        Partial::new(MatrixName::C1, 0, 1, 17, 84), Partial::new(MatrixName::C1, 1, 1, 17, 85),
-        Partial::new(MatrixName::K0, 0, 0, 17, 86), Partial::new(MatrixName::K0, 0, 1, 17, 87),
+        Partial::new(MatrixName::C1, 0, 1, 17, 84).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 85).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 17, 86),
+        Partial::new(MatrixName::K0, 0, 1, 17, 87),
         Partial::new(MatrixName::K0, 1, 0, 17, 87),
         Partial::new(MatrixName::K0, 1, 1, 17, 88).negative(),
         Partial::new(MatrixName::K2, 0, 1, 17, 89),
@@ -1123,24 +1118,28 @@ impl RearSteeredDerivatives {
         Partial::new(MatrixName::M, 1, 1, 21, 96),
         Partial::new(MatrixName::C1, 0, 1, 21, 63),
         Partial::new(MatrixName::C1, 1, 1, 21, 97).negative(),
-        Partial::new(MatrixName::M, 0, 0, 22, 98), Partial::new(MatrixName::M, 0, 1, 22, 99),
-        Partial::new(MatrixName::M, 1, 0, 22, 99), Partial::new(MatrixName::M, 1, 1, 22, 100),
-        Partial::new(MatrixName::C1, 0, 1, 22, 101), Partial::new(MatrixName::C1, 1, 0, 22, 102),
-        Partial::new(MatrixName::C1, 1, 1, 22, 103),
+        Partial::new(MatrixName::M, 0, 0, 22, 98),
+        Partial::new(MatrixName::M, 0, 1, 22, 99).negative(),
+        Partial::new(MatrixName::M, 1, 0, 22, 99).negative(),
+        Partial::new(MatrixName::M, 1, 1, 22, 100).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 22, 101),
+        Partial::new(MatrixName::C1, 1, 0, 22, 102),
+        Partial::new(MatrixName::C1, 1, 1, 22, 103).negative(),
         Partial::new(MatrixName::K0, 0, 0, 22, 104).negative(),
         Partial::new(MatrixName::K0, 0, 1, 22, 105),
         Partial::new(MatrixName::K0, 1, 0, 22, 105),
         Partial::new(MatrixName::K0, 1, 1, 22, 106).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 107), Partial::new(MatrixName::K2, 1, 1, 22, 108),
-        Partial::new(MatrixName::M, 0, 0, 23, 109), Partial::new(MatrixName::M, 0, 1, 23, 110),
-        Partial::new(MatrixName::M, 1, 0, 23, 110), Partial::new(MatrixName::M, 1, 1, 23, 111),
-        Partial::new(MatrixName::C1, 0, 1, 23, 112), Partial::new(MatrixName::C1, 1, 1, 23, 113),
+        Partial::new(MatrixName::K2, 0, 1, 22, 107).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 22, 108), Partial::new(MatrixName::M, 0, 0, 23, 109),
+        Partial::new(MatrixName::M, 0, 1, 23, 110), Partial::new(MatrixName::M, 1, 0, 23, 110),
+        Partial::new(MatrixName::M, 1, 1, 23, 111), Partial::new(MatrixName::C1, 0, 1, 23, 112),
+        Partial::new(MatrixName::C1, 1, 1, 23, 113),
         Partial::new(MatrixName::K0, 0, 0, 23, 114).negative(),
         Partial::new(MatrixName::K0, 0, 1, 23, 115),
         Partial::new(MatrixName::K0, 1, 0, 23, 115),
-        Partial::new(MatrixName::K0, 1, 1, 23, 116).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 23, 116),
         Partial::new(MatrixName::K2, 0, 1, 23, 117).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 23, 118),
+        Partial::new(MatrixName::K2, 1, 1, 23, 118).negative(),
         Partial::new(MatrixName::M, 0, 0, 24, 35),
         Partial::new(MatrixName::M, 0, 1, 24, 91).negative(),
         Partial::new(MatrixName::M, 1, 0, 24, 91).negative(),

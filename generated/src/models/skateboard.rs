@@ -146,7 +146,7 @@ pub struct SkateboardMatrices<T = f64> {
 
 impl<T: Number> Skateboard<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 5 additions, 14 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 27 operations.
+    /// 5 additions, 12 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 25 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
@@ -155,16 +155,15 @@ impl<T: Number> Skateboard<T> {
         let P_gamma_lateral = self.h * self.m;
         let M_11 = self.Ixx + self.h * P_gamma_lateral;
         let (lateral_per_v_deltaR, cos_lamR) = self.lamR.sin_cos();
-        let t8 = self.L.like(1.0) / cos_lamR;
-        let t10 = t8 * lateral_per_v_deltaR;
-        let P_gamma_yaw = self.Ixz + P_gamma_lateral * self.x;
+        let t9 = self.L.like(1.0) / cos_lamR;
+        let t11 = t9 * lateral_per_v_deltaR;
         let (sin_lamF, cos_lamF) = self.lamF.sin_cos();
-        let t18 = self.L.like(1.0) / cos_lamF;
-        let t21 = self.L.like(1.0) / self.L;
-        let t25 = t18 * sin_lamF * t21 + t10 * t21;
-        let C1_11 = P_gamma_yaw * t25 - P_gamma_lateral * t10;
-        let Kc_11 = t18 * t18 * self.kF + t8 * t8 * self.kR;
-        let K2_11 = P_gamma_lateral * t25;
+        let t14 = self.L.like(1.0) / cos_lamF;
+        let t18 = (t11 + t14 * sin_lamF) / self.L;
+        let P_gamma_yaw = P_gamma_lateral * self.x;
+        let C1_11 = t18 * (self.Ixz + P_gamma_yaw) - P_gamma_lateral * t11;
+        let Kc_11 = t14 * (t14 * self.kF) + self.kR * (t9 * t9);
+        let K2_11 = P_gamma_lateral * t18;
         let K0_11 = -P_gamma_lateral;
         SkateboardMatrices::from_entries([M_11, C1_11, Kc_11, K0_11, K2_11])
     }
@@ -199,7 +198,7 @@ pub struct SkateboardKinematics<T = f64> {
 
 impl<T: Scalar> Skateboard<T> {
     /// Rates and forces that follow from the coordinates:
-    /// 2 additions, 9 multiplications, 4 divisions, 8 negations and 4 trigonometric functions: 27 operations.
+    /// 1 addition, 6 multiplications, 4 divisions, 8 negations and 4 trigonometric functions: 23 operations.
     ///
     /// The parameters are not validated.
     #[inline]
@@ -209,50 +208,47 @@ impl<T: Scalar> Skateboard<T> {
         let (lateral_per_v_deltaR, cos_lamR) = self.lamR.sin_cos();
         let t4 = self.L.like(1.0) / cos_lamR;
         let t6 = t4 * lateral_per_v_deltaR;
-        let pitch_by_vertical = self.L.like(1.0) / self.L;
         let (sin_lamF, cos_lamF) = self.lamF.sin_cos();
-        let t12 = self.L.like(1.0) / cos_lamF;
-        let t14 = t12 * sin_lamF;
-        let t15 = pitch_by_vertical * t14;
-        let t16 = pitch_by_vertical * t6;
-        let t17 = t15 + t16;
-        let t18 = self.L.like(1.0) / self.r;
-        let t20 = t18 * self.b;
-        let t21 = t20 * t14;
-        let t24 = t15 * t20 + t16 * t20;
-        let spin_RL_by_gamma = t6 * t20;
-        let t26 = -self.r;
-        let t27 = -t6;
-        let t28 = -t12;
-        let t29 = -t4;
-        let t30 = -t18;
-        let t31 = -t21;
-        let t32 = -t24;
-        let t33 = -spin_RL_by_gamma;
+        let t11 = self.L.like(1.0) / cos_lamF;
+        let t13 = t11 * sin_lamF;
+        let t15 = (t6 + t13) / self.L;
+        let t16 = self.L.like(1.0) / self.r;
+        let t18 = t16 * self.b;
+        let t19 = t13 * t18;
+        let t20 = t15 * t18;
+        let spin_RL_by_gamma = t6 * t18;
+        let t22 = -self.r;
+        let t23 = -t6;
+        let t24 = -t11;
+        let t25 = -t4;
+        let t26 = -t16;
+        let t27 = -t19;
+        let t28 = -t20;
+        let t29 = -spin_RL_by_gamma;
         SkateboardKinematics {
             lateral: Rate {
-                speed: zero, rates: [t26], coordinates: [t27], heading: self.L.like(1.0),
+                speed: zero, rates: [t22], coordinates: [t23], heading: self.L.like(1.0),
             },
             yaw: Rate {
-                speed: zero, rates: [zero], coordinates: [t17], heading: zero,
+                speed: zero, rates: [zero], coordinates: [t15], heading: zero,
             },
             deltaF: Rate {
-                speed: zero, rates: [t28], coordinates: [zero], heading: zero,
+                speed: zero, rates: [t24], coordinates: [zero], heading: zero,
             },
             deltaR: Rate {
-                speed: zero, rates: [t29], coordinates: [zero], heading: zero,
+                speed: zero, rates: [t25], coordinates: [zero], heading: zero,
             },
             wheel_FL: Rate {
-                speed: t30, rates: [t31], coordinates: [t32], heading: zero,
+                speed: t26, rates: [t27], coordinates: [t28], heading: zero,
             },
             wheel_FR: Rate {
-                speed: t30, rates: [t21], coordinates: [t24], heading: zero,
+                speed: t26, rates: [t19], coordinates: [t20], heading: zero,
             },
             wheel_RL: Rate {
-                speed: t30, rates: [spin_RL_by_gamma], coordinates: [t32], heading: zero,
+                speed: t26, rates: [spin_RL_by_gamma], coordinates: [t28], heading: zero,
             },
             wheel_RR: Rate {
-                speed: t30, rates: [t33], coordinates: [t24], heading: zero,
+                speed: t26, rates: [t29], coordinates: [t20], heading: zero,
             },
             forces: [[self.L.like(1.0)]],
         }
@@ -271,7 +267,7 @@ pub struct SkateboardDerivatives<T = f64> {
 
 impl<T: Number> Skateboard<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 12 additions, 36 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 56 operations.
+    /// 12 additions, 32 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 52 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -282,48 +278,47 @@ impl<T: Number> Skateboard<T> {
         let (lateral_per_v_deltaR, cos_lamR) = self.lamR.sin_cos();
         let t8 = self.L.like(1.0) / cos_lamR;
         let t10 = t8 * lateral_per_v_deltaR;
-        let P_gamma_yaw = self.Ixz + P_gamma_lateral * self.x;
-        let t17 = self.L.like(1.0) / self.L;
+        let t12 = self.L.like(1.0) / self.L;
+        let t16 = self.Ixz + P_gamma_lateral * self.x;
+        let t17 = t12 * t16;
+        let t18 = P_gamma_lateral - t17;
         let (sin_lamF, cos_lamF) = self.lamF.sin_cos();
-        let t20 = self.L.like(1.0) / cos_lamF;
-        let t22 = t20 * sin_lamF;
-        let C1_11_Ixz = t17 * (t10 + t22);
-        let C1_11 = P_gamma_yaw * C1_11_Ixz - P_gamma_lateral * t10;
-        let Kc_11_kF = t20 * t20;
+        let t22 = self.L.like(1.0) / cos_lamF;
+        let t24 = t22 * sin_lamF;
+        let C1_11 = t17 * t24 - t10 * t18;
+        let Kc_11_kF = t22 * t22;
         let t29 = self.kF * Kc_11_kF;
         let Kc_11_kR = t8 * t8;
-        let Kc_11 = t29 + self.kR * Kc_11_kR;
-        let K2_11 = P_gamma_lateral * C1_11_Ixz;
-        let t35 = t17 * C1_11_Ixz;
-        let t36 = P_gamma_yaw * t35;
-        let t37 = P_gamma_lateral * t35;
-        let t41 = t17 * t20 * (cos_lamF + sin_lamF * t22);
-        let C1_11_lamF = P_gamma_yaw * t41;
-        let t43 = t22 * t29;
-        let Kc_11_lamF = t43 + t43;
-        let K2_11_lamF = P_gamma_lateral * t41;
-        let t47 = lateral_per_v_deltaR * Kc_11_kR;
-        let t49 = self.L.like(1.0) + lateral_per_v_deltaR * t47;
-        let t51 = t17 * t49;
-        let C1_11_lamR = P_gamma_yaw * t51 - P_gamma_lateral * t49;
-        let t55 = t8 * self.kR * t47;
-        let Kc_11_lamR = t55 + t55;
-        let K2_11_lamR = P_gamma_lateral * t51;
-        let M_11_m = self.h * self.h;
-        let C1_11_P_gamma_lateral = self.x * C1_11_Ixz - t10;
-        let C1_11_m = self.h * C1_11_P_gamma_lateral;
+        let t32 = self.kR * Kc_11_kR;
+        let Kc_11 = t29 + t32;
+        let C1_11_Ixz = t12 * (t10 + t24);
         let K2_11_m = self.h * C1_11_Ixz;
+        let K2_11 = self.m * K2_11_m;
+        let t38 = t17 * C1_11_Ixz;
+        let t39 = t12 * K2_11;
+        let t42 = t12 + t12 * t24 * t24;
+        let C1_11_lamF = t16 * t42;
+        let Kc_11_lamF = t29 * (t24 + t24);
+        let K2_11_lamF = P_gamma_lateral * t42;
+        let t49 = t10 * t10 + self.L.like(1.0);
+        let t50 = t18 * t49;
+        let t51 = t10 * t32;
+        let Kc_11_lamR = t51 + t51;
+        let K2_11_lamR = P_gamma_lateral * t12 * t49;
+        let M_11_m = self.h * self.h;
+        let t57 = t10 - self.x * C1_11_Ixz;
+        let t58 = self.h * t57;
         let M_11_h = P_gamma_lateral + P_gamma_lateral;
-        let C1_11_h = self.m * C1_11_P_gamma_lateral;
+        let t60 = self.m * t57;
         let K2_11_h = self.m * C1_11_Ixz;
         let K0_11 = -P_gamma_lateral;
         (
             SkateboardMatrices::from_entries([M_11, C1_11, Kc_11, K0_11, K2_11]),
             SkateboardDerivatives {
                 values: [
-                    t36, t37, C1_11_lamF, Kc_11_lamF, K2_11_lamF, C1_11_lamR, Kc_11_lamR,
-                    K2_11_lamR, Kc_11_kF, Kc_11_kR, M_11_m, C1_11_m, self.h, K2_11_m, K2_11, M_11_h,
-                    C1_11_h, self.m, K2_11_h, self.L.like(1.0), C1_11_Ixz,
+                    t38, t39, C1_11_lamF, Kc_11_lamF, K2_11_lamF, t50, Kc_11_lamR, K2_11_lamR,
+                    Kc_11_kF, Kc_11_kR, M_11_m, t58, self.h, K2_11_m, K2_11, M_11_h, t60, self.m,
+                    K2_11_h, self.L.like(1.0), C1_11_Ixz,
                 ],
             },
         )
@@ -687,13 +682,17 @@ impl SkateboardDerivatives {
         Partial::new(MatrixName::C1, 0, 0, 0, 0).negative(),
         Partial::new(MatrixName::K2, 0, 0, 0, 1).negative(),
         Partial::new(MatrixName::C1, 0, 0, 3, 2), Partial::new(MatrixName::Kc, 0, 0, 3, 3),
-        Partial::new(MatrixName::K2, 0, 0, 3, 4), Partial::new(MatrixName::C1, 0, 0, 4, 5),
+        Partial::new(MatrixName::K2, 0, 0, 3, 4),
+        Partial::new(MatrixName::C1, 0, 0, 4, 5).negative(),
         Partial::new(MatrixName::Kc, 0, 0, 4, 6), Partial::new(MatrixName::K2, 0, 0, 4, 7),
         Partial::new(MatrixName::Kc, 0, 0, 5, 8), Partial::new(MatrixName::Kc, 0, 0, 6, 9),
-        Partial::new(MatrixName::M, 0, 0, 7, 10), Partial::new(MatrixName::C1, 0, 0, 7, 11),
+        Partial::new(MatrixName::M, 0, 0, 7, 10),
+        Partial::new(MatrixName::C1, 0, 0, 7, 11).negative(),
         Partial::new(MatrixName::K0, 0, 0, 7, 12).negative(),
-        Partial::new(MatrixName::K2, 0, 0, 7, 13), Partial::new(MatrixName::C1, 0, 0, 8, 14),
-        Partial::new(MatrixName::M, 0, 0, 9, 15), Partial::new(MatrixName::C1, 0, 0, 9, 16),
+        Partial::new(MatrixName::K2, 0, 0, 7, 13),
+        Partial::new(MatrixName::C1, 0, 0, 8, 14),
+        Partial::new(MatrixName::M, 0, 0, 9, 15),
+        Partial::new(MatrixName::C1, 0, 0, 9, 16).negative(),
         Partial::new(MatrixName::K0, 0, 0, 9, 17).negative(),
         Partial::new(MatrixName::K2, 0, 0, 9, 18),
         Partial::new(MatrixName::M, 0, 0, 10, 19),

@@ -117,29 +117,26 @@ pub struct WheeledPendulumMatrices<T = f64> {
 
 impl<T: Number> WheeledPendulum<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 15 additions, 10 multiplications, 1 division and 1 negation: 27 operations.
+    /// 14 additions, 8 multiplications, 1 division and 2 negations: 25 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WheeledPendulumMatrices<T> {
         let t2 = self.mW + self.mW;
-        let m_all = self.m + t2;
-        let t5 = self.m.like(1.0) / self.r;
-        let t7 = self.Ia + self.Ia;
-        let t8 = t5 * t7;
-        let t9 = t5 * t8;
-        let M_11 = m_all + t9;
-        let t11 = t2 * self.r;
-        let t13 = self.r + self.l;
-        let t14 = self.m * t13;
-        let t15 = t11 + t14;
+        let t4 = self.m.like(1.0) / self.r;
+        let t6 = self.Ia + self.Ia;
+        let t7 = t4 * t6;
+        let t9 = t2 + t4 * t7;
+        let M_11 = self.m + t9;
+        let t12 = self.m * self.l;
+        let t15 = t12 + self.r * (self.m + t2);
         let zero = self.m.like(0.0);
-        let M_22 = t7 + self.Iyy + self.r * t11 + t13 * t14;
-        let t26 = self.b * self.b;
-        let M_33 = self.Izz + t2 * t26 + t9 * t26 + self.Ir + self.Ir;
-        let K0_22 = m_all * self.r - t15;
-        let M_12 = -(t8 + t15);
+        let m_all = (self.r + self.l) * t12;
+        let M_22 = self.Iyy + t6 + (m_all + self.r * t15);
+        let M_33 = self.Ir + self.b * t9 * self.b + (self.Izz + self.Ir);
+        let M_12 = -(t7 + t15);
+        let K0_22 = -t12;
         WheeledPendulumMatrices::from_entries([
             M_11, M_12, zero, M_12, M_22, zero, zero, zero, M_33, zero, zero, zero, zero, K0_22,
             zero, zero, zero, zero,
@@ -1429,47 +1426,41 @@ pub struct WheeledPendulumDerivatives<T = f64> {
 
 impl<T: Number> WheeledPendulum<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 26 additions, 17 multiplications, 1 division and 1 negation: 45 operations.
+    /// 21 additions, 16 multiplications, 1 division and 2 negations: 40 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WheeledPendulumMatrices<T>, WheeledPendulumDerivatives<T>) {
         let t2 = self.mW + self.mW;
-        let m_all = self.m + t2;
         let t5 = self.m.like(1.0) / self.r;
-        let t7 = self.Ia + self.Ia;
-        let t8 = t5 * t7;
-        let t9 = t5 * t8;
-        let M_11 = m_all + t9;
-        let t11 = t2 * self.r;
-        let t13 = self.r + self.l;
-        let t14 = self.m * t13;
-        let t15 = t11 + t14;
+        let t6 = t5 + t5;
+        let M_11_Ia = t5 * t6;
+        let t8 = self.Ia * M_11_Ia;
+        let t9 = t2 + t8;
+        let M_11 = self.m + t9;
+        let t11 = self.r + self.r;
+        let t14 = self.r + self.l;
+        let t15 = self.m * t14;
+        let t16 = self.mW * t11 + t15;
+        let t17 = self.Ia * t6;
         let zero = self.m.like(0.0);
-        let M_22 = t7 + self.Iyy + self.r * t11 + t13 * t14;
-        let t27 = self.b * self.b;
-        let t28 = t2 + t9;
-        let M_33 = self.Izz + self.Ir + self.Ir + t27 * t28;
-        let K0_22 = m_all * self.r - t15;
-        let M_22_m = t13 * t13;
-        let K0_22_m = self.r - t13;
-        let M_22_l = t14 + t14;
-        let t40 = self.r + self.r;
-        let t41 = self.r * self.r;
-        let M_22_mW = t41 + t41;
-        let M_33_mW = t27 + t27;
-        let t44 = t5 * t5;
-        let M_11_Ia = t44 + t44;
-        let t46 = t5 + t5;
-        let M_33_Ia = t27 * M_11_Ia;
-        let t48 = t7 * t44;
-        let t49 = t46 * t48;
-        let M_12_r = t48 - m_all;
-        let M_22_r = t11 + t11 + M_22_l;
-        let t53 = t27 * t49;
-        let M_33_b = t28 * (self.b + self.b);
-        let M_12 = -(t8 + t15);
+        let M_22_mW = self.r * t11;
+        let M_22 = self.Ia + self.Ia + self.mW * M_22_mW + self.Iyy + t14 * t15;
+        let t30 = t9 * self.b;
+        let M_33 = self.Ir + self.Ir + self.b * t30 + self.Izz;
+        let M_22_m = t14 * t14;
+        let M_22_l = t15 + t15;
+        let t41 = self.b * self.b;
+        let M_33_mW = t41 + t41;
+        let M_33_Ia = M_11_Ia * t41;
+        let t44 = M_11_Ia * t17;
+        let M_12_r = t8 - self.m - t2;
+        let M_22_r = t16 + t16;
+        let t48 = t17 * M_33_Ia;
+        let M_33_b = t30 + t30;
+        let M_12 = -(t16 + t17);
+        let K0_22 = -(self.m * self.l);
         (
             WheeledPendulumMatrices::from_entries([
                 M_11, M_12, zero, M_12, M_22, zero, zero, zero, M_33, zero, zero, zero, zero, K0_22,
@@ -1477,8 +1468,8 @@ impl<T: Number> WheeledPendulum<T> {
             ]),
             WheeledPendulumDerivatives {
                 values: [
-                    self.m.like(1.0), t13, M_22_m, K0_22_m, self.m, M_22_l, self.m.like(2.0), t40,
-                    M_22_mW, M_33_mW, M_11_Ia, t46, M_33_Ia, t49, M_12_r, M_22_r, t53, M_33_b,
+                    self.m.like(1.0), t14, M_22_m, self.l, self.m, M_22_l, self.m.like(2.0), t11,
+                    M_22_mW, M_33_mW, M_11_Ia, t6, M_33_Ia, t44, M_12_r, M_22_r, t48, M_33_b,
                 ],
             },
         )
@@ -1846,7 +1837,7 @@ impl WheeledPendulumDerivatives {
     pub const PARTIALS: &'static [Partial; 28] = &[
         Partial::new(MatrixName::M, 0, 0, 0, 0), Partial::new(MatrixName::M, 0, 1, 0, 1).negative(),
         Partial::new(MatrixName::M, 1, 0, 0, 1).negative(), Partial::new(MatrixName::M, 1, 1, 0, 2),
-        Partial::new(MatrixName::K0, 1, 1, 0, 3),
+        Partial::new(MatrixName::K0, 1, 1, 0, 3).negative(),
         Partial::new(MatrixName::M, 0, 1, 1, 4).negative(),
         Partial::new(MatrixName::M, 1, 0, 1, 4).negative(), Partial::new(MatrixName::M, 1, 1, 1, 5),
         Partial::new(MatrixName::K0, 1, 1, 1, 4).negative(),

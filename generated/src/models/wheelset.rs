@@ -130,7 +130,7 @@ pub struct WheelsetDerivatives<T = f64> {
 
 impl<T: Number> Wheelset<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 5 additions, 9 multiplications, 1 division and 1 negation: 16 operations.
+    /// 4 additions, 9 multiplications, 1 division and 1 negation: 15 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -138,20 +138,19 @@ impl<T: Number> Wheelset<T> {
     pub fn matrices_and_derivatives(&self) -> (WheelsetMatrices<T>, WheelsetDerivatives<T>) {
         let zero = self.m.like(0.0);
         let Cm1_11 = self.f22 + self.f22;
-        let t7 = self.b * self.f11;
-        let t8 = t7 + t7;
+        let t7 = self.b + self.b;
+        let t8 = self.f11 * t7;
         let Cm1_22 = self.b * t8;
         let t13 = self.m.like(1.0) / self.r;
-        let Kc_21_lam = t8 * t13;
-        let Kc_21 = self.lam * Kc_21_lam;
-        let t18 = self.b * self.b;
-        let Cm1_22_f11 = t18 + t18;
-        let t20 = self.lam * t13;
-        let t21 = t20 + t20;
-        let Kc_21_f11 = self.b * t21;
+        let t14 = self.lam * t13;
+        let Kc_21 = t8 * t14;
+        let Cm1_22_f11 = self.b * t7;
+        let t19 = t14 + t14;
+        let Kc_21_f11 = self.b * t19;
         let Cm1_22_b = t8 + t8;
-        let Kc_21_b = self.f11 * t21;
-        let t26 = Kc_21_lam * t20;
+        let Kc_21_b = self.f11 * t19;
+        let Kc_21_lam = t8 * t13;
+        let t25 = t13 * Kc_21;
         let Kc_12 = -Cm1_11;
         (
             WheelsetMatrices::from_entries([
@@ -161,7 +160,7 @@ impl<T: Number> Wheelset<T> {
             WheelsetDerivatives {
                 values: [
                     self.m.like(1.0), Cm1_22_f11, Kc_21_f11, self.m.like(2.0), self.m.like(-2.0),
-                    Cm1_22_b, Kc_21_b, Kc_21_lam, t26,
+                    Cm1_22_b, Kc_21_b, Kc_21_lam, t25,
                 ],
             },
         )

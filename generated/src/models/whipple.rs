@@ -264,232 +264,218 @@ pub struct WhippleDerivatives<T = f64> {
 
 impl<T: Number> Whipple<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 158 additions, 260 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 424 operations.
+    /// 110 additions, 199 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 317 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleMatrices<T>, WhippleDerivatives<T>) {
-        let t6 = self.zH * self.mH;
-        let t10 = self.rF * self.mF;
-        let t14 = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
-        let t17 = self.rR * self.mR;
-        let t21 = self.zB * self.mB;
-        let M_11 = self.IRxx + self.IBxx + t14 + self.rR * t17 + self.zB * t21;
-        let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t35 = self.c + self.w - self.xH;
-        let t38 = self.IHxz + t6 * t35 - t10 * self.c;
-        let t39 = cos_lam * t38;
-        let t42 = t39 + t14 * sin_lam;
-        let t47 = self.IHxz + t10 * self.w - t6 * self.xH;
-        let ITxz = self.IBxz + t47 - t21 * self.xB;
-        let t52 = self.w.like(1.0) / self.w;
-        let C1_12_IBxz = cos_lam * t52;
-        let mu = self.c * C1_12_IBxz;
-        let M_12 = t42 + ITxz * mu;
-        let t59 = self.IFxx + self.IHzz;
-        let t60 = self.mF * self.c;
-        let t62 = self.mH * self.xH;
-        let t65 = t59 - self.w * t60 - t35 * t62;
-        let IAlz = sin_lam * t47 + cos_lam * t65;
-        let t69 = self.mF * self.w;
-        let t71 = self.mB * self.xB;
-        let ITzz = self.IRxx + t59 + self.IBzz + self.w * t69 + self.xB * t71
-            + self.xH * t62;
-        let t80 = IAlz + mu * ITzz;
-        let t85 = cos_lam * cos_lam;
-        let t87 = self.mH * t35;
-        let t90 = t59 + self.c * t60 + t35 * t87;
-        let M_22 = mu * (IAlz + t80) + sin_lam * (t39 + t42) + t85 * t90;
-        let zero = self.w.like(0.0);
-        let t96 = self.w.like(1.0) / self.rF;
-        let SF = self.IFyy * t96;
-        let t100 = self.w.like(1.0) / self.rR;
-        let t101 = self.IRyy * t100;
-        let ST = SF + t101;
-        let t103 = t10 - t6;
-        let t104 = t21 - t17;
-        let t106 = ST + (t103 - t104);
-        let t109 = ITxz + self.w * SF + self.c * t106;
-        let C1_12 = C1_12_IBxz * t109;
-        let t111 = cos_lam * SF;
-        let t115 = t62 + t69 + t71;
-        let t118 = t60 + t87;
-        let K0_12 = cos_lam * t118 - mu * t115 - sin_lam * t103;
-        let C1_22 = C1_12_IBxz * t80 - mu * K0_12;
-        let K0_22 = sin_lam * K0_12;
-        let K2_12 = C1_12_IBxz * t106;
-        let t127 = sin_lam * SF;
-        let t128 = t127 - K0_12;
-        let K2_22 = C1_12_IBxz * t128;
-        let t130 = t6 * cos_lam;
-        let t132 = t52 * C1_12_IBxz;
-        let t133 = self.c * ITxz;
-        let M_12_w = t130 + t10 * mu - t132 * t133;
-        let t137 = cos_lam * t62;
-        let t138 = mu + mu;
-        let t140 = sin_lam + sin_lam;
-        let t142 = t35 * t85;
-        let t147 = t130 * t140 + self.mH * t142 + t85 * t87 - t137 * t138;
-        let t149 = t10 * sin_lam;
-        let IAlz_w = t149 - cos_lam * t60;
-        let M_22_mu = t80 + t80;
-        let t153 = self.c * M_22_mu;
-        let ITzz_w = t69 + t69;
-        let M_22_ITzz = mu * mu;
-        let M_22_w = t147 + t138 * IAlz_w + ITzz_w * M_22_ITzz - t132 * t153;
-        let C1_12_w = C1_12_IBxz * (t10 + SF) - t109 * t132;
-        let t165 = self.c * ST;
-        let C1_21_w = t132 * t165;
-        let t167 = C1_12_IBxz * t137;
-        let t168 = self.mH * cos_lam;
-        let t170 = self.c * t115;
-        let K0_12_w = t168 + t132 * t170 - self.mF * mu;
-        let C1_22_mu = C1_12_IBxz * ITzz - K0_12;
-        let t179 = t80 + self.c * C1_22_mu;
-        let C1_22_ITzz = C1_12_IBxz * mu;
-        let C1_22_w = C1_12_IBxz * IAlz_w + ITzz_w * C1_22_ITzz - t167 - mu * K0_12_w
-            - t132 * t179;
-        let K0_22_w = sin_lam * K0_12_w;
-        let t188 = t106 * t132;
-        let t191 = C1_12_IBxz * K0_12_w + t128 * t132;
-        let t192 = t10 * cos_lam;
-        let M_12_c = t130 + ITxz * C1_12_IBxz - t192;
-        let t197 = cos_lam * self.w;
-        let t200 = self.c * t85 - t138 * t197;
-        let M_22_c = t147 + self.mF * t200 + C1_12_IBxz * M_22_mu + t60 * t85
-            - t140 * t192;
-        let t208 = C1_12_IBxz * ST;
-        let K0_12_c = t168 + self.mF * cos_lam - C1_12_IBxz * t115;
-        let t214 = C1_12_IBxz * t197;
-        let C1_22_c = C1_12_IBxz * C1_22_mu - t167 - mu * K0_12_c - self.mF * t214;
-        let K0_22_c = sin_lam * K0_12_c;
-        let t221 = C1_12_IBxz * K0_12_c;
-        let t222 = t38 * sin_lam;
-        let t224 = sin_lam * t52;
-        let M_12_lam = t14 * cos_lam - t222 - t133 * t224;
-        let t228 = cos_lam * sin_lam;
-        let IAlz_lam = cos_lam * t47 - sin_lam * t65;
-        let M_22_lam = t138 * IAlz_lam + cos_lam * (t42 + t42) - t90 * (t228 + t228)
-            - t140 * t222 - t153 * t224;
-        let t243 = t109 * t224;
-        let C1_21_lam = t127 + t165 * t224;
-        let K0_12_lam = t170 * t224 - cos_lam * t103 - sin_lam * t118;
-        let C1_22_lam = C1_12_IBxz * IAlz_lam - mu * K0_12_lam - t179 * t224;
-        let K0_22_lam = sin_lam * K0_12_lam + cos_lam * K0_12;
-        let t259 = t106 * t224;
-        let K2_22_lam = C1_12_IBxz * (t111 - K0_12_lam) - t128 * t224;
-        let M_11_rR = t17 + t17;
-        let t265 = t100 * t101;
-        let t266 = self.mR - t265;
-        let C1_12_rR = mu * t266;
-        let C1_21_rR = mu * t265;
-        let K2_12_rR = C1_12_IBxz * t266;
-        let M_11_mR = self.rR * self.rR;
-        let C1_12_mR = self.rR * mu;
-        let K2_12_mR = self.rR * C1_12_IBxz;
-        let C1_12_IRyy = mu * t100;
-        let K2_12_IRyy = C1_12_IBxz * t100;
-        let t276 = t21 * mu;
-        let ITzz_xB = t71 + t71;
-        let M_22_xB = M_22_ITzz * ITzz_xB;
-        let t279 = t21 * C1_12_IBxz;
-        let t280 = self.mB * mu;
-        let C1_22_xB = mu * t280 + C1_22_ITzz * ITzz_xB;
-        let t284 = sin_lam * t280;
-        let K2_22_xB = C1_12_IBxz * t280;
-        let M_11_zB = t21 + t21;
-        let t287 = self.xB * mu;
-        let t288 = self.mB * t287;
-        let t290 = mu + self.xB * C1_12_IBxz;
-        let t291 = self.mB * t290;
-        let t292 = self.mB * C1_12_IBxz;
-        let M_11_mB = self.zB * self.zB;
-        let t294 = self.zB * t287;
-        let ITzz_mB = self.xB * self.xB;
-        let M_22_mB = M_22_ITzz * ITzz_mB;
-        let t297 = self.zB * t290;
-        let C1_22_mB = mu * t287 + C1_22_ITzz * ITzz_mB;
-        let t301 = sin_lam * t287;
-        let t302 = self.zB * C1_12_IBxz;
-        let K2_22_mB = C1_12_IBxz * t287;
-        let t305 = t130 + t6 * mu;
-        let t306 = t6 * sin_lam;
-        let t308 = cos_lam * t35;
-        let t311 = self.xH * M_22_ITzz - t138 * t308;
-        let M_22_xH = self.mH * t311 + t62 * M_22_ITzz - t147 - t138 * t306;
-        let t317 = t6 * C1_12_IBxz;
-        let t319 = t168 + self.mH * mu;
-        let t323 = self.xH * C1_22_ITzz - C1_12_IBxz * t308;
-        let C1_22_xH = t167 + mu * t319 + self.mH * t323 + t62 * C1_22_ITzz
-            - C1_12_IBxz * t306;
-        let t331 = sin_lam * t319;
-        let K2_22_xH = C1_12_IBxz * t319;
-        let M_11_zH = t6 + t6;
-        let K0_12_mH = t308 + self.zH * sin_lam - self.xH * mu;
-        let M_12_zH = t306 + self.mH * K0_12_mH;
-        let t340 = self.xH * sin_lam;
-        let M_22_IHxx = sin_lam * sin_lam;
-        let t346 = t140 * t308 + self.zH * M_22_IHxx - t138 * t340;
-        let M_22_zH = self.mH * t346 + t6 * M_22_IHxx;
-        let t351 = mu + self.xH * C1_12_IBxz;
-        let t352 = self.mH * t351;
-        let K0_12_zH = self.mH * sin_lam;
-        let t355 = C1_12_IBxz * t340;
-        let t357 = mu * K0_12_zH + self.mH * t355;
-        let K0_22_zH = sin_lam * K0_12_zH;
-        let t359 = self.mH * C1_12_IBxz;
-        let t360 = C1_12_IBxz * K0_12_zH;
+        let t2 = self.zB * self.mB;
         let M_11_mH = self.zH * self.zH;
-        let M_12_mH = self.zH * K0_12_mH;
-        let M_22_mH = self.xH * t311 + self.zH * t346 + t35 * t142;
-        let t368 = self.zH * t351;
-        let C1_22_mH = self.xH * t323 - mu * K0_12_mH - self.zH * t355;
-        let K0_22_mH = sin_lam * K0_12_mH;
-        let t375 = self.zH * C1_12_IBxz;
-        let t376 = C1_12_IBxz * K0_12_mH;
-        let M_22_IHzz = t85 + M_22_ITzz + cos_lam * t138;
-        let C1_22_IHzz = C1_22_ITzz + cos_lam * C1_12_IBxz;
-        let M_12_IHxz = cos_lam + mu;
-        let t384 = t228 + sin_lam * mu;
-        let M_22_IHxz = t384 + t384;
-        let K2_22_SF = sin_lam * C1_12_IBxz;
-        let M_11_rF = t10 + t10;
-        let t388 = self.rF * sin_lam;
-        let t389 = cos_lam * self.c;
-        let t391 = t389 - self.w * mu;
-        let t392 = t388 - t391;
-        let M_12_rF = t149 + self.mF * t392;
-        let t395 = self.w * sin_lam;
-        let t400 = t138 * t395 + self.rF * M_22_IHxx - t140 * t389;
-        let M_22_rF = self.mF * t400 + t10 * M_22_IHxx;
-        let C1_12_SF = mu + self.w * C1_12_IBxz;
-        let t407 = t96 * SF;
-        let C1_12_rF = self.mF * C1_12_SF - C1_12_SF * t407;
-        let C1_21_rF = M_12_IHxz * t407;
-        let t411 = self.mF * sin_lam;
-        let t413 = C1_12_IBxz * t395;
-        let C1_22_rF = mu * t411 + self.mF * t413;
-        let t416 = sin_lam * t411;
-        let K2_12_rF = C1_12_IBxz * (self.mF - t407);
-        let K2_22_rF = C1_12_IBxz * t411 - K2_22_SF * t407;
         let M_11_mF = self.rF * self.rF;
-        let M_12_mF = self.rF * t392;
-        let ITzz_mF = self.w * self.w;
-        let M_22_mF = self.c * t200 + self.rF * t400 + M_22_ITzz * ITzz_mF;
-        let C1_12_mF = self.rF * C1_12_SF;
-        let C1_22_mF = mu * t392 + self.rF * t413 + C1_22_ITzz * ITzz_mF - self.c * t214;
-        let t438 = sin_lam * t392;
+        let t18 = self.mH * M_11_mH + self.IFxx + self.IHxx + self.mF * M_11_mF;
+        let M_11_mR = self.rR * self.rR;
+        let M_11 = self.zB * t2 + self.IBxx + self.IRxx + t18 + self.mR * M_11_mR;
+        let (sin_lam, cos_lam) = self.lam.sin_cos();
+        let t29 = t18 * sin_lam;
+        let t34 = self.c + self.w;
+        let t35 = self.xH - t34;
+        let t36 = self.mH * t35;
+        let t39 = self.mF * self.c;
+        let C1_12_SF = self.rF * t39;
+        let t42 = self.zH * t36 + C1_12_SF - self.IHxz;
+        let t44 = self.mB * self.xB;
+        let t47 = self.mH * self.xH;
+        let t49 = self.mF * self.rF;
+        let t52 = self.IHxz + self.w * t49 - self.zH * t47;
+        let t54 = self.zB * t44 - self.IBxz - t52;
+        let t55 = self.w.like(1.0) / self.w;
+        let t56 = self.c * t55;
+        let t57 = t54 * t56;
+        let t58 = t42 + t57;
+        let M_12 = t29 - cos_lam * t58;
+        let t61 = cos_lam + cos_lam;
+        let t63 = t29 - t42 * t61;
+        let t67 = self.IFxx + self.IHzz;
+        let ITzz_mB = self.w * t39;
+        let t76 = t67 + t35 * t47 - ITzz_mB;
+        let t79 = t55 * (sin_lam * t52 + cos_lam * t76);
+        let C1_12_IBxz = cos_lam * t55;
+        let t84 = self.mF * self.w;
+        let t91 = C1_12_IBxz
+            * (self.IRxx + t67 + self.IBzz + self.xH * t47 + self.xB * t44
+                + self.w * t84);
+        let t92 = t56 * t91;
+        let t93 = t79 + t92;
+        let t95 = cos_lam * (t35 * t36 + t67 + self.c * t39) + self.c * t93;
+        let M_22 = sin_lam * t63 + cos_lam * (t95 + self.c * t79);
+        let zero = self.w.like(0.0);
+        let t102 = self.w.like(1.0) / self.rF;
+        let SF = self.IFyy * t102;
+        let t105 = self.w.like(1.0) / self.rR;
+        let t106 = self.IRyy * t105;
+        let ST = SF + t106;
+        let t108 = self.mR * self.rR;
+        let t109 = self.mH * self.zH;
+        let t110 = t109 - t49;
+        let t111 = t2 + t110;
+        let t113 = ST + (t108 - t111);
+        let t117 = self.c * t113 + self.w * SF - t54;
+        let C1_12 = C1_12_IBxz * t117;
+        let t120 = SF + t56 * ST;
+        let t122 = t47 + t84;
+        let t125 = self.mF - t55 * (t44 + t122);
+        let t126 = self.c * t125;
+        let t127 = t36 - t126;
+        let K0_12 = sin_lam * t110 - cos_lam * t127;
+        let t131 = K0_12 - t91;
+        let t132 = t56 * t131;
+        let t133 = t132 - t79;
+        let K0_22 = sin_lam * K0_12;
+        let K2_12 = C1_12_IBxz * t113;
+        let t139 = t55 * (K0_12 - sin_lam * SF);
+        let t141 = cos_lam * t109;
+        let M_12_w = t141 + C1_12_IBxz * (C1_12_SF + t57);
+        let t145 = t56 + t56;
+        let t146 = self.w * C1_12_IBxz;
+        let t149 = self.rF * sin_lam;
+        let K0_12_mF = self.c * (cos_lam - t146) - t149;
+        let t151 = self.mF * K0_12_mF;
+        let t152 = t93 + t151;
+        let t157 = cos_lam * (t35 + self.xH * t56);
+        let t158 = self.zH * sin_lam;
+        let t159 = t157 - t158;
+        let t160 = self.mH * t159;
+        let t161 = t61 * t160;
+        let t162 = cos_lam * t145 * t152 + t161;
+        let t163 = t55 * t117;
+        let t166 = C1_12_IBxz * (t163 - t49 - SF);
+        let t167 = C1_12_IBxz * ST;
+        let C1_21_w = t56 * t167;
+        let t171 = self.mH - t55 * t126;
+        let t176 = t152 + cos_lam * (t47 - self.c * (t55 * t84 - t171));
+        let t178 = C1_12_IBxz * (t176 - t132);
+        let K0_12_w = cos_lam * t171;
+        let K0_22_w = sin_lam * K0_12_w;
+        let t181 = t55 * t113;
+        let t182 = C1_12_IBxz * t181;
+        let K2_22_w = C1_12_IBxz * (t139 - K0_12_w);
+        let t186 = cos_lam * t110;
+        let M_12_c = t186 - t54 * C1_12_IBxz;
+        let t189 = t61 * (t160 - t152);
+        let t190 = self.mH + t125;
+        let t195 = C1_12_IBxz * (t131 + cos_lam * (t122 + self.c * t190));
+        let K0_12_c = cos_lam * t190;
+        let K0_22_c = sin_lam * K0_12_c;
+        let t198 = C1_12_IBxz * K0_12_c;
+        let M_12_lam = t18 * cos_lam + sin_lam * t58;
+        let t204 = sin_lam * (sin_lam * t42 - t95);
+        let t207 = sin_lam * t76 - cos_lam * t52;
+        let M_22_lam = t204 + t204 + cos_lam * (t29 + t63 - t145 * t207);
+        let t214 = sin_lam * t163;
+        let C1_21_lam = sin_lam * t120;
+        let K0_12_lam = t186 + sin_lam * t127;
+        let t223 = C1_12_IBxz * (t207 + self.c * K0_12_lam) + sin_lam * (t92 - t133);
+        let K0_22_lam = sin_lam * K0_12_lam + cos_lam * K0_12;
+        let t227 = sin_lam * t181;
+        let K2_22_lam = sin_lam * t139 + C1_12_IBxz * (cos_lam * SF - K0_12_lam);
+        let M_11_rR = t108 + t108;
+        let K2_12_IRyy = C1_12_IBxz * t105;
+        let t235 = t106 * K2_12_IRyy;
+        let t236 = self.mR * C1_12_IBxz;
+        let t238 = self.c * (t235 - t236);
+        let C1_12_IRyy = self.c * K2_12_IRyy;
+        let C1_21_rR = t106 * C1_12_IRyy;
+        let K2_12_mR = self.rR * C1_12_IBxz;
+        let C1_12_mR = self.c * K2_12_mR;
+        let mu = self.c * C1_12_IBxz;
+        let M_22_ITzz = mu * mu;
+        let C1_22_ITzz = C1_12_IBxz * mu;
+        let t247 = t2 * C1_12_IBxz;
+        let t248 = self.c * t247;
+        let t249 = t44 + t44;
+        let M_22_xB = M_22_ITzz * t249;
+        let C1_22_xB = C1_22_ITzz * (t249 + self.mB * self.c);
+        let t254 = self.mB * C1_12_IBxz;
+        let t255 = self.c * t254;
+        let t256 = sin_lam * t255;
+        let K2_22_xB = mu * t254;
+        let M_11_zB = t2 + t2;
+        let ITzz_mF = self.xB * mu;
+        let t260 = self.mB * ITzz_mF;
+        let t261 = self.xB * C1_12_IBxz;
+        let t262 = mu + t261;
+        let t263 = self.mB * t262;
+        let M_11_mB = self.zB * self.zB;
+        let t265 = self.zB * ITzz_mF;
+        let M_22_mB = ITzz_mF * ITzz_mF;
+        let t267 = self.zB * t262;
+        let C1_22_mB = ITzz_mF * t262;
+        let t269 = sin_lam * ITzz_mF;
+        let t270 = self.zB * C1_12_IBxz;
+        let K2_22_mB = mu * t261;
+        let M_12_IHxz = cos_lam + mu;
+        let t273 = self.mH * M_12_IHxz;
+        let t274 = self.zH * t273;
+        let t275 = t160 * mu;
+        let M_22_xH = t161 + t275 + t275;
+        let t278 = t55 * t141;
+        let t279 = self.xH + self.c;
+        let C1_22_IHzz = C1_12_IBxz * M_12_IHxz;
+        let K2_22_mH = C1_12_IBxz * t159;
+        let C1_22_xH = self.mH * (t279 * C1_22_IHzz + K2_22_mH);
+        let K0_12_zH = self.mH * sin_lam;
+        let t286 = M_12_IHxz * K0_12_zH;
+        let K2_22_xH = self.mH * C1_22_IHzz;
+        let M_11_zH = t109 + t109;
+        let M_12_zH = sin_lam * t109 - t160;
+        let t292 = sin_lam * t159;
+        let t293 = (self.mH + self.mH) * t292;
+        let t294 = self.mH * C1_12_IBxz;
+        let t295 = t279 * t294;
+        let t296 = C1_12_IBxz * K0_12_zH;
+        let t297 = t279 * t296;
+        let K0_22_zH = sin_lam * K0_12_zH;
+        let t299 = self.zH * t159;
+        let M_22_mH = t159 * t159;
+        let t301 = self.zH * C1_12_IBxz;
+        let t302 = t279 * t301;
+        let C1_22_mH = t279 * K2_22_mH;
+        let M_22_IHxx = sin_lam * sin_lam;
+        let M_22_IHzz = M_12_IHxz * M_12_IHxz;
+        let M_22_IHxz = sin_lam * (M_12_IHxz + M_12_IHxz);
+        let K2_22_SF = sin_lam * C1_12_IBxz;
+        let M_11_rF = t49 + t49;
+        let M_12_rF = self.mF * (t149 - K0_12_mF);
+        let t313 = sin_lam * (t151 + t151);
+        let t314 = t102 * SF;
+        let t315 = self.mF - t314;
+        let t316 = t146 + mu;
+        let C1_12_rF = t315 * t316;
+        let C1_21_rF = M_12_IHxz * t314;
+        let t319 = self.mF * sin_lam;
+        let C1_22_rF = t316 * t319;
+        let t321 = self.mF * M_22_IHxx;
+        let K2_12_rF = C1_12_IBxz * t315;
+        let K2_22_rF = sin_lam * K2_12_rF;
+        let t324 = self.rF * K0_12_mF;
+        let M_22_mF = K0_12_mF * K0_12_mF;
         let K2_12_mF = self.rF * C1_12_IBxz;
-        let K2_22_mF = C1_12_IBxz * t392;
+        let C1_12_mF = t34 * K2_12_mF;
+        let t328 = K0_12_mF * t316;
+        let K0_22_mF = sin_lam * K0_12_mF;
+        let t330 = C1_12_IBxz * K0_12_mF;
         let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let C1_12_IFyy = t96 * C1_12_SF;
-        let t443 = t96 * M_12_IHxz;
-        let K2_12_IFyy = C1_12_IBxz * t96;
-        let K2_22_IFyy = t96 * K2_22_SF;
-        let C1_21 = -(t111 + mu * ST);
-        let K0_11 = t104 - t103;
-        let K0_12_mF = t391 - t388;
+        let K2_12_IFyy = C1_12_IBxz * t102;
+        let C1_12_IFyy = t34 * K2_12_IFyy;
+        let t334 = t102 * M_12_IHxz;
+        let K2_22_IFyy = sin_lam * K2_12_IFyy;
+        let C1_21 = -(cos_lam * t120);
+        let C1_22 = -(cos_lam * t133);
+        let K0_11 = t111 - t108;
+        let K2_22 = -(cos_lam * t139);
+        let K2_12_rR = t236 - t235;
+        let K0_12_mH = t158 - t157;
         (
             WhippleMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
@@ -497,21 +483,20 @@ impl<T: Number> Whipple<T> {
             ]),
             WhippleDerivatives {
                 values: [
-                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_12_w, K0_22_w, t188, t191, M_12_c,
-                    M_22_c, K2_12, t208, C1_22_c, K0_12_c, K0_22_c, t221, M_12_lam, M_22_lam, t243,
-                    C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t259, K2_22_lam, M_11_rR, C1_12_rR,
-                    C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
-                    self.w.like(1.0), M_22_ITzz, C1_22_ITzz, C1_12_IRyy, K2_12_IRyy, t276, M_22_xB,
-                    t279, C1_22_xB, t280, t284, K2_22_xB, M_11_zB, t288, t291, self.mB, t292,
-                    M_11_mB, t294, M_22_mB, t297, C1_22_mB, self.zB, t287, t301, t302, K2_22_mB, mu,
-                    C1_12_IBxz, t305, M_22_xH, t317, C1_22_xH, t319, t331, K2_22_xH, M_11_zH,
-                    M_12_zH, M_22_zH, t352, t357, self.mH, K0_12_zH, K0_22_zH, t359, t360, M_11_mH,
-                    M_12_mH, M_22_mH, t368, C1_22_mH, self.zH, K0_12_mH, K0_22_mH, t375, t376,
-                    sin_lam, M_22_IHxx, M_22_IHzz, C1_22_IHzz, M_12_IHxz, M_22_IHxz, K2_22_SF,
-                    M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t411, t416,
-                    K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF, C1_22_mF, self.rF,
-                    K0_12_mF, t438, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy, t443, K2_12_IFyy,
-                    K2_22_IFyy,
+                    M_12_w, t162, t166, C1_21_w, t178, K0_12_w, K0_22_w, t182, K2_22_w, M_12_c,
+                    t189, K2_12, t167, t195, K0_12_c, K0_22_c, t198, M_12_lam, M_22_lam, t214,
+                    C1_21_lam, t223, K0_12_lam, K0_22_lam, t227, K2_22_lam, M_11_rR, t238, C1_21_rR,
+                    self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR, self.w.like(1.0),
+                    M_22_ITzz, C1_22_ITzz, C1_12_IRyy, K2_12_IRyy, t248, M_22_xB, t247, C1_22_xB,
+                    t255, t256, K2_22_xB, M_11_zB, t260, t263, self.mB, t254, M_11_mB, t265,
+                    M_22_mB, t267, C1_22_mB, self.zB, ITzz_mF, t269, t270, K2_22_mB, mu, C1_12_IBxz,
+                    t274, M_22_xH, t278, C1_22_xH, t273, t286, K2_22_xH, M_11_zH, M_12_zH, t293,
+                    t295, t297, self.mH, K0_12_zH, K0_22_zH, t294, t296, M_11_mH, t299, M_22_mH,
+                    t302, C1_22_mH, self.zH, K0_12_mH, t292, t301, K2_22_mH, sin_lam, M_22_IHxx,
+                    M_22_IHzz, C1_22_IHzz, M_12_IHxz, M_22_IHxz, K2_22_SF, M_11_rF, M_12_rF, t313,
+                    C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t319, t321, K2_12_rF, K2_22_rF, M_11_mF,
+                    t324, M_22_mF, C1_12_mF, t328, self.rF, K0_12_mF, K0_22_mF, K2_12_mF, t330,
+                    M_22_IFxx, C1_12_IFyy, t334, K2_12_IFyy, K2_22_IFyy,
                 ],
             },
         )
@@ -999,28 +984,37 @@ impl WhippleDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 158] = &[
         Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1), Partial::new(MatrixName::C1, 0, 1, 0, 2),
-        Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
+        Partial::new(MatrixName::M, 1, 1, 0, 1).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 0, 2).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 0, 3),
+        Partial::new(MatrixName::C1, 1, 1, 0, 4).negative(),
         Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
         Partial::new(MatrixName::K0, 1, 1, 0, 6),
         Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 0, 8).negative(),
-        Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
-        Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
+        Partial::new(MatrixName::K2, 1, 1, 0, 8), Partial::new(MatrixName::M, 0, 1, 1, 9),
+        Partial::new(MatrixName::M, 1, 0, 1, 9),
+        Partial::new(MatrixName::M, 1, 1, 1, 10).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 1, 11),
         Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 13), Partial::new(MatrixName::K0, 0, 1, 1, 14),
-        Partial::new(MatrixName::K0, 1, 0, 1, 14), Partial::new(MatrixName::K0, 1, 1, 1, 15),
+        Partial::new(MatrixName::C1, 1, 1, 1, 13).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 1, 14),
+        Partial::new(MatrixName::K0, 1, 0, 1, 14),
+        Partial::new(MatrixName::K0, 1, 1, 1, 15),
         Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
         Partial::new(MatrixName::M, 0, 1, 2, 17),
         Partial::new(MatrixName::M, 1, 0, 2, 17),
         Partial::new(MatrixName::M, 1, 1, 2, 18),
         Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
-        Partial::new(MatrixName::K0, 0, 1, 2, 22), Partial::new(MatrixName::K0, 1, 0, 2, 22),
+        Partial::new(MatrixName::C1, 1, 0, 2, 20),
+        Partial::new(MatrixName::C1, 1, 1, 2, 21).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 2, 22),
+        Partial::new(MatrixName::K0, 1, 0, 2, 22),
         Partial::new(MatrixName::K0, 1, 1, 2, 23),
         Partial::new(MatrixName::K2, 0, 1, 2, 24).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 2, 25), Partial::new(MatrixName::M, 0, 0, 4, 26),
-        Partial::new(MatrixName::C1, 0, 1, 4, 27), Partial::new(MatrixName::C1, 1, 0, 4, 28),
+        Partial::new(MatrixName::K2, 1, 1, 2, 25),
+        Partial::new(MatrixName::M, 0, 0, 4, 26),
+        Partial::new(MatrixName::C1, 0, 1, 4, 27).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 4, 28),
         Partial::new(MatrixName::K0, 0, 0, 4, 29).negative(),
         Partial::new(MatrixName::K2, 0, 1, 4, 30),
         Partial::new(MatrixName::M, 0, 0, 5, 31),
@@ -1070,43 +1064,50 @@ impl WhippleDerivatives {
         Partial::new(MatrixName::K0, 1, 1, 15, 69).negative(),
         Partial::new(MatrixName::K2, 1, 1, 15, 70), Partial::new(MatrixName::M, 0, 0, 16, 71),
         Partial::new(MatrixName::M, 0, 1, 16, 72), Partial::new(MatrixName::M, 1, 0, 16, 72),
-        Partial::new(MatrixName::M, 1, 1, 16, 73),
+        Partial::new(MatrixName::M, 1, 1, 16, 73).negative(),
         Partial::new(MatrixName::C1, 0, 1, 16, 74).negative(),
         Partial::new(MatrixName::C1, 1, 1, 16, 75).negative(),
         Partial::new(MatrixName::K0, 0, 0, 16, 76), Partial::new(MatrixName::K0, 0, 1, 16, 77),
         Partial::new(MatrixName::K0, 1, 0, 16, 77), Partial::new(MatrixName::K0, 1, 1, 16, 78),
         Partial::new(MatrixName::K2, 0, 1, 16, 79).negative(),
         Partial::new(MatrixName::K2, 1, 1, 16, 80).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 81), Partial::new(MatrixName::M, 0, 1, 17, 82),
-        Partial::new(MatrixName::M, 1, 0, 17, 82), Partial::new(MatrixName::M, 1, 1, 17, 83),
+        Partial::new(MatrixName::M, 0, 0, 17, 81),
+        Partial::new(MatrixName::M, 0, 1, 17, 82).negative(),
+        Partial::new(MatrixName::M, 1, 0, 17, 82).negative(),
+        Partial::new(MatrixName::M, 1, 1, 17, 83),
         Partial::new(MatrixName::C1, 0, 1, 17, 84).negative(),
         Partial::new(MatrixName::C1, 1, 1, 17, 85), Partial::new(MatrixName::K0, 0, 0, 17, 86),
         Partial::new(MatrixName::K0, 0, 1, 17, 87), Partial::new(MatrixName::K0, 1, 0, 17, 87),
-        Partial::new(MatrixName::K0, 1, 1, 17, 88),
+        Partial::new(MatrixName::K0, 1, 1, 17, 88).negative(),
         Partial::new(MatrixName::K2, 0, 1, 17, 89).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 17, 90).negative(),
-        Partial::new(MatrixName::M, 0, 0, 18, 35), Partial::new(MatrixName::M, 0, 1, 18, 91),
-        Partial::new(MatrixName::M, 1, 0, 18, 91), Partial::new(MatrixName::M, 1, 1, 18, 92),
-        Partial::new(MatrixName::M, 1, 1, 20, 93), Partial::new(MatrixName::C1, 1, 1, 20, 94),
-        Partial::new(MatrixName::M, 0, 1, 21, 95), Partial::new(MatrixName::M, 1, 0, 21, 95),
-        Partial::new(MatrixName::M, 1, 1, 21, 96), Partial::new(MatrixName::C1, 0, 1, 21, 63),
-        Partial::new(MatrixName::C1, 1, 1, 21, 97), Partial::new(MatrixName::M, 0, 0, 22, 98),
-        Partial::new(MatrixName::M, 0, 1, 22, 99), Partial::new(MatrixName::M, 1, 0, 22, 99),
-        Partial::new(MatrixName::M, 1, 1, 22, 100), Partial::new(MatrixName::C1, 0, 1, 22, 101),
-        Partial::new(MatrixName::C1, 1, 0, 22, 102), Partial::new(MatrixName::C1, 1, 1, 22, 103),
+        Partial::new(MatrixName::K2, 1, 1, 17, 90), Partial::new(MatrixName::M, 0, 0, 18, 35),
+        Partial::new(MatrixName::M, 0, 1, 18, 91), Partial::new(MatrixName::M, 1, 0, 18, 91),
+        Partial::new(MatrixName::M, 1, 1, 18, 92), Partial::new(MatrixName::M, 1, 1, 20, 93),
+        Partial::new(MatrixName::C1, 1, 1, 20, 94), Partial::new(MatrixName::M, 0, 1, 21, 95),
+        Partial::new(MatrixName::M, 1, 0, 21, 95), Partial::new(MatrixName::M, 1, 1, 21, 96),
+        Partial::new(MatrixName::C1, 0, 1, 21, 63), Partial::new(MatrixName::C1, 1, 1, 21, 97),
+        Partial::new(MatrixName::M, 0, 0, 22, 98), Partial::new(MatrixName::M, 0, 1, 22, 99),
+        Partial::new(MatrixName::M, 1, 0, 22, 99),
+        Partial::new(MatrixName::M, 1, 1, 22, 100).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 22, 101),
+        Partial::new(MatrixName::C1, 1, 0, 22, 102),
+        Partial::new(MatrixName::C1, 1, 1, 22, 103),
         Partial::new(MatrixName::K0, 0, 0, 22, 104).negative(),
         Partial::new(MatrixName::K0, 0, 1, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 0, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 1, 22, 106).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 107), Partial::new(MatrixName::K2, 1, 1, 22, 108),
-        Partial::new(MatrixName::M, 0, 0, 23, 109), Partial::new(MatrixName::M, 0, 1, 23, 110),
-        Partial::new(MatrixName::M, 1, 0, 23, 110), Partial::new(MatrixName::M, 1, 1, 23, 111),
-        Partial::new(MatrixName::C1, 0, 1, 23, 112), Partial::new(MatrixName::C1, 1, 1, 23, 113),
+        Partial::new(MatrixName::K2, 0, 1, 22, 107),
+        Partial::new(MatrixName::K2, 1, 1, 22, 108),
+        Partial::new(MatrixName::M, 0, 0, 23, 109),
+        Partial::new(MatrixName::M, 0, 1, 23, 110).negative(),
+        Partial::new(MatrixName::M, 1, 0, 23, 110).negative(),
+        Partial::new(MatrixName::M, 1, 1, 23, 111),
+        Partial::new(MatrixName::C1, 0, 1, 23, 112),
+        Partial::new(MatrixName::C1, 1, 1, 23, 113).negative(),
         Partial::new(MatrixName::K0, 0, 0, 23, 114).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 23, 115),
-        Partial::new(MatrixName::K0, 1, 0, 23, 115),
-        Partial::new(MatrixName::K0, 1, 1, 23, 116).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 23, 117), Partial::new(MatrixName::K2, 1, 1, 23, 118),
+        Partial::new(MatrixName::K0, 0, 1, 23, 115), Partial::new(MatrixName::K0, 1, 0, 23, 115),
+        Partial::new(MatrixName::K0, 1, 1, 23, 116), Partial::new(MatrixName::K2, 0, 1, 23, 117),
+        Partial::new(MatrixName::K2, 1, 1, 23, 118).negative(),
         Partial::new(MatrixName::M, 0, 0, 24, 35), Partial::new(MatrixName::M, 0, 1, 24, 91),
         Partial::new(MatrixName::M, 1, 0, 24, 91), Partial::new(MatrixName::M, 1, 1, 24, 119),
         Partial::new(MatrixName::C1, 1, 1, 24, 94), Partial::new(MatrixName::C1, 0, 1, 25, 120),

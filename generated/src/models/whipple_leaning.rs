@@ -266,74 +266,73 @@ pub struct WhippleLeaningMatrices<T = f64> {
 
 impl<T: Number> WhippleLeaning<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 62 additions, 60 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 130 operations.
+    /// 58 additions, 59 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 126 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleLeaningMatrices<T> {
-        let t5 = self.zU - self.zP;
-        let Sz_theta = t5 * self.mU;
-        let Jxx_theta = self.IUxx + t5 * Sz_theta;
-        let t14 = self.zH * self.mH;
-        let t18 = self.rF * self.mF;
-        let Jxx_delta = self.IHxx + self.IFxx + self.zH * t14 + self.rF * t18;
+        let t6 = self.rF * self.mF;
+        let t12 = self.zH * self.mH;
+        let Sx_all = self.IHxx + self.zH * t12;
+        let Jxx_delta = self.rF * t6 + (self.IFxx + Sx_all);
+        let t21 = self.zB * self.mB;
         let t25 = self.rR * self.mR;
-        let t29 = self.zB * self.mB;
-        let t32 = Sz_theta + self.zP * self.mU;
-        let M_11 = self.IRxx + self.IBxx + Jxx_theta + Jxx_delta + self.rR * t25
-            + self.zB * t29 + self.zP * (Sz_theta + t32);
+        let t29 = self.zU * self.mU;
+        let M_11 = self.IRxx + self.IBxx + (self.IUxx + Jxx_delta)
+            + (self.zB * t21 + (self.rR * t25 + self.zU * t29));
         let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t49 = self.c + self.w;
-        let t50 = t49 - self.xH;
-        let Jxz_delta = self.IHxz + t14 * t50 - t18 * self.c;
-        let hx_delta = Jxx_delta * sin_lam + Jxz_delta * cos_lam;
+        let t41 = self.c + self.w;
+        let t42 = self.xH - t41;
+        let t43 = self.mH * t42;
+        let t45 = self.mF * self.c;
+        let t48 = self.IHxz - (self.zH * t43 + self.rF * t45);
+        let hx_delta = Jxx_delta * sin_lam + t48 * cos_lam;
         let yaw_per_v_delta = cos_lam / self.w;
         let yaw_by_delta = self.c * yaw_per_v_delta;
+        let Sz_delta = t12 - t6;
         let Sx_theta = self.mU * self.xU;
-        let Jxz_theta = self.IUxz - t5 * Sx_theta;
-        let Sz_delta = t14 - t18;
-        let Jxz_all = Jxz_delta + self.IBxz + Jxz_theta - t29 * self.xB
-            - self.zP * Sx_theta - t49 * Sz_delta;
-        let M_12 = hx_delta + yaw_by_delta * Jxz_all;
-        let M_phi_theta = Jxx_theta + self.zP * Sz_theta;
-        let t80 = self.mH * t50;
-        let t82 = self.mF * self.c;
-        let t85 = self.IFxx + self.IHzz;
-        let hz_delta = sin_lam * Jxz_delta + cos_lam * (t50 * t80 + self.c * t82 + t85);
-        let t91 = t80 + t82;
-        let t93 = sin_lam * Sz_delta + cos_lam * t91;
-        let M_yaw_delta = hz_delta - t49 * t93;
-        let t98 = self.mB * self.xB;
-        let t110 = self.IRxx + t85 + self.IBzz + self.IUzz + self.xB * t98
-            + self.mH * self.xH * self.xH + self.mF * self.w * self.w;
-        let P_delta_yaw = M_yaw_delta + yaw_by_delta * (t110 + self.xU * Sx_theta);
-        let M_22 = yaw_by_delta * (M_yaw_delta + P_delta_yaw) + sin_lam * hx_delta
-            + cos_lam * hz_delta;
-        let P_delta_theta = yaw_by_delta * Jxz_theta;
+        let t67 = self.IBxz - (t21 * self.xB + t41 * Sz_delta - (t48 + self.IUxz))
+            - self.zU * Sx_theta;
+        let M_12 = hx_delta + yaw_by_delta * t67;
+        let t71 = self.zU - self.zP;
+        let M_phi_theta = self.IUxx + t29 * t71;
+        let t76 = self.IFxx + self.IHzz;
+        let t83 = cos_lam * (t76 + (self.c * t45 + t42 * t43)) + sin_lam * t48;
+        let Jxz_theta = cos_lam * t83;
+        let t88 = sin_lam * Sz_delta - cos_lam * (t43 - t45);
+        let t90 = t83 - t41 * t88;
+        let t91 = self.mF * self.w;
+        let t96 = self.mB * self.xB;
+        let t101 = self.mH * self.xH;
+        let t108 = (t91 * self.w + (self.IUzz + t76) + self.xB * t96
+            + (self.IRxx + self.xU * Sx_theta + (self.xH * t101 + self.IBzz)))
+            * yaw_by_delta + t90;
+        let M_22 = sin_lam * hx_delta + (Jxz_theta + yaw_by_delta * (t90 + t108));
+        let t115 = (self.IUxz - Sx_theta * t71) * yaw_per_v_delta;
+        let P_delta_theta = t115 * self.c;
+        let Sz_theta = self.mU * t71;
+        let Jxx_theta = self.IUxx + Sz_theta * t71;
         let zero = self.w.like(0.0);
         let h_spin_F = self.IFyy / self.rF;
         let h_wheels_all = h_spin_F + self.IRyy / self.rR;
-        let Sz_all = t29 + t32 + Sz_delta - t25;
-        let t131 = h_wheels_all - Sz_all;
+        let K0_11 = t21 + t29 - (t25 - Sz_delta);
+        let t130 = h_wheels_all - K0_11;
         let t134 = cos_lam * h_spin_F;
-        let C1_12 = yaw_by_delta * t131 + yaw_per_v_delta * Jxz_all + t134;
-        let Sx_all = Sx_theta + t98 + t49 * (self.mH + self.mF) - t91;
-        let t144 = yaw_by_delta * Sx_all;
-        let P_delta_lateral = t144 - t93;
-        let C1_22 = yaw_by_delta * P_delta_lateral + yaw_per_v_delta * P_delta_yaw;
-        let C1_32 = yaw_per_v_delta * Jxz_theta - Sz_theta * yaw_by_delta;
-        let K2_12 = yaw_per_v_delta * t131;
-        let K2_22 = yaw_per_v_delta * (P_delta_lateral + sin_lam * h_spin_F);
-        let C1_21 = -(t134 + yaw_by_delta * h_wheels_all);
-        let K0_12 = t93 - t144;
-        let K0_22 = -(sin_lam * P_delta_lateral);
+        let C1_12 = yaw_by_delta * t130 + yaw_per_v_delta * t67 + t134;
+        let K0_12 = t88 - yaw_by_delta * (t96 + (t91 + (Sx_theta + t101)));
+        let K0_22 = sin_lam * K0_12;
+        let K2_12 = yaw_per_v_delta * t130;
+        let C1_21 = -(yaw_by_delta * h_wheels_all + t134);
+        let C1_22 = -(yaw_per_v_delta * (self.c * K0_12 - t108));
+        let C1_32 = t115 - Sz_theta * yaw_by_delta;
+        let K2_22 = -(yaw_per_v_delta * (K0_12 - sin_lam * h_spin_F));
         let K2_32 = -(Sz_theta * yaw_per_v_delta);
         WhippleLeaningMatrices::from_entries([
             M_11, M_12, M_phi_theta, M_12, M_22, P_delta_theta, M_phi_theta, P_delta_theta,
             Jxx_theta, zero, zero, zero, zero, zero, zero, zero, zero, self.dU, zero, C1_12, zero,
             C1_21, C1_22, zero, zero, C1_32, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-            self.kU, Sz_all, K0_12, Sz_theta, K0_12, K0_22, zero, Sz_theta, zero, Sz_theta, zero,
+            self.kU, K0_11, K0_12, Sz_theta, K0_12, K0_22, zero, Sz_theta, zero, Sz_theta, zero,
             K2_12, zero, zero, K2_22, zero, zero, K2_32, zero,
         ])
     }
@@ -6926,388 +6925,341 @@ impl<T: Scalar> carvallo::motion::UncheckedPartials for WhippleLeaningMotion<T> 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WhippleLeaningDerivatives<T = f64> {
     /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
-    pub values: [T; 164],
+    pub values: [T; 163],
 }
 
 impl<T: Number> WhippleLeaning<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 196 additions, 308 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 511 operations.
+    /// 146 additions, 247 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 402 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleLeaningMatrices<T>, WhippleLeaningDerivatives<T>) {
         let (
-            K0_13_mU, Sz_theta, Jxx_theta, t14, t18, Jxx_delta, t25, t29, t31, t32, M_11, sin_lam,
-            cos_lam, t48, t50, Jxz_delta, t55, hx_delta, t57, yaw_per_v_delta, yaw_by_delta,
-            Sx_theta, Jxz_theta, Sz_delta, Jxz_all, M_12, M_phi_theta, t81, t83, t84, t86, t89,
-            hz_delta, t94, t96, M_yaw_delta, t101, t103, t105, t113, P_delta_yaw_yaw_by_delta, t115,
-            P_delta_yaw, t117, M_22, P_delta_theta, zero, t125, h_spin_F, t127, t129, t130,
-            h_wheels_all, Sz_all, t135, t137, C1_12, Sx_all, K0_12, C1_22, M_23_c, C1_32, K0_22,
-            K2_12, t158, K2_22_yaw_per_v_delta, K2_22, t161, C1_12_h_spin_F, t163, t165, t166,
-            M_12_yaw_per_v_delta, M_12_w, t170, M_22_Jxz_delta, t173, t176, t178, t179, t180, t181,
-            t182, t183, M_yaw_delta_w, t185, P_delta_yaw_w, t188, M_22_yaw_by_delta,
-            M_22_yaw_per_v_delta, M_22_w, P_delta_theta_yaw_per_v_delta, t197, t198, t200,
-            C1_12_yaw_per_v_delta, C1_12_w, t205, C1_21_w, t209, K0_12_w, C1_22_yaw_by_delta,
-            C1_22_yaw_per_v_delta, C1_22_w, C1_32_yaw_per_v_delta, t223, K0_22_w, t225, t228,
-            K2_32_w, M_12_c, t234, hz_delta_c, t238, t240, M_yaw_delta_c, M_22_c, C1_12_c, t255,
-            K0_12_c, C1_22_c, K0_22_c, t263, hx_delta_lam, t266, M_12_lam, hz_delta_lam, t273,
-            M_yaw_delta_lam, M_22_lam, t287, t289, C1_21_lam, K0_12_lam, C1_22_lam, t299, K0_22_lam,
-            t303, K2_22_lam, K2_32_lam, M_11_rR, t310, t311, C1_12_rR, C1_21_rR, K2_12_rR, M_11_mR,
-            C1_12_mR, K2_12_mR, M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t323, t324, t325,
-            P_delta_yaw_xB, M_22_xB, t329, t331, C1_22_xB, t334, K2_22_xB, M_11_zB, t338, t339,
-            t340, M_11_mB, t342, P_delta_yaw_mB, M_22_mB, t345, C1_22_mB, t349, t350, K2_22_mB,
-            M_yaw_delta_xH, P_delta_yaw_xH, t355, M_22_xH, P_delta_lateral_xH, C1_22_xH, t364,
-            K2_22_xH, M_11_zH, t367, t369, t371, M_12_zH, K0_12_zH, t376, M_yaw_delta_zH,
-            M_22_Jxx_delta, t383, M_22_zH, t389, t391, C1_12_zH, C1_22_zH, K0_22_zH, t397, t398,
-            M_11_mH, M_12_mH, hz_delta_mH, t404, M_yaw_delta_mH, P_delta_yaw_mH, t410, M_22_mH,
-            C1_12_mH, K0_12_mH, C1_22_mH, K0_22_mH, t423, t424, M_22_IHzz, C1_22_IHzz, M_22_IHxz,
-            K2_22_h_spin_F, M_11_rF, t436, t438, M_12_rF, t441, t443, M_yaw_delta_rF, t449, M_22_rF,
-            t454, t456, C1_21_rF, C1_12_rF, C1_22_rF, t462, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF,
-            hz_delta_mF, t473, M_yaw_delta_mF, P_delta_yaw_mF, t479, M_22_mF, C1_12_mF, K0_12_mF,
-            C1_22_mF, K0_22_mF, K2_12_mF, t493,
+            Sx_all_mH, t9, Jxx_delta, t18, t22, M_11_mB, M_11, sin_lam, cos_lam, t39, t43, t44, t45,
+            t48, t50, hx_delta, t52, yaw_per_v_delta, yaw_by_delta, t55, Sz_delta, t60, t65, t69,
+            M_12, K0_13_mU, Sz_theta, M_phi_theta, t78, t81, t84, t86, t88, t91, t93, t94, Sx_theta,
+            t98, t102, t109, t111, t112, t113, M_22, t119, M_23_c, P_delta_theta, M_33_mU, M_33,
+            zero, t128, h_spin_F, t131, t132, h_wheels_all, t134, M_22_yaw_by_delta, t138, t141,
+            t142, C1_12, t144, t145, t146, t150, t152, t154, C1_22, t156, t157, C1_32, K2_12, t162,
+            t163, K2_22, K2_32_zP, t166, C1_12_h_spin_F, t168, t169, t170, M_12_w, t175, t177, t178,
+            t179, t180, t183, t184, t187, t188, t190, t191, M_22_w, t195, C1_12_w, C1_21_w, t199,
+            t201, K0_12_w, t207, t208, t210, C1_22_w, t215, K0_22_w, t217, t220, K2_32_w, t222,
+            t223, t225, t227, M_22_c, t233, t235, hx_delta_mH, C1_22_c, K0_12_c, K0_22_c, t245,
+            t246, t247, hx_delta_lam, M_12_lam, t257, t261, t263, M_22_lam, t267, t268, C1_21_lam,
+            K0_12_lam, t277, C1_22_yaw_by_delta, C1_32_lam, K0_22_lam, t284, K2_22_lam, K2_32_lam,
+            M_11_rR, t291, K2_12_rR, C1_12_rR, C1_21_rR, M_11_mR, C1_12_mR, K2_12_mR, C1_22_IRxx,
+            M_22_IRxx, K2_12_IRyy, C1_12_IRyy, t304, t305, M_22_xB, t307, t308, K2_22_xB, t310,
+            C1_22_xB, t313, t314, M_11_zB, t316, t317, t318, M_22_mB, t320, t321, K2_22_mB,
+            C1_22_mB, t324, t326, M_22_xH, t329, t330, t331, C1_22_xH, K0_12_zH, t337, C1_22_IHzz,
+            K2_22_xH, Sx_all_zH, t341, t342, M_12_zH, t346, t348, t349, t350, t351, t352, t353,
+            M_22_IHxx, K0_22_zH, t356, M_22_mH, t360, K2_22_mH, C1_22_mH, t363, M_22_IHzz,
+            M_22_IHxz, K2_22_h_spin_F, Jxx_delta_rF, t370, K0_12_mF, t373, t375, t377, t378, t379,
+            C1_12_IFyy, C1_21_rF, C1_12_rF, C1_22_rF, t384, t386, K2_12_rF, K2_22_rF, Jxx_delta_mF,
+            t390, M_22_mF, K2_12_mF, C1_12_mF, t396, t397, K0_22_mF, M_22_IFxx, K2_12_IFyy,
+            K2_22_IFyy, t402, M_23_zP, M_33_zU, t405, C1_32_zP, M_11_mU, t408, M_13_mU, M_22_mU,
+            t411, t412, t413, t414, K2_22_mU, C1_22_mU, t417, t418, t419, t420, t421,
         );
-        K0_13_mU = self.zU - self.zP;
-        Sz_theta = K0_13_mU * self.mU;
-        Jxx_theta = self.IUxx + K0_13_mU * Sz_theta;
-        t14 = self.zH * self.mH;
-        t18 = self.rF * self.mF;
-        Jxx_delta = self.IHxx + self.IFxx + self.zH * t14 + self.rF * t18;
-        t25 = self.rR * self.mR;
-        t29 = self.zB * self.mB;
-        t31 = self.zP * self.mU;
-        t32 = Sz_theta + t31;
-        M_11 = self.IRxx + self.IBxx + Jxx_theta + Jxx_delta + self.rR * t25
-            + self.zB * t29 + self.zP * (Sz_theta + t32);
+        Sx_all_mH = self.zH * self.zH;
+        t9 = self.rF * self.mF;
+        Jxx_delta = self.IHxx + self.IFxx + self.mH * Sx_all_mH + self.rF * t9;
+        t18 = self.zU * self.mU;
+        t22 = self.rR * self.mR;
+        M_11_mB = self.zB * self.zB;
+        M_11 = self.IRxx + Jxx_delta + self.IBxx + self.IUxx + self.zU * t18
+            + self.rR * t22 + self.mB * M_11_mB;
         (sin_lam, cos_lam) = self.lam.sin_cos();
-        t48 = self.c + self.w;
-        t50 = t48 - self.xH;
-        Jxz_delta = self.IHxz + t14 * t50 - t18 * self.c;
-        t55 = Jxz_delta * cos_lam;
-        hx_delta = Jxx_delta * sin_lam + t55;
-        t57 = self.w.like(1.0) / self.w;
-        yaw_per_v_delta = cos_lam * t57;
+        t39 = self.mF * self.c;
+        t43 = self.c + self.w;
+        t44 = self.xH - t43;
+        t45 = self.mH * t44;
+        t48 = self.IHxz - self.rF * t39 - self.zH * t45;
+        t50 = t48 * cos_lam;
+        hx_delta = Jxx_delta * sin_lam + t50;
+        t52 = self.w.like(1.0) / self.w;
+        yaw_per_v_delta = cos_lam * t52;
         yaw_by_delta = self.c * yaw_per_v_delta;
+        t55 = self.mH * self.zH;
+        Sz_delta = t55 - t9;
+        t60 = self.mB * self.xB;
+        t65 = self.IUxz - t18 * self.xU;
+        t69 = t43 * Sz_delta + self.zB * t60 - t48 - self.IBxz - t65;
+        M_12 = hx_delta - yaw_by_delta * t69;
+        K0_13_mU = self.zU - self.zP;
+        Sz_theta = self.mU * K0_13_mU;
+        M_phi_theta = self.IUxx + self.zU * Sz_theta;
+        t78 = sin_lam * t48;
+        t81 = self.IFxx + self.IHzz;
+        t84 = t44 * t45 + t81 + self.c * t39;
+        t86 = t78 + cos_lam * t84;
+        t88 = t45 - t39;
+        t91 = cos_lam * t88 - sin_lam * Sz_delta;
+        t93 = t86 + t43 * t91;
+        t94 = self.c * cos_lam;
         Sx_theta = self.mU * self.xU;
-        Jxz_theta = self.IUxz - K0_13_mU * Sx_theta;
-        Sz_delta = t14 - t18;
-        Jxz_all = Jxz_delta + self.IBxz + Jxz_theta - t29 * self.xB - self.zP * Sx_theta
-            - t48 * Sz_delta;
-        M_12 = hx_delta + yaw_by_delta * Jxz_all;
-        M_phi_theta = Jxx_theta + self.zP * Sz_theta;
-        t81 = sin_lam * Jxz_delta;
-        t83 = self.IFxx + self.IHzz;
-        t84 = self.mF * self.c;
-        t86 = self.mH * t50;
-        t89 = t83 + self.c * t84 + t50 * t86;
-        hz_delta = t81 + cos_lam * t89;
-        t94 = t84 + t86;
-        t96 = sin_lam * Sz_delta + cos_lam * t94;
-        M_yaw_delta = hz_delta - t48 * t96;
-        t101 = self.mB * self.xB;
-        t103 = self.xH * self.xH;
-        t105 = self.w * self.w;
-        t113 = self.IRxx + t83 + self.IBzz + self.IUzz + self.xB * t101 + self.mH * t103
-            + self.mF * t105;
-        P_delta_yaw_yaw_by_delta = t113 + self.xU * Sx_theta;
-        t115 = yaw_by_delta * P_delta_yaw_yaw_by_delta;
-        P_delta_yaw = M_yaw_delta + t115;
-        t117 = M_yaw_delta + P_delta_yaw;
-        M_22 = sin_lam * hx_delta + cos_lam * hz_delta + yaw_by_delta * t117;
-        P_delta_theta = yaw_by_delta * Jxz_theta;
+        t98 = self.mH * self.xH;
+        t102 = self.mF * self.w;
+        t109 = self.IRxx + t81 + self.xB * t60 + self.xU * Sx_theta + self.xH * t98
+            + self.IUzz + self.IBzz;
+        t111 = t52 * (t109 + self.w * t102);
+        t112 = t94 * t111;
+        t113 = t93 + t112;
+        M_22 = sin_lam * hx_delta + cos_lam * t86 + yaw_by_delta * (t93 + t113);
+        t119 = t65 + self.zP * Sx_theta;
+        M_23_c = yaw_per_v_delta * t119;
+        P_delta_theta = self.c * M_23_c;
+        M_33_mU = K0_13_mU * K0_13_mU;
+        M_33 = self.IUxx + self.mU * M_33_mU;
         zero = self.w.like(0.0);
-        t125 = self.w.like(1.0) / self.rF;
-        h_spin_F = self.IFyy * t125;
-        t127 = cos_lam * h_spin_F;
-        t129 = self.w.like(1.0) / self.rR;
-        t130 = self.IRyy * t129;
-        h_wheels_all = h_spin_F + t130;
-        Sz_all = t29 + t32 + Sz_delta - t25;
-        t135 = h_wheels_all - Sz_all;
-        t137 = yaw_per_v_delta * Jxz_all;
-        C1_12 = t127 + yaw_by_delta * t135 + t137;
-        Sx_all = Sx_theta + t101 + t48 * (self.mH + self.mF) - t94;
-        K0_12 = t96 - yaw_by_delta * Sx_all;
-        C1_22 = yaw_per_v_delta * P_delta_yaw - yaw_by_delta * K0_12;
-        M_23_c = yaw_per_v_delta * Jxz_theta;
-        C1_32 = M_23_c - Sz_theta * yaw_by_delta;
-        K0_22 = sin_lam * K0_12;
-        K2_12 = yaw_per_v_delta * t135;
-        t158 = sin_lam * h_spin_F;
-        K2_22_yaw_per_v_delta = t158 - K0_12;
-        K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
-        t161 = Sz_theta * yaw_per_v_delta;
+        t128 = self.w.like(1.0) / self.rF;
+        h_spin_F = self.IFyy * t128;
+        t131 = self.w.like(1.0) / self.rR;
+        t132 = self.IRyy * t131;
+        h_wheels_all = h_spin_F + t132;
+        t134 = self.mB * self.zB;
+        M_22_yaw_by_delta = t18 + Sz_delta + t134;
+        t138 = h_wheels_all + (t22 - M_22_yaw_by_delta);
+        t141 = t52 * (t69 - self.c * t138);
+        t142 = h_spin_F - t141;
+        C1_12 = cos_lam * t142;
+        t144 = yaw_per_v_delta * h_wheels_all;
+        t145 = self.c * t144;
+        t146 = cos_lam * h_spin_F;
+        t150 = t60 + Sx_theta + t98 + t102;
+        t152 = t91 + yaw_by_delta * t150;
+        t154 = t113 + self.c * t152;
+        C1_22 = yaw_per_v_delta * t154;
+        t156 = self.mU * yaw_by_delta;
+        t157 = K0_13_mU * t156;
+        C1_32 = M_23_c - t157;
+        K2_12 = yaw_per_v_delta * t138;
+        t162 = sin_lam * h_spin_F;
+        t163 = t152 + t162;
+        K2_22 = yaw_per_v_delta * t163;
+        K2_32_zP = self.mU * yaw_per_v_delta;
+        t166 = K0_13_mU * K2_32_zP;
         C1_12_h_spin_F = cos_lam + yaw_by_delta;
-        t163 = t14 * C1_12_h_spin_F;
-        t165 = t163 - yaw_by_delta * Sz_delta;
-        t166 = t57 * yaw_per_v_delta;
-        M_12_yaw_per_v_delta = self.c * Jxz_all;
-        M_12_w = t165 - t166 * M_12_yaw_per_v_delta;
-        t170 = sin_lam * cos_lam;
-        M_22_Jxz_delta = t170 + t170;
-        t173 = t50 * cos_lam;
-        t176 = self.mH * t173 + cos_lam * t86;
-        t178 = t14 * M_22_Jxz_delta + cos_lam * t176;
-        t179 = t14 * sin_lam;
-        t180 = t176 + t179;
-        t181 = t180 - t96;
-        t182 = self.mH * cos_lam;
-        t183 = t48 * t182;
-        M_yaw_delta_w = t181 - t183;
-        t185 = yaw_by_delta + yaw_by_delta;
-        P_delta_yaw_w = self.mF * self.w * t185;
-        t188 = M_yaw_delta_w + P_delta_yaw_w;
-        M_22_yaw_by_delta = t115 + t117;
-        M_22_yaw_per_v_delta = self.c * M_22_yaw_by_delta;
-        M_22_w = t178 + yaw_by_delta * (M_yaw_delta_w + t188)
-            - t166 * M_22_yaw_per_v_delta;
-        P_delta_theta_yaw_per_v_delta = self.c * Jxz_theta;
-        t197 = t166 * P_delta_theta_yaw_per_v_delta;
-        t198 = t14 * yaw_per_v_delta;
-        t200 = t198 - yaw_per_v_delta * Sz_delta;
-        C1_12_yaw_per_v_delta = Jxz_all + self.c * t135;
-        C1_12_w = t200 - t166 * C1_12_yaw_per_v_delta;
-        t205 = self.c * h_wheels_all;
-        C1_21_w = t166 * t205;
-        t209 = self.c * Sx_all;
-        K0_12_w = t182 + t166 * t209 - self.mF * yaw_by_delta;
-        C1_22_yaw_by_delta = yaw_per_v_delta * P_delta_yaw_yaw_by_delta - K0_12;
-        C1_22_yaw_per_v_delta = P_delta_yaw + self.c * C1_22_yaw_by_delta;
-        C1_22_w = yaw_per_v_delta * t188 - yaw_by_delta * K0_12_w
-            - t166 * C1_22_yaw_per_v_delta;
-        C1_32_yaw_per_v_delta = Jxz_theta - Sz_theta * self.c;
-        t223 = t166 * C1_32_yaw_per_v_delta;
+        t168 = t55 * C1_12_h_spin_F;
+        t169 = yaw_per_v_delta * t69;
+        t170 = cos_lam * Sz_delta;
+        M_12_w = t168 + self.c * t52 * (t169 - t170);
+        t175 = yaw_by_delta + yaw_by_delta;
+        t177 = cos_lam + t175;
+        t178 = t44 * cos_lam;
+        t179 = self.zH * sin_lam;
+        t180 = t178 - t179;
+        t183 = t43 * t175;
+        t184 = t183 - t179;
+        t187 = self.mH * (t177 * (t178 + t180) + cos_lam * t184);
+        t188 = t91 * t175 - t187;
+        t190 = t113 * (t52 + t52);
+        t191 = t102 * t175;
+        M_22_w = t188 - yaw_by_delta * (t190 - t191);
+        t195 = t52 * P_delta_theta;
+        C1_12_w = yaw_per_v_delta * (t9 + t141);
+        C1_21_w = t52 * t145;
+        t199 = self.mH * cos_lam;
+        t201 = self.mF - t52 * t150;
+        K0_12_w = t199 - yaw_by_delta * t201;
+        t207 = self.mH * (t180 + self.xH * cos_lam);
+        t208 = t91 - t207;
+        t210 = t52 * (t112 + t154);
+        C1_22_w = yaw_per_v_delta * (t191 + t208 - self.c * K0_12_w - t210);
+        t215 = t52 * C1_32;
         K0_22_w = sin_lam * K0_12_w;
-        t225 = t135 * t166;
-        t228 = yaw_per_v_delta * K0_12_w + K2_22_yaw_per_v_delta * t166;
-        K2_32_w = Sz_theta * t166;
-        M_12_c = t137 + t165 - t18 * C1_12_h_spin_F;
-        t234 = self.c * cos_lam;
-        hz_delta_c = self.mF * t234 + cos_lam * t84;
-        t238 = t18 * sin_lam;
-        t240 = t182 + self.mF * cos_lam;
-        M_yaw_delta_c = t181 + hz_delta_c - t238 - t48 * t240;
-        M_22_c = t178 + t185 * M_yaw_delta_c + cos_lam * hz_delta_c
-            + yaw_per_v_delta * M_22_yaw_by_delta - t18 * M_22_Jxz_delta;
-        C1_12_c = t200 + yaw_per_v_delta * (t135 - t18);
-        t255 = yaw_per_v_delta * h_wheels_all;
-        K0_12_c = t240 - yaw_per_v_delta * Sx_all;
-        C1_22_c = yaw_per_v_delta * (C1_22_yaw_by_delta + M_yaw_delta_c)
-            - yaw_by_delta * K0_12_c;
+        t217 = t52 * K2_12;
+        t220 = t52 * (K2_22 + cos_lam * K0_12_w);
+        K2_32_w = t52 * t166;
+        t222 = self.rF * sin_lam;
+        t223 = t94 - t222;
+        t225 = self.mF * (t94 + t223);
+        t227 = t183 + t222;
+        M_22_c = t188 + t177 * t225 + cos_lam * (t190 - self.mF * t227);
+        t233 = self.mH + t201;
+        t235 = self.mF * t43;
+        hx_delta_mH = t152 + t208 + t225 + cos_lam * (t111 - self.c * t233 - t235);
+        C1_22_c = yaw_per_v_delta * hx_delta_mH;
+        K0_12_c = cos_lam * t233;
         K0_22_c = sin_lam * K0_12_c;
-        t263 = yaw_per_v_delta * K0_12_c;
-        hx_delta_lam = Jxx_delta * cos_lam - t81;
-        t266 = sin_lam * t57;
-        M_12_lam = hx_delta_lam - M_12_yaw_per_v_delta * t266;
-        hz_delta_lam = t55 - sin_lam * t89;
-        t273 = cos_lam * Sz_delta - sin_lam * t94;
-        M_yaw_delta_lam = hz_delta_lam - t48 * t273;
-        M_22_lam = t185 * M_yaw_delta_lam + sin_lam * hx_delta_lam
-            + cos_lam * hz_delta_lam + cos_lam * hx_delta - sin_lam * hz_delta
-            - M_22_yaw_per_v_delta * t266;
-        t287 = P_delta_theta_yaw_per_v_delta * t266;
-        t289 = t158 + C1_12_yaw_per_v_delta * t266;
-        C1_21_lam = t158 + t205 * t266;
-        K0_12_lam = t273 + t209 * t266;
-        C1_22_lam = yaw_per_v_delta * M_yaw_delta_lam - yaw_by_delta * K0_12_lam
-            - C1_22_yaw_per_v_delta * t266;
-        t299 = C1_32_yaw_per_v_delta * t266;
-        K0_22_lam = sin_lam * K0_12_lam + cos_lam * K0_12;
-        t303 = t135 * t266;
-        K2_22_lam = yaw_per_v_delta * (t127 - K0_12_lam) - K2_22_yaw_per_v_delta * t266;
-        K2_32_lam = Sz_theta * t266;
-        M_11_rR = t25 + t25;
-        t310 = t129 * t130;
-        t311 = self.mR - t310;
-        C1_12_rR = yaw_by_delta * t311;
-        C1_21_rR = yaw_by_delta * t310;
-        K2_12_rR = yaw_per_v_delta * t311;
+        t245 = yaw_per_v_delta * K0_12_c;
+        t246 = sin_lam * t52;
+        t247 = self.c * t246;
+        hx_delta_lam = Jxx_delta * cos_lam - t78;
+        M_12_lam = t69 * t247 + hx_delta_lam;
+        t257 = sin_lam * t84 - t50;
+        t261 = t170 + sin_lam * t88;
+        t263 = t257 + t43 * t261;
+        M_22_lam = sin_lam * (hx_delta_lam - t86 - self.c * t190)
+            + cos_lam * (hx_delta - t257) - t175 * t263;
+        t267 = t119 * t247;
+        t268 = sin_lam * t142;
+        C1_21_lam = t162 + h_wheels_all * t247;
+        K0_12_lam = t261 + t150 * t247;
+        t277 = sin_lam * t210 + yaw_per_v_delta * (t263 + self.c * K0_12_lam);
+        C1_22_yaw_by_delta = t119 * t246;
+        C1_32_lam = Sz_theta * t247 - C1_22_yaw_by_delta;
+        K0_22_lam = sin_lam * K0_12_lam - cos_lam * t152;
+        t284 = t138 * t246;
+        K2_22_lam = yaw_per_v_delta * (t146 - K0_12_lam) - t163 * t246;
+        K2_32_lam = Sz_theta * t246;
+        M_11_rR = t22 + t22;
+        t291 = t131 * t132;
+        K2_12_rR = yaw_per_v_delta * (self.mR - t291);
+        C1_12_rR = self.c * K2_12_rR;
+        C1_21_rR = yaw_by_delta * t291;
         M_11_mR = self.rR * self.rR;
         C1_12_mR = self.rR * yaw_by_delta;
         K2_12_mR = self.rR * yaw_per_v_delta;
-        M_22_IRxx = yaw_by_delta * yaw_by_delta;
         C1_22_IRxx = yaw_per_v_delta * yaw_by_delta;
-        C1_12_IRyy = yaw_by_delta * t129;
-        K2_12_IRyy = yaw_per_v_delta * t129;
-        t323 = t29 * yaw_by_delta;
-        t324 = yaw_by_delta * self.xB;
-        t325 = self.mB * t324;
-        P_delta_yaw_xB = t325 + yaw_by_delta * t101;
-        M_22_xB = yaw_by_delta * P_delta_yaw_xB;
-        t329 = t29 * yaw_per_v_delta;
-        t331 = self.mB * yaw_by_delta;
-        C1_22_xB = yaw_per_v_delta * P_delta_yaw_xB + yaw_by_delta * t331;
-        t334 = sin_lam * t331;
-        K2_22_xB = yaw_per_v_delta * t331;
-        M_11_zB = t29 + t29;
-        t338 = yaw_by_delta + yaw_per_v_delta * self.xB;
-        t339 = self.mB * t338;
-        t340 = self.mB * yaw_per_v_delta;
-        M_11_mB = self.zB * self.zB;
-        t342 = self.zB * t324;
-        P_delta_yaw_mB = self.xB * t324;
-        M_22_mB = yaw_by_delta * P_delta_yaw_mB;
-        t345 = self.zB * t338;
-        C1_22_mB = yaw_per_v_delta * P_delta_yaw_mB + yaw_by_delta * t324;
-        t349 = sin_lam * t324;
-        t350 = self.zB * yaw_per_v_delta;
-        K2_22_mB = yaw_per_v_delta * t324;
-        M_yaw_delta_xH = t183 - t180;
-        P_delta_yaw_xH = self.mH * self.xH * t185;
-        t355 = M_yaw_delta_xH + P_delta_yaw_xH;
-        M_22_xH = yaw_by_delta * (M_yaw_delta_xH + t355) - t178;
-        P_delta_lateral_xH = t182 + self.mH * yaw_by_delta;
-        C1_22_xH = yaw_per_v_delta * t355 + yaw_by_delta * P_delta_lateral_xH;
-        t364 = sin_lam * P_delta_lateral_xH;
-        K2_22_xH = yaw_per_v_delta * P_delta_lateral_xH;
-        M_11_zH = t14 + t14;
-        t367 = t48 * yaw_by_delta;
-        t369 = self.zH * sin_lam;
-        t371 = t50 * C1_12_h_spin_F + t369 - t367;
-        M_12_zH = t179 + self.mH * t371;
+        M_22_IRxx = self.c * C1_22_IRxx;
+        K2_12_IRyy = yaw_per_v_delta * t131;
+        C1_12_IRyy = self.c * K2_12_IRyy;
+        t304 = yaw_by_delta * t134;
+        t305 = yaw_by_delta * t60;
+        M_22_xB = t175 * t305;
+        t307 = self.mB * yaw_per_v_delta;
+        t308 = self.zB * t307;
+        K2_22_xB = yaw_by_delta * t307;
+        t310 = self.c + self.xB;
+        C1_22_xB = K2_22_xB * (self.xB + t310);
+        t313 = self.c * t307;
+        t314 = sin_lam * t313;
+        M_11_zB = t134 + t134;
+        t316 = t307 * t310;
+        t317 = yaw_by_delta * self.xB;
+        t318 = self.zB * t317;
+        M_22_mB = t317 * t317;
+        t320 = self.zB * yaw_per_v_delta;
+        t321 = t310 * t320;
+        K2_22_mB = yaw_per_v_delta * t317;
+        C1_22_mB = t310 * K2_22_mB;
+        t324 = sin_lam * t317;
+        t326 = t98 * (C1_22_IRxx + C1_22_IRxx);
+        M_22_xH = t187 + self.c * t326;
+        t329 = self.zH * yaw_per_v_delta;
+        t330 = self.mH * t329;
+        t331 = self.mH * C1_12_h_spin_F;
+        C1_22_xH = t326 + yaw_per_v_delta * (t207 + self.c * t331);
         K0_12_zH = self.mH * sin_lam;
-        t376 = sin_lam * t50;
-        M_yaw_delta_zH = self.mH * t376 - t48 * K0_12_zH;
-        M_22_Jxx_delta = sin_lam * sin_lam;
-        t383 = self.zH * M_22_Jxx_delta + t50 * M_22_Jxz_delta;
-        M_22_zH = t185 * M_yaw_delta_zH + self.mH * t383 + t14 * M_22_Jxx_delta;
-        t389 = yaw_by_delta + t48 * yaw_per_v_delta;
-        t391 = t50 * yaw_per_v_delta - t389;
-        C1_12_zH = self.mH * t391;
-        C1_22_zH = yaw_per_v_delta * M_yaw_delta_zH - yaw_by_delta * K0_12_zH;
-        K0_22_zH = sin_lam * K0_12_zH;
-        t397 = self.mH * yaw_per_v_delta;
-        t398 = yaw_per_v_delta * K0_12_zH;
-        M_11_mH = self.zH * self.zH;
-        M_12_mH = self.zH * t371;
-        hz_delta_mH = t50 * t173;
-        t404 = t173 + t369;
-        M_yaw_delta_mH = hz_delta_mH + self.zH * t376 - t48 * t404;
-        P_delta_yaw_mH = yaw_by_delta * t103;
-        t410 = M_yaw_delta_mH + P_delta_yaw_mH;
-        M_22_mH = self.zH * t383 + cos_lam * hz_delta_mH
-            + yaw_by_delta * (M_yaw_delta_mH + t410);
-        C1_12_mH = self.zH * t391;
-        K0_12_mH = t404 - yaw_by_delta * (t48 - t50);
-        C1_22_mH = yaw_per_v_delta * t410 - yaw_by_delta * K0_12_mH;
-        K0_22_mH = sin_lam * K0_12_mH;
-        t423 = self.zH * yaw_per_v_delta;
-        t424 = yaw_per_v_delta * K0_12_mH;
-        M_22_IHzz = M_22_IRxx + cos_lam * cos_lam + cos_lam * t185;
-        C1_22_IHzz = C1_22_IRxx + cos_lam * yaw_per_v_delta;
-        M_22_IHxz = M_22_Jxz_delta + sin_lam * t185;
-        K2_22_h_spin_F = sin_lam * yaw_per_v_delta;
-        M_11_rF = t18 + t18;
-        t436 = self.rF * sin_lam;
-        t438 = t367 + t436 - self.c * C1_12_h_spin_F;
-        M_12_rF = t238 + self.mF * t438;
-        t441 = self.mF * sin_lam;
-        t443 = sin_lam * self.c;
-        M_yaw_delta_rF = t48 * t441 - self.mF * t443;
-        t449 = self.rF * M_22_Jxx_delta - self.c * M_22_Jxz_delta;
-        M_22_rF = t185 * M_yaw_delta_rF + self.mF * t449 + t18 * M_22_Jxx_delta;
-        t454 = t389 - yaw_by_delta;
-        t456 = t125 * h_spin_F;
-        C1_21_rF = C1_12_h_spin_F * t456;
-        C1_12_rF = self.mF * t454 - C1_21_rF;
-        C1_22_rF = yaw_by_delta * t441 + yaw_per_v_delta * M_yaw_delta_rF;
-        t462 = sin_lam * t441;
-        K2_12_rF = yaw_per_v_delta * (self.mF - t456);
-        K2_22_rF = yaw_per_v_delta * t441 - K2_22_h_spin_F * t456;
-        M_11_mF = self.rF * self.rF;
-        M_12_mF = self.rF * t438;
-        hz_delta_mF = self.c * t234;
-        t473 = t234 - t436;
-        M_yaw_delta_mF = hz_delta_mF - t48 * t473 - self.rF * t443;
-        P_delta_yaw_mF = yaw_by_delta * t105;
-        t479 = M_yaw_delta_mF + P_delta_yaw_mF;
-        M_22_mF = self.rF * t449 + cos_lam * hz_delta_mF
-            + yaw_by_delta * (M_yaw_delta_mF + t479);
-        C1_12_mF = self.rF * t454;
-        K0_12_mF = t473 - yaw_by_delta * (t48 - self.c);
-        C1_22_mF = yaw_per_v_delta * t479 - yaw_by_delta * K0_12_mF;
-        K0_22_mF = sin_lam * K0_12_mF;
+        t337 = C1_12_h_spin_F * K0_12_zH;
+        C1_22_IHzz = yaw_per_v_delta * C1_12_h_spin_F;
+        K2_22_xH = self.mH * C1_22_IHzz;
+        Sx_all_zH = t55 + t55;
+        t341 = self.xH * yaw_by_delta;
+        t342 = t180 + t341;
+        M_12_zH = self.mH * (t179 - t342);
+        t346 = t184 + t44 * t177;
+        t348 = K0_12_zH * (t180 + t346);
+        t349 = t52 * t199;
+        t350 = self.c + self.xH;
+        t351 = t349 * t350;
+        t352 = t199 * t246;
+        t353 = t350 * t352;
+        M_22_IHxx = sin_lam * sin_lam;
+        K0_22_zH = self.mH * M_22_IHxx;
+        t356 = self.zH * t342;
+        M_22_mH = t180 * t346 + t341 * t341;
+        t360 = t329 * t350;
+        K2_22_mH = yaw_per_v_delta * t342;
+        C1_22_mH = t350 * K2_22_mH;
+        t363 = sin_lam * t342;
+        M_22_IHzz = M_22_IRxx + cos_lam * t177;
+        M_22_IHxz = sin_lam * (cos_lam + t177);
+        K2_22_h_spin_F = cos_lam * t246;
+        Jxx_delta_rF = t9 + t9;
+        t370 = self.w * yaw_by_delta;
+        K0_12_mF = t223 - t370;
+        t373 = self.mF * (K0_12_mF - t222);
+        t375 = self.c * t177 - t227;
+        t377 = self.mF * sin_lam;
+        t378 = (t223 + t375) * t377;
+        t379 = yaw_per_v_delta * t235;
+        C1_12_IFyy = t128 * C1_12_h_spin_F;
+        C1_21_rF = h_spin_F * C1_12_IFyy;
+        C1_12_rF = t379 - C1_21_rF;
+        C1_22_rF = sin_lam * t379;
+        t384 = sin_lam * t377;
+        t386 = self.mF - t128 * h_spin_F;
+        K2_12_rF = yaw_per_v_delta * t386;
+        K2_22_rF = K2_22_h_spin_F * t386;
+        Jxx_delta_mF = self.rF * self.rF;
+        t390 = self.rF * K0_12_mF;
+        M_22_mF = t223 * t375 + t370 * t370;
         K2_12_mF = self.rF * yaw_per_v_delta;
-        t493 = yaw_per_v_delta * K0_12_mF;
-        let (
-            M_22_IFxx, C1_12_IFyy, K2_12_IFyy, K2_22_IFyy, M_33_zU, M_13_zU, M_13_zP, M_23_zP, t502,
-            C1_32_zP, K2_32_zP, K0_11_mU, Jxx_theta_mU, M_13_mU, M_11_mU, t512, t513,
-            P_delta_yaw_Sx_theta, P_delta_yaw_mU, M_22_mU, t517, t518, t519, t521, C1_22_mU, t525,
-            t527, t528, K2_22_mU, t530, P_delta_yaw_xU, M_22_xU, t534, t535, C1_22_xU, t539, t540,
-            K2_22_xU, M_11_zU, C1_21, K2_32,
-        );
-        M_22_IFxx = M_22_Jxx_delta + M_22_IHzz;
-        C1_12_IFyy = t125 * C1_12_h_spin_F;
-        K2_12_IFyy = yaw_per_v_delta * t125;
-        K2_22_IFyy = t125 * K2_22_h_spin_F;
+        C1_12_mF = t43 * K2_12_mF;
+        t396 = yaw_per_v_delta * K0_12_mF;
+        t397 = t43 * t396;
+        K0_22_mF = sin_lam * K0_12_mF;
+        M_22_IFxx = M_22_IHxx + M_22_IHzz;
+        K2_12_IFyy = yaw_per_v_delta * t128;
+        K2_22_IFyy = sin_lam * K2_12_IFyy;
+        t402 = yaw_by_delta * self.xU;
+        M_23_zP = self.mU * t402;
         M_33_zU = Sz_theta + Sz_theta;
-        M_13_zU = t31 + M_33_zU;
-        M_13_zP = Sz_theta - M_13_zU;
-        M_23_zP = yaw_by_delta * Sx_theta;
-        t502 = self.mU * yaw_by_delta;
-        C1_32_zP = t502 + yaw_per_v_delta * Sx_theta;
-        K2_32_zP = self.mU * yaw_per_v_delta;
-        K0_11_mU = self.zP + K0_13_mU;
-        Jxx_theta_mU = K0_13_mU * K0_13_mU;
-        M_13_mU = Jxx_theta_mU + self.zP * K0_13_mU;
-        M_11_mU = self.zP * K0_11_mU + M_13_mU;
-        t512 = yaw_by_delta * K0_11_mU;
-        t513 = self.xU * t512;
-        P_delta_yaw_Sx_theta = yaw_by_delta * self.xU;
-        P_delta_yaw_mU = self.xU * P_delta_yaw_Sx_theta;
-        M_22_mU = yaw_by_delta * P_delta_yaw_mU;
-        t517 = K0_13_mU * yaw_by_delta;
-        t518 = self.xU * t517;
-        t519 = yaw_per_v_delta * K0_11_mU;
-        t521 = t512 + self.xU * t519;
-        C1_22_mU = yaw_per_v_delta * P_delta_yaw_mU
-            + yaw_by_delta * P_delta_yaw_Sx_theta;
-        t525 = K0_13_mU * yaw_per_v_delta;
-        t527 = t517 + self.xU * t525;
-        t528 = sin_lam * P_delta_yaw_Sx_theta;
-        K2_22_mU = yaw_per_v_delta * P_delta_yaw_Sx_theta;
-        t530 = self.mU * t512;
-        P_delta_yaw_xU = M_23_zP + self.mU * P_delta_yaw_Sx_theta;
-        M_22_xU = yaw_by_delta * P_delta_yaw_xU;
-        t534 = self.mU * t517;
-        t535 = self.mU * t519;
-        C1_22_xU = yaw_per_v_delta * P_delta_yaw_xU + yaw_by_delta * t502;
-        t539 = self.mU * t525;
-        t540 = sin_lam * t502;
-        K2_22_xU = yaw_per_v_delta * t502;
-        M_11_zU = t31 + M_13_zU;
-        C1_21 = -(t127 + yaw_by_delta * h_wheels_all);
-        K2_32 = -t161;
+        t405 = self.xU * K2_32_zP;
+        C1_32_zP = t156 + t405;
+        M_11_mU = self.zU * self.zU;
+        t408 = self.zU * t402;
+        M_13_mU = self.zU * K0_13_mU;
+        M_22_mU = t402 * t402;
+        t411 = K0_13_mU * t402;
+        t412 = self.c + self.xU;
+        t413 = self.zU * yaw_per_v_delta;
+        t414 = t412 * t413;
+        K2_22_mU = yaw_per_v_delta * t402;
+        C1_22_mU = t412 * K2_22_mU;
+        t417 = yaw_per_v_delta * K0_13_mU;
+        t418 = t412 * t417;
+        t419 = sin_lam * t402;
+        t420 = self.mU * t413;
+        t421 = self.c * t420;
+        let (
+            t422, M_22_xU, C1_22_xU, t426, K2_22_xU, M_11_zU, M_13_zU, C1_21, K0_11, K0_12, K0_22,
+            K2_32, M_12_c,
+        );
+        t422 = t175 * t405;
+        M_22_xU = self.c * t422;
+        C1_22_xU = t422 + self.mU * M_22_IRxx;
+        t426 = sin_lam * t156;
+        K2_22_xU = yaw_by_delta * K2_32_zP;
+        M_11_zU = t18 + t18;
+        M_13_zU = t18 + Sz_theta;
+        C1_21 = -(t145 + t146);
+        K0_11 = M_22_yaw_by_delta - t22;
+        K0_12 = -t152;
+        K0_22 = -(sin_lam * t152);
+        K2_32 = -t166;
+        M_12_c = t170 - t169;
         (
             WhippleLeaningMatrices::from_entries([
                 M_11, M_12, M_phi_theta, M_12, M_22, P_delta_theta, M_phi_theta, P_delta_theta,
-                Jxx_theta, zero, zero, zero, zero, zero, zero, zero, zero, self.dU, zero, C1_12,
-                zero, C1_21, C1_22, zero, zero, C1_32, zero, zero, zero, zero, zero, zero, zero,
-                zero, zero, self.kU, Sz_all, K0_12, Sz_theta, K0_12, K0_22, zero, Sz_theta, zero,
-                Sz_theta, zero, K2_12, zero, zero, K2_22, zero, zero, K2_32, zero,
+                M_33, zero, zero, zero, zero, zero, zero, zero, zero, self.dU, zero, C1_12, zero,
+                C1_21, C1_22, zero, zero, C1_32, zero, zero, zero, zero, zero, zero, zero, zero,
+                zero, self.kU, K0_11, K0_12, Sz_theta, K0_12, K0_22, zero, Sz_theta, zero, Sz_theta,
+                zero, K2_12, zero, zero, K2_22, zero, zero, K2_32, zero,
             ]),
             WhippleLeaningDerivatives {
                 values: [
-                    M_12_w, M_22_w, t197, C1_12_w, C1_21_w, C1_22_w, t223, K0_12_w, K0_22_w, t225,
-                    t228, K2_32_w, M_12_c, M_22_c, M_23_c, C1_12_c, t255, C1_22_c, t161, K0_12_c,
-                    K0_22_c, t263, M_12_lam, M_22_lam, t287, t289, C1_21_lam, C1_22_lam, t299,
-                    K0_12_lam, K0_22_lam, t303, K2_22_lam, K2_32_lam, M_11_rR, C1_12_rR, C1_21_rR,
+                    M_12_w, M_22_w, t195, C1_12_w, C1_21_w, C1_22_w, t215, K0_12_w, K0_22_w, t217,
+                    t220, K2_32_w, M_12_c, M_22_c, M_23_c, K2_12, t144, C1_22_c, t166, K0_12_c,
+                    K0_22_c, t245, M_12_lam, M_22_lam, t267, t268, C1_21_lam, t277, C1_32_lam,
+                    K0_12_lam, K0_22_lam, t284, K2_22_lam, K2_32_lam, M_11_rR, C1_12_rR, C1_21_rR,
                     self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR, self.w.like(1.0),
-                    M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t323, M_22_xB, t329, C1_22_xB,
-                    t331, t334, K2_22_xB, M_11_zB, t325, t339, self.mB, t340, M_11_mB, t342,
-                    M_22_mB, t345, C1_22_mB, self.zB, t324, t349, t350, K2_22_mB, yaw_by_delta,
-                    yaw_per_v_delta, t163, M_22_xH, t198, C1_22_xH, P_delta_lateral_xH, t364,
-                    K2_22_xH, M_11_zH, M_12_zH, M_22_zH, C1_12_zH, C1_22_zH, self.mH, K0_12_zH,
-                    K0_22_zH, t397, t398, M_11_mH, M_12_mH, M_22_mH, C1_12_mH, C1_22_mH, self.zH,
-                    K0_12_mH, K0_22_mH, t423, t424, sin_lam, M_22_Jxx_delta, M_22_IHzz, C1_22_IHzz,
-                    C1_12_h_spin_F, M_22_IHxz, K2_22_h_spin_F, M_11_rF, M_12_rF, M_22_rF, C1_12_rF,
-                    C1_21_rF, C1_22_rF, self.mF, t441, t462, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF,
-                    M_22_mF, C1_12_mF, C1_22_mF, self.rF, K0_12_mF, K0_22_mF, K2_12_mF, t493,
-                    M_22_IFxx, C1_12_IFyy, K2_12_IFyy, K2_22_IFyy, M_13_zP, M_23_zP, M_33_zU,
-                    C1_32_zP, self.mU, K2_32_zP, M_11_mU, t513, M_13_mU, M_22_mU, t518,
-                    Jxx_theta_mU, t521, C1_22_mU, t527, K0_11_mU, P_delta_yaw_Sx_theta, K0_13_mU,
-                    t528, t519, K2_22_mU, t525, t530, M_22_xU, t534, t535, C1_22_xU, t539, t502,
-                    t540, K2_22_xU, M_11_zU, M_13_zU,
+                    M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t304, M_22_xB, t308, C1_22_xB,
+                    t313, t314, K2_22_xB, M_11_zB, t305, t316, self.mB, t307, M_11_mB, t318,
+                    M_22_mB, t321, C1_22_mB, self.zB, t317, t324, t320, K2_22_mB, yaw_by_delta,
+                    yaw_per_v_delta, t168, M_22_xH, t330, C1_22_xH, t331, t337, K2_22_xH, Sx_all_zH,
+                    M_12_zH, t348, t351, t353, self.mH, K0_12_zH, K0_22_zH, t349, t352, Sx_all_mH,
+                    t356, M_22_mH, t360, C1_22_mH, self.zH, t342, t363, t329, K2_22_mH, sin_lam,
+                    M_22_IHxx, M_22_IHzz, C1_22_IHzz, C1_12_h_spin_F, M_22_IHxz, K2_22_h_spin_F,
+                    Jxx_delta_rF, t373, t378, C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t377, t384,
+                    K2_12_rF, K2_22_rF, Jxx_delta_mF, t390, M_22_mF, C1_12_mF, t397, self.rF,
+                    K0_12_mF, K0_22_mF, K2_12_mF, t396, M_22_IFxx, C1_12_IFyy, K2_12_IFyy,
+                    K2_22_IFyy, t18, M_23_zP, M_33_zU, C1_32_zP, self.mU, K2_32_zP, M_11_mU, t408,
+                    M_13_mU, M_22_mU, t411, M_33_mU, t414, C1_22_mU, t418, self.zU, t402, K0_13_mU,
+                    t419, t413, K2_22_mU, t417, t421, M_22_xU, t157, t420, C1_22_xU, t156, t426,
+                    K2_22_xU, M_11_zU, M_13_zU,
                 ],
             },
         )
@@ -7860,11 +7812,9 @@ impl WhippleLeaningDerivatives {
         Partial::new(MatrixName::M, 2, 1, 2, 24).negative(),
         Partial::new(MatrixName::C1, 0, 1, 2, 25).negative(),
         Partial::new(MatrixName::C1, 1, 0, 2, 26),
-        Partial::new(MatrixName::C1, 1, 1, 2, 27),
-        Partial::new(MatrixName::C1, 2, 1, 2, 28).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 2, 29),
-        Partial::new(MatrixName::K0, 1, 0, 2, 29),
-        Partial::new(MatrixName::K0, 1, 1, 2, 30),
+        Partial::new(MatrixName::C1, 1, 1, 2, 27).negative(),
+        Partial::new(MatrixName::C1, 2, 1, 2, 28), Partial::new(MatrixName::K0, 0, 1, 2, 29),
+        Partial::new(MatrixName::K0, 1, 0, 2, 29), Partial::new(MatrixName::K0, 1, 1, 2, 30),
         Partial::new(MatrixName::K2, 0, 1, 2, 31).negative(),
         Partial::new(MatrixName::K2, 1, 1, 2, 32), Partial::new(MatrixName::K2, 2, 1, 2, 33),
         Partial::new(MatrixName::M, 0, 0, 4, 34), Partial::new(MatrixName::C1, 0, 1, 4, 35),
@@ -7918,36 +7868,49 @@ impl WhippleLeaningDerivatives {
         Partial::new(MatrixName::K0, 1, 1, 15, 77).negative(),
         Partial::new(MatrixName::K2, 1, 1, 15, 78), Partial::new(MatrixName::M, 0, 0, 16, 79),
         Partial::new(MatrixName::M, 0, 1, 16, 80), Partial::new(MatrixName::M, 1, 0, 16, 80),
-        Partial::new(MatrixName::M, 1, 1, 16, 81), Partial::new(MatrixName::C1, 0, 1, 16, 82),
-        Partial::new(MatrixName::C1, 1, 1, 16, 83), Partial::new(MatrixName::K0, 0, 0, 16, 84),
-        Partial::new(MatrixName::K0, 0, 1, 16, 85), Partial::new(MatrixName::K0, 1, 0, 16, 85),
-        Partial::new(MatrixName::K0, 1, 1, 16, 86),
+        Partial::new(MatrixName::M, 1, 1, 16, 81).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 16, 82).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 16, 83).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 16, 84), Partial::new(MatrixName::K0, 0, 1, 16, 85),
+        Partial::new(MatrixName::K0, 1, 0, 16, 85), Partial::new(MatrixName::K0, 1, 1, 16, 86),
         Partial::new(MatrixName::K2, 0, 1, 16, 87).negative(),
         Partial::new(MatrixName::K2, 1, 1, 16, 88).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 89), Partial::new(MatrixName::M, 0, 1, 17, 90),
-        Partial::new(MatrixName::M, 1, 0, 17, 90), Partial::new(MatrixName::M, 1, 1, 17, 91),
-        Partial::new(MatrixName::C1, 0, 1, 17, 92), Partial::new(MatrixName::C1, 1, 1, 17, 93),
-        Partial::new(MatrixName::K0, 0, 0, 17, 94), Partial::new(MatrixName::K0, 0, 1, 17, 95),
-        Partial::new(MatrixName::K0, 1, 0, 17, 95), Partial::new(MatrixName::K0, 1, 1, 17, 96),
+        Partial::new(MatrixName::M, 0, 0, 17, 89),
+        Partial::new(MatrixName::M, 0, 1, 17, 90).negative(),
+        Partial::new(MatrixName::M, 1, 0, 17, 90).negative(),
+        Partial::new(MatrixName::M, 1, 1, 17, 91),
+        Partial::new(MatrixName::C1, 0, 1, 17, 92).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 93),
+        Partial::new(MatrixName::K0, 0, 0, 17, 94),
+        Partial::new(MatrixName::K0, 0, 1, 17, 95).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 17, 95).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 17, 96).negative(),
         Partial::new(MatrixName::K2, 0, 1, 17, 97).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 17, 98).negative(),
-        Partial::new(MatrixName::M, 0, 0, 18, 43), Partial::new(MatrixName::M, 0, 1, 18, 99),
-        Partial::new(MatrixName::M, 1, 0, 18, 99), Partial::new(MatrixName::M, 1, 1, 18, 100),
-        Partial::new(MatrixName::M, 1, 1, 20, 101), Partial::new(MatrixName::C1, 1, 1, 20, 102),
-        Partial::new(MatrixName::M, 0, 1, 21, 103), Partial::new(MatrixName::M, 1, 0, 21, 103),
-        Partial::new(MatrixName::M, 1, 1, 21, 104), Partial::new(MatrixName::C1, 0, 1, 21, 71),
-        Partial::new(MatrixName::C1, 1, 1, 21, 105), Partial::new(MatrixName::M, 0, 0, 22, 106),
-        Partial::new(MatrixName::M, 0, 1, 22, 107), Partial::new(MatrixName::M, 1, 0, 22, 107),
-        Partial::new(MatrixName::M, 1, 1, 22, 108), Partial::new(MatrixName::C1, 0, 1, 22, 109),
-        Partial::new(MatrixName::C1, 1, 0, 22, 110), Partial::new(MatrixName::C1, 1, 1, 22, 111),
+        Partial::new(MatrixName::K2, 1, 1, 17, 98), Partial::new(MatrixName::M, 0, 0, 18, 43),
+        Partial::new(MatrixName::M, 0, 1, 18, 99), Partial::new(MatrixName::M, 1, 0, 18, 99),
+        Partial::new(MatrixName::M, 1, 1, 18, 100), Partial::new(MatrixName::M, 1, 1, 20, 101),
+        Partial::new(MatrixName::C1, 1, 1, 20, 102), Partial::new(MatrixName::M, 0, 1, 21, 103),
+        Partial::new(MatrixName::M, 1, 0, 21, 103), Partial::new(MatrixName::M, 1, 1, 21, 104),
+        Partial::new(MatrixName::C1, 0, 1, 21, 71), Partial::new(MatrixName::C1, 1, 1, 21, 105),
+        Partial::new(MatrixName::M, 0, 0, 22, 106),
+        Partial::new(MatrixName::M, 0, 1, 22, 107).negative(),
+        Partial::new(MatrixName::M, 1, 0, 22, 107).negative(),
+        Partial::new(MatrixName::M, 1, 1, 22, 108).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 22, 109),
+        Partial::new(MatrixName::C1, 1, 0, 22, 110),
+        Partial::new(MatrixName::C1, 1, 1, 22, 111),
         Partial::new(MatrixName::K0, 0, 0, 22, 112).negative(),
         Partial::new(MatrixName::K0, 0, 1, 22, 113).negative(),
         Partial::new(MatrixName::K0, 1, 0, 22, 113).negative(),
         Partial::new(MatrixName::K0, 1, 1, 22, 114).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 115), Partial::new(MatrixName::K2, 1, 1, 22, 116),
-        Partial::new(MatrixName::M, 0, 0, 23, 117), Partial::new(MatrixName::M, 0, 1, 23, 118),
-        Partial::new(MatrixName::M, 1, 0, 23, 118), Partial::new(MatrixName::M, 1, 1, 23, 119),
-        Partial::new(MatrixName::C1, 0, 1, 23, 120), Partial::new(MatrixName::C1, 1, 1, 23, 121),
+        Partial::new(MatrixName::K2, 0, 1, 22, 115),
+        Partial::new(MatrixName::K2, 1, 1, 22, 116),
+        Partial::new(MatrixName::M, 0, 0, 23, 117),
+        Partial::new(MatrixName::M, 0, 1, 23, 118).negative(),
+        Partial::new(MatrixName::M, 1, 0, 23, 118).negative(),
+        Partial::new(MatrixName::M, 1, 1, 23, 119),
+        Partial::new(MatrixName::C1, 0, 1, 23, 120),
+        Partial::new(MatrixName::C1, 1, 1, 23, 121).negative(),
         Partial::new(MatrixName::K0, 0, 0, 23, 122).negative(),
         Partial::new(MatrixName::K0, 0, 1, 23, 123), Partial::new(MatrixName::K0, 1, 0, 23, 123),
         Partial::new(MatrixName::K0, 1, 1, 23, 124), Partial::new(MatrixName::K2, 0, 1, 23, 125),
@@ -7956,9 +7919,12 @@ impl WhippleLeaningDerivatives {
         Partial::new(MatrixName::M, 1, 0, 24, 99), Partial::new(MatrixName::M, 1, 1, 24, 127),
         Partial::new(MatrixName::C1, 1, 1, 24, 102), Partial::new(MatrixName::C1, 0, 1, 25, 128),
         Partial::new(MatrixName::C1, 1, 0, 25, 128).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 25, 129), Partial::new(MatrixName::K2, 1, 1, 25, 130),
-        Partial::new(MatrixName::M, 0, 2, 26, 131), Partial::new(MatrixName::M, 1, 2, 26, 132),
-        Partial::new(MatrixName::M, 2, 0, 26, 131), Partial::new(MatrixName::M, 2, 1, 26, 132),
+        Partial::new(MatrixName::K2, 0, 1, 25, 129),
+        Partial::new(MatrixName::K2, 1, 1, 25, 130),
+        Partial::new(MatrixName::M, 0, 2, 26, 131).negative(),
+        Partial::new(MatrixName::M, 1, 2, 26, 132),
+        Partial::new(MatrixName::M, 2, 0, 26, 131).negative(),
+        Partial::new(MatrixName::M, 2, 1, 26, 132),
         Partial::new(MatrixName::M, 2, 2, 26, 133).negative(),
         Partial::new(MatrixName::C1, 2, 1, 26, 134),
         Partial::new(MatrixName::K0, 0, 2, 26, 135).negative(),
@@ -7994,17 +7960,17 @@ impl WhippleLeaningDerivatives {
         Partial::new(MatrixName::M, 2, 1, 28, 155).negative(),
         Partial::new(MatrixName::C1, 0, 1, 28, 156).negative(),
         Partial::new(MatrixName::C1, 1, 1, 28, 157),
-        Partial::new(MatrixName::C1, 2, 1, 28, 158).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 28, 159).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 28, 159).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 28, 160).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 28, 161),
-        Partial::new(MatrixName::M, 0, 0, 29, 162),
+        Partial::new(MatrixName::C1, 2, 1, 28, 18).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 28, 158).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 28, 158).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 28, 159).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 28, 160),
+        Partial::new(MatrixName::M, 0, 0, 29, 161),
         Partial::new(MatrixName::M, 0, 1, 29, 132).negative(),
-        Partial::new(MatrixName::M, 0, 2, 29, 163),
+        Partial::new(MatrixName::M, 0, 2, 29, 162),
         Partial::new(MatrixName::M, 1, 0, 29, 132).negative(),
         Partial::new(MatrixName::M, 1, 2, 29, 132).negative(),
-        Partial::new(MatrixName::M, 2, 0, 29, 163),
+        Partial::new(MatrixName::M, 2, 0, 29, 162),
         Partial::new(MatrixName::M, 2, 1, 29, 132).negative(),
         Partial::new(MatrixName::M, 2, 2, 29, 133),
         Partial::new(MatrixName::C1, 0, 1, 29, 134).negative(),

@@ -4906,260 +4906,262 @@ pub struct WhippleMechanismDerivatives<T = f64> {
 
 impl<T: Number> WhippleMechanism<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 160 additions, 242 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 408 operations.
+    /// 142 additions, 199 multiplications, 3 divisions, 6 negations and 2 trigonometric functions: 352 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleMechanismMatrices<T>, WhippleMechanismDerivatives<T>) {
-        let t6 = self.zH * self.mH;
+        let M_11_mH = self.zH * self.zH;
         let t10 = self.rF * self.mF;
-        let Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
-        let t17 = self.rR * self.mR;
-        let t21 = self.zB * self.mB;
-        let M_11 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
+        let M_22_mA = self.rF * t10;
+        let Jxx_delta = self.IHxx + self.IFxx + self.mH * M_11_mH + M_22_mA;
+        let t17 = self.zB * self.mB;
+        let t21 = self.rR * self.mR;
+        let M_11 = self.IBxx + self.IRxx + Jxx_delta + self.zB * t17 + self.rR * t21;
         let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t34 = self.c + self.w;
-        let t36 = t34 - self.xH;
-        let Jxz_delta = self.IHxz + t6 * t36 - t10 * self.c;
-        let t41 = Jxz_delta * cos_lam;
-        let hx_delta = Jxx_delta * sin_lam + t41;
-        let t43 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = cos_lam * t43;
-        let mu = self.c * yaw_per_v_delta;
-        let Sz_delta = t6 - t10;
-        let Jxz_all = Jxz_delta + self.IBxz - t21 * self.xB - t34 * Sz_delta;
-        let M_12 = hx_delta + mu * Jxz_all;
-        let t57 = sin_lam * Jxz_delta;
-        let t59 = self.mF * self.c;
-        let t61 = self.mH * t36;
-        let Jzz_delta = self.IFxx + self.IHzz + self.c * t59 + t36 * t61;
-        let hz_delta = t57 + cos_lam * Jzz_delta;
-        let t70 = t59 + t61;
-        let t72 = sin_lam * Sz_delta + cos_lam * t70;
-        let M_yaw_delta = hz_delta - t34 * t72;
+        let t32 = self.mF * self.c;
+        let t35 = self.c + self.w;
+        let t37 = t35 - self.xH;
+        let t38 = self.mH * t37;
+        let t41 = self.IHxz + self.zH * t38 - self.rF * t32;
+        let t43 = t41 * cos_lam;
+        let hx_delta = Jxx_delta * sin_lam + t43;
+        let t45 = self.w.like(1.0) / self.w;
+        let t46 = self.c * t45;
+        let mu = cos_lam * t46;
+        let t51 = self.mH * self.zH;
+        let Sz_delta = t51 - t10;
+        let t56 = t41 + self.IBxz - t17 * self.xB - t35 * Sz_delta;
+        let M_12 = hx_delta + mu * t56;
+        let t59 = sin_lam * t41;
+        let Jzz_delta = self.IFxx + self.IHzz + self.c * t32 + t37 * t38;
+        let t67 = t59 + cos_lam * Jzz_delta;
+        let t69 = t32 + t38;
+        let t71 = sin_lam * Sz_delta + cos_lam * t69;
+        let P_delta_yaw_mB = t35 * t71;
+        let t73 = P_delta_yaw_mB - t67;
+        let yaw_per_v_delta = cos_lam * t45;
+        let t76 = self.mB * self.xB;
         let mA = self.mH + self.mF;
-        let t78 = t70 - t34 * mA;
-        let t79 = t70 + t78;
-        let t81 = self.mB * self.xB;
-        let P_delta_yaw_mu = self.IRxx + Jzz_delta + self.IBzz + self.xB * t81
-            - t34 * t79;
-        let t87 = mu * P_delta_yaw_mu;
-        let P_delta_yaw = M_yaw_delta + t87;
-        let t89 = M_yaw_delta + P_delta_yaw;
-        let M_22 = sin_lam * hx_delta + cos_lam * hz_delta + mu * t89;
+        let t80 = t69 - t35 * mA;
+        let t87 = yaw_per_v_delta
+            * (self.IRxx + Jzz_delta + self.IBzz + self.xB * t76 - t35 * (t69 + t80));
+        let t89 = t73 - self.c * t87;
+        let M_22 = sin_lam * hx_delta - cos_lam * (t46 * (t73 + t89) - t67);
         let zero = self.w.like(0.0);
-        let t95 = self.w.like(1.0) / self.rF;
-        let SF = self.IFyy * t95;
-        let t97 = cos_lam * SF;
-        let t99 = self.w.like(1.0) / self.rR;
-        let t100 = self.IRyy * t99;
-        let ST = SF + t100;
-        let Sz_all = t21 + Sz_delta - t17;
-        let t104 = ST - Sz_all;
-        let t106 = yaw_per_v_delta * Jxz_all;
-        let C1_12 = t97 + mu * t104 + t106;
-        let Sx_all = t81 - t78;
-        let K0_12 = t72 - mu * Sx_all;
-        let C1_22 = yaw_per_v_delta * P_delta_yaw - mu * K0_12;
+        let t98 = self.w.like(1.0) / self.rF;
+        let SF = self.IFyy * t98;
+        let t100 = cos_lam * SF;
+        let t102 = self.w.like(1.0) / self.rR;
+        let t103 = self.IRyy * t102;
+        let ST = SF + t103;
+        let t105 = t17 + Sz_delta;
+        let t107 = ST + (t21 - t105);
+        let t109 = t56 + self.c * t107;
+        let t110 = yaw_per_v_delta * t109;
+        let C1_12 = t100 + t110;
+        let t112 = yaw_per_v_delta * ST;
+        let t113 = self.c * t112;
+        let t115 = yaw_per_v_delta * t89;
+        let t116 = mu * t80;
+        let t117 = t71 + t116;
+        let t118 = mu * t76;
+        let K0_12 = t117 - t118;
         let K0_22 = sin_lam * K0_12;
-        let K2_12 = yaw_per_v_delta * t104;
-        let t119 = sin_lam * SF;
-        let K2_22_yaw_per_v_delta = t119 - K0_12;
-        let K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
-        let t122 = t43 * yaw_per_v_delta;
-        let t123 = self.c * Jxz_all;
+        let K2_12 = yaw_per_v_delta * t107;
+        let t124 = sin_lam * SF;
+        let t126 = t45 * (K0_12 - t124);
         let M_12_Jxz_delta = cos_lam + mu;
-        let t127 = t6 * M_12_Jxz_delta;
-        let t128 = t127 - mu * Sz_delta;
-        let M_12_w = t128 - t122 * t123;
-        let M_22_mu = t87 + t89;
-        let M_22_yaw_per_v_delta = self.c * M_22_mu;
-        let t134 = t34 * mu;
-        let t137 = mA * t134 - t72 - mu * t79;
-        let t140 = t134 + t134;
-        let t143 = cos_lam * t140 + mu * t140;
-        let M_22_hz_delta = mu + M_12_Jxz_delta;
-        let M_22_IRxx = mu * mu;
+        let t129 = t51 * M_12_Jxz_delta;
+        let t131 = cos_lam * Sz_delta;
+        let M_12_c = t56 * yaw_per_v_delta + t131;
+        let M_12_w = t129 - t46 * M_12_c;
+        let t135 = mu * t117;
+        let t136 = mu + mu;
+        let M_22_hz_delta = cos_lam + t136;
+        let C1_22_IRxx = mu * yaw_per_v_delta;
+        let M_22_IRxx = self.c * C1_22_IRxx;
         let M_22_Jzz_delta = cos_lam * M_22_hz_delta + M_22_IRxx;
-        let t149 = t36 * M_22_Jzz_delta - t143;
-        let M_22_Jxz_delta = sin_lam * (cos_lam + M_22_hz_delta);
-        let t156 = self.mH * t149 + t6 * M_22_Jxz_delta + t61 * M_22_Jzz_delta;
-        let t157 = mu * (t137 - t72) + t156;
-        let M_22_w = t157 - t122 * M_22_yaw_per_v_delta;
-        let C1_12_yaw_per_v_delta = Jxz_all + self.c * t104;
-        let t163 = t6 * yaw_per_v_delta;
-        let t164 = t163 - yaw_per_v_delta * Sz_delta;
-        let C1_12_w = t164 - t122 * C1_12_yaw_per_v_delta;
-        let t166 = self.c * ST;
-        let C1_21_w = t122 * t166;
-        let t168 = mu * mA;
-        let t169 = self.c * Sx_all;
-        let t171 = t168 - t122 * t169;
-        let t172 = self.mH * M_12_Jxz_delta;
-        let P_delta_lateral_w = t171 - t172;
-        let C1_22_mu = yaw_per_v_delta * P_delta_yaw_mu - K0_12;
-        let C1_22_yaw_per_v_delta = P_delta_yaw + self.c * C1_22_mu;
-        let t181 = t34 * yaw_per_v_delta;
-        let t184 = cos_lam * t181 + yaw_per_v_delta * t140;
-        let C1_22_IRxx = yaw_per_v_delta * mu;
-        let C1_22_Jzz_delta = cos_lam * yaw_per_v_delta + C1_22_IRxx;
-        let t189 = t36 * C1_22_Jzz_delta - t184;
-        let C1_22_Jxz_delta = sin_lam * yaw_per_v_delta;
-        let t195 = self.mH * t189 + t6 * C1_22_Jxz_delta + t61 * C1_22_Jzz_delta;
-        let t196 = yaw_per_v_delta * t137 + t195;
-        let C1_22_w = mu * P_delta_lateral_w + t196 - t122 * C1_22_yaw_per_v_delta;
-        let t199 = sin_lam * P_delta_lateral_w;
-        let t200 = t104 * t122;
-        let K2_22_w = yaw_per_v_delta * P_delta_lateral_w - K2_22_yaw_per_v_delta * t122;
-        let M_12_c = t106 + t128 - t10 * M_12_Jxz_delta;
-        let t209 = self.c * M_22_Jzz_delta - t143;
-        let M_22_c = t157 + self.mF * t209 + yaw_per_v_delta * M_22_mu
-            + t59 * M_22_Jzz_delta - t10 * M_22_Jxz_delta;
-        let C1_12_c = t164 + yaw_per_v_delta * (t104 - t10);
-        let t220 = yaw_per_v_delta * ST;
-        let t223 = self.c * C1_22_Jzz_delta - t184;
-        let t228 = t168 + yaw_per_v_delta * Sx_all - t172;
-        let t229 = self.mF * M_12_Jxz_delta;
-        let P_delta_lateral_c = t228 - t229;
-        let C1_22_c = t196 + self.mF * t223 + yaw_per_v_delta * C1_22_mu
-            + mu * P_delta_lateral_c + t59 * C1_22_Jzz_delta - t10 * C1_22_Jxz_delta;
-        let t238 = sin_lam * P_delta_lateral_c;
-        let K2_22_c = yaw_per_v_delta * P_delta_lateral_c;
-        let hx_delta_lam = Jxx_delta * cos_lam - t57;
-        let t242 = sin_lam * t43;
-        let M_12_lam = hx_delta_lam - t123 * t242;
-        let hz_delta_lam = t41 - sin_lam * Jzz_delta;
-        let t254 = cos_lam * Sz_delta - sin_lam * t70;
-        let M_22_lam = sin_lam * hx_delta_lam + cos_lam * hx_delta
-            + M_22_hz_delta * hz_delta_lam - sin_lam * hz_delta
-            - M_22_yaw_per_v_delta * t242 - t140 * t254;
-        let t262 = t119 + C1_12_yaw_per_v_delta * t242;
-        let C1_21_lam = t119 + t166 * t242;
-        let K0_12_lam = t254 + t169 * t242;
-        let C1_22_lam = yaw_per_v_delta * hz_delta_lam - mu * K0_12_lam
-            - C1_22_yaw_per_v_delta * t242 - t181 * t254;
+        let t142 = t37 * M_22_Jzz_delta;
+        let t143 = cos_lam + M_22_hz_delta;
+        let t144 = self.w * yaw_per_v_delta;
+        let t145 = mu + t144;
+        let t146 = self.c * t145;
+        let t147 = t143 * t146;
+        let t148 = t142 - t147;
+        let t149 = self.zH * sin_lam;
+        let t153 = self.mH * (t142 + t148 + t143 * t149);
+        let t155 = t135 + t135 - t153;
+        let t156 = t45 * t89;
+        let M_22_w = t136 * t156 - t155;
+        let t159 = self.zH * yaw_per_v_delta;
+        let t160 = self.mH * t159;
+        let C1_12_w = t160 - t45 * (t110 + t131);
+        let C1_21_w = t45 * t113;
+        let t165 = t37 * M_12_Jxz_delta;
+        let t166 = yaw_per_v_delta * t165;
+        let t167 = sin_lam * t159;
+        let t168 = t166 + t167;
+        let t169 = M_22_hz_delta * t145;
+        let t170 = t169 - t166;
+        let t172 = self.mH * (t168 - t170);
+        let t173 = self.mH * M_12_Jxz_delta;
+        let t174 = t80 - t76;
+        let K0_12_c = cos_lam * (mA + t45 * t174);
+        let t178 = self.c * K0_12_c;
+        let K0_12_w = t173 - t45 * t178;
+        let t182 = t116 + t117;
+        let t183 = K0_12 - t87;
+        let t185 = t156 + t46 * t183;
+        let C1_22_w = t172 - yaw_per_v_delta * (self.c * K0_12_w + t182 - t185);
+        let K0_22_w = sin_lam * K0_12_w;
+        let t191 = t45 * K2_12;
+        let K2_22_w = yaw_per_v_delta * (t126 - K0_12_w);
+        let t194 = self.c * M_22_Jzz_delta;
+        let t195 = t147 - t194;
+        let M_22_Jxz_delta = sin_lam * t143;
+        let t203 = t115 + t115 + t155
+            - self.mF * (t194 - t195 - self.rF * M_22_Jxz_delta);
+        let C1_22_Jzz_delta = yaw_per_v_delta * M_12_Jxz_delta;
+        let t208 = self.c * C1_22_Jzz_delta;
+        let t209 = t169 - t208;
+        let t210 = self.rF * sin_lam;
+        let t211 = yaw_per_v_delta * t210;
+        let C1_22_c = t172 - yaw_per_v_delta * (t178 + t182 + t183)
+            - self.mF * (t209 + t211 - t208);
+        let K0_22_c = sin_lam * K0_12_c;
+        let t218 = yaw_per_v_delta * K0_12_c;
+        let hx_delta_lam = Jxx_delta * cos_lam - t59;
+        let t221 = sin_lam * t46;
+        let M_12_lam = hx_delta_lam - t56 * t221;
+        let t225 = t131 - sin_lam * t69;
+        let t228 = sin_lam * Jzz_delta - t43;
+        let t229 = t35 * t225 + t228;
+        let t231 = t89 * t221;
+        let M_22_lam = t231 + t231 + cos_lam * (hx_delta - t228)
+            + sin_lam * (hx_delta_lam - t67) - t136 * t229;
+        let t240 = sin_lam * t45;
+        let t242 = t124 + t109 * t240;
+        let C1_21_lam = t124 + ST * t221;
+        let K0_12_lam = t225 - t174 * t221;
+        let P_delta_yaw_mA = self.c * K0_12_lam;
+        let P_delta_yaw_xB = t229 + P_delta_yaw_mA;
+        let C1_22_lam = sin_lam * t185 - yaw_per_v_delta * P_delta_yaw_xB;
         let K0_22_lam = sin_lam * K0_12_lam + cos_lam * K0_12;
-        let t277 = t104 * t242;
-        let K2_22_lam = yaw_per_v_delta * (t97 - K0_12_lam)
-            - K2_22_yaw_per_v_delta * t242;
-        let M_11_rR = t17 + t17;
-        let t283 = t99 * t100;
-        let t284 = self.mR - t283;
-        let C1_12_rR = mu * t284;
-        let C1_21_rR = mu * t283;
-        let K2_12_rR = yaw_per_v_delta * t284;
+        let t255 = t107 * t240;
+        let K2_22_lam = sin_lam * t126 + yaw_per_v_delta * (t100 - K0_12_lam);
+        let M_11_rR = t21 + t21;
+        let t261 = t102 * t103;
+        let t262 = self.mR - t261;
+        let C1_12_rR = mu * t262;
+        let C1_21_rR = mu * t261;
+        let K2_12_rR = yaw_per_v_delta * t262;
         let M_11_mR = self.rR * self.rR;
         let C1_12_mR = self.rR * mu;
         let K2_12_mR = self.rR * yaw_per_v_delta;
-        let C1_12_IRyy = mu * t99;
-        let K2_12_IRyy = yaw_per_v_delta * t99;
-        let t294 = t21 * mu;
-        let t295 = mu * self.xB;
-        let t296 = self.mB * t295;
-        let P_delta_yaw_xB = t296 + mu * t81;
-        let M_22_xB = mu * P_delta_yaw_xB;
-        let t300 = t21 * yaw_per_v_delta;
-        let t302 = self.mB * mu;
-        let C1_22_xB = yaw_per_v_delta * P_delta_yaw_xB + mu * t302;
-        let t305 = sin_lam * t302;
-        let K2_22_xB = yaw_per_v_delta * t302;
-        let M_11_zB = t21 + t21;
-        let t309 = mu + yaw_per_v_delta * self.xB;
-        let t310 = self.mB * t309;
-        let t311 = self.mB * yaw_per_v_delta;
+        let C1_12_IRyy = mu * t102;
+        let K2_12_IRyy = yaw_per_v_delta * t102;
+        let t272 = t17 * yaw_per_v_delta;
+        let t273 = self.c * t272;
+        let M_22_xB = t118 * t136;
+        let t275 = self.mB * yaw_per_v_delta;
+        let K2_22_xB = mu * t275;
+        let t277 = self.c + self.xB;
+        let C1_22_xB = K2_22_xB * (self.xB + t277);
+        let t280 = self.c * t275;
+        let t281 = sin_lam * t280;
+        let M_11_zB = t17 + t17;
+        let t283 = t275 * t277;
         let M_11_mB = self.zB * self.zB;
-        let t313 = self.zB * t295;
-        let P_delta_yaw_mB = self.xB * t295;
-        let M_22_mB = mu * P_delta_yaw_mB;
-        let t316 = self.zB * t309;
-        let C1_22_mB = yaw_per_v_delta * P_delta_yaw_mB + mu * t295;
-        let t320 = sin_lam * t295;
-        let t321 = self.zB * yaw_per_v_delta;
-        let K2_22_mB = yaw_per_v_delta * t295;
-        let C1_22_xH = mu * t172 - t195;
-        let t325 = sin_lam * t172;
-        let K2_22_xH = yaw_per_v_delta * t172;
-        let M_11_zH = t6 + t6;
-        let K0_12_mH = self.zH * sin_lam + t36 * M_12_Jxz_delta - t134;
-        let M_12_zH = self.mH * K0_12_mH + t6 * sin_lam;
-        let t335 = sin_lam * t140;
-        let M_22_Jxx_delta = sin_lam * sin_lam;
-        let t340 = self.zH * M_22_Jxx_delta + t36 * M_22_Jxz_delta - t335;
-        let M_22_zH = self.mH * t340 + t6 * M_22_Jxx_delta;
-        let t344 = mu + t181;
-        let t346 = t36 * yaw_per_v_delta - t344;
-        let C1_12_zH = self.mH * t346;
-        let t348 = sin_lam * t181;
-        let t350 = t36 * C1_22_Jxz_delta - t348;
+        let t285 = mu * self.xB;
+        let t286 = self.zB * t285;
+        let M_22_mB = t285 * t285;
+        let t288 = self.zB * yaw_per_v_delta;
+        let t289 = t277 * t288;
+        let K2_22_mB = yaw_per_v_delta * t285;
+        let C1_22_mB = t277 * K2_22_mB;
+        let t292 = sin_lam * t285;
+        let t293 = t170 + t208;
+        let C1_22_xH = self.mH * (t293 - t168);
+        let t296 = sin_lam * t173;
+        let K2_22_xH = self.mH * C1_22_Jzz_delta;
+        let M_11_zH = t51 + t51;
+        let t299 = t146 - t165;
+        let K0_12_mH = t149 - t299;
+        let M_12_zH = self.mH * (t149 + K0_12_mH);
+        let t303 = t299 - K0_12_mH;
         let K0_12_zH = self.mH * sin_lam;
-        let C1_22_zH = self.mH * t350 - mu * K0_12_zH;
-        let K0_22_zH = sin_lam * K0_12_zH;
-        let t356 = self.mH * yaw_per_v_delta;
-        let t357 = yaw_per_v_delta * K0_12_zH;
-        let M_11_mH = self.zH * self.zH;
-        let M_12_mH = self.zH * K0_12_mH;
-        let P_delta_yaw_mA = t34 * t134;
-        let M_22_mA = mu * P_delta_yaw_mA;
-        let M_22_mH = M_22_mA + self.zH * t340 + t36 * t149;
-        let C1_12_mH = self.zH * t346;
-        let C1_22_mA = yaw_per_v_delta * P_delta_yaw_mA;
-        let C1_22_mH = C1_22_mA + self.zH * t350 + t36 * t189 - mu * K0_12_mH;
-        let K0_22_mH = sin_lam * K0_12_mH;
-        let t375 = self.zH * yaw_per_v_delta;
-        let t376 = yaw_per_v_delta * K0_12_mH;
+        let t306 = (t303 - t149) * K0_12_zH;
+        let t307 = self.c + self.xH;
+        let t308 = self.mH * yaw_per_v_delta;
+        let t309 = t307 * t308;
+        let C1_22_Jxz_delta = cos_lam * t240;
+        let t311 = self.mH * C1_22_Jxz_delta;
+        let t312 = t307 * t311;
+        let M_22_Jxx_delta = sin_lam * sin_lam;
+        let K0_22_zH = self.mH * M_22_Jxx_delta;
+        let t316 = t146 * t146;
+        let M_22_mH = t316 + t37 * t148 - t149 * t303;
+        let t321 = t159 * t307;
+        let C1_22_mH = t146 * (mu + t145) - t37 * t293 - t167 * t307;
         let M_11_rF = t10 + t10;
-        let K0_12_mF = self.c * M_12_Jxz_delta - t134 - self.rF * sin_lam;
-        let M_12_rF = t10 * sin_lam - self.mF * K0_12_mF;
-        let t388 = t335 + self.rF * M_22_Jxx_delta - self.c * M_22_Jxz_delta;
-        let M_22_rF = self.mF * t388 + t10 * M_22_Jxx_delta;
-        let t392 = t344 - mu;
-        let t394 = t95 * SF;
-        let C1_21_rF = M_12_Jxz_delta * t394;
-        let C1_12_rF = self.mF * t392 - C1_21_rF;
-        let t398 = t348 - self.c * C1_22_Jxz_delta;
+        let t332 = self.c * (cos_lam - t144);
+        let t333 = t210 - t332;
+        let M_12_rF = self.mF * (t210 + t333);
         let P_delta_lateral_rF = self.mF * sin_lam;
-        let C1_22_rF = self.mF * t398 + mu * P_delta_lateral_rF;
-        let t403 = sin_lam * P_delta_lateral_rF;
-        let K2_12_rF = self.mF * yaw_per_v_delta - yaw_per_v_delta * t394;
-        let K2_22_rF = yaw_per_v_delta * P_delta_lateral_rF - C1_22_Jxz_delta * t394;
+        let t337 = t332 - t333;
+        let t339 = P_delta_lateral_rF * (t337 - t210);
+        let t340 = self.mF * t145;
+        let C1_12_IFyy = t98 * M_12_Jxz_delta;
+        let C1_21_rF = SF * C1_12_IFyy;
+        let C1_12_rF = t340 - C1_21_rF;
+        let C1_22_rF = sin_lam * t340;
+        let t345 = self.mF * M_22_Jxx_delta;
+        let K2_12_IFyy = yaw_per_v_delta * t98;
+        let K2_12_rF = self.mF * yaw_per_v_delta - SF * K2_12_IFyy;
+        let K2_22_rF = sin_lam * K2_12_rF;
         let M_11_mF = self.rF * self.rF;
-        let t411 = self.rF * K0_12_mF;
-        let M_22_mF = M_22_mA + self.c * t209 + self.rF * t388;
-        let C1_12_mF = self.rF * t392;
-        let C1_22_mF = C1_22_mA + self.c * t223 + self.rF * t398 - mu * K0_12_mF;
-        let K0_22_mF = sin_lam * K0_12_mF;
+        let M_12_mF = self.rF * t333;
+        let M_22_mF = t316 - self.c * t195 - t210 * t337;
+        let C1_12_mF = self.rF * t145;
+        let K2_22_mF = yaw_per_v_delta * t333;
+        let C1_22_mA = t145 * t146;
+        let C1_22_mF = self.w * t211 + C1_22_mA - self.c * (t209 - K2_22_mF);
+        let t365 = sin_lam * t333;
         let K2_12_mF = self.rF * yaw_per_v_delta;
-        let t425 = yaw_per_v_delta * K0_12_mF;
         let M_22_IFxx = M_22_Jzz_delta + M_22_Jxx_delta;
-        let C1_12_IFyy = t95 * M_12_Jxz_delta;
-        let K2_12_IFyy = yaw_per_v_delta * t95;
-        let K2_22_IFyy = t95 * C1_22_Jxz_delta;
-        let C1_21 = -(t97 + mu * ST);
-        let K0_12_w = t172 - t171;
-        let K0_12_c = t229 - t228;
+        let K2_22_IFyy = t98 * C1_22_Jxz_delta;
+        let C1_21 = -(t100 + t113);
+        let C1_22 = -(t115 + mu * K0_12);
+        let K0_11 = t105 - t21;
+        let K2_22 = -(cos_lam * t126);
+        let t373 = -(self.zH * K0_12_mH);
+        let t374 = -(sin_lam * K0_12_mH);
+        let K2_22_mH = -(yaw_per_v_delta * K0_12_mH);
+        let K0_12_mF = t332 - t210;
         (
             WhippleMechanismMatrices::from_entries([
-                M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, Sz_all, K0_12, K0_12, K0_22,
-                zero, K2_12, zero, K2_22,
+                M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
+                K2_12, zero, K2_22,
             ]),
             WhippleMechanismDerivatives {
                 values: [
-                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_12_w, t199, t200, K2_22_w, M_12_c,
-                    M_22_c, C1_12_c, t220, C1_22_c, K0_12_c, t238, K2_22_c, M_12_lam, M_22_lam,
-                    t262, C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t277, K2_22_lam, M_11_rR,
+                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_12_w, K0_22_w, t191, K2_22_w,
+                    M_12_c, t203, K2_12, t112, C1_22_c, K0_12_c, K0_22_c, t218, M_12_lam, M_22_lam,
+                    t242, C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t255, K2_22_lam, M_11_rR,
                     C1_12_rR, C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
-                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t294, M_22_xB,
-                    t300, C1_22_xB, t302, t305, K2_22_xB, M_11_zB, t296, t310, self.mB, t311,
-                    M_11_mB, t313, M_22_mB, t316, C1_22_mB, self.zB, t295, t320, t321, K2_22_mB, mu,
-                    yaw_per_v_delta, t127, t156, t163, C1_22_xH, t172, t325, K2_22_xH, M_11_zH,
-                    M_12_zH, M_22_zH, C1_12_zH, C1_22_zH, self.mH, K0_12_zH, K0_22_zH, t356, t357,
-                    M_11_mH, M_12_mH, M_22_mH, C1_12_mH, C1_22_mH, self.zH, K0_12_mH, K0_22_mH,
-                    t375, t376, sin_lam, M_22_Jxx_delta, M_22_Jzz_delta, C1_22_Jzz_delta,
-                    M_12_Jxz_delta, M_22_Jxz_delta, C1_22_Jxz_delta, M_11_rF, M_12_rF, M_22_rF,
-                    C1_12_rF, C1_21_rF, C1_22_rF, self.mF, P_delta_lateral_rF, t403, K2_12_rF,
-                    K2_22_rF, M_11_mF, t411, M_22_mF, C1_12_mF, C1_22_mF, self.rF, K0_12_mF,
-                    K0_22_mF, K2_12_mF, t425, M_22_IFxx, C1_12_IFyy, K2_12_IFyy, K2_22_IFyy,
+                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t273, M_22_xB,
+                    t272, C1_22_xB, t280, t281, K2_22_xB, M_11_zB, t118, t283, self.mB, t275,
+                    M_11_mB, t286, M_22_mB, t289, C1_22_mB, self.zB, t285, t292, t288, K2_22_mB, mu,
+                    yaw_per_v_delta, t129, t153, t160, C1_22_xH, t173, t296, K2_22_xH, M_11_zH,
+                    M_12_zH, t306, t309, t312, self.mH, K0_12_zH, K0_22_zH, t308, t311, M_11_mH,
+                    t373, M_22_mH, t321, C1_22_mH, self.zH, K0_12_mH, t374, t159, K2_22_mH, sin_lam,
+                    M_22_Jxx_delta, M_22_Jzz_delta, C1_22_Jzz_delta, M_12_Jxz_delta, M_22_Jxz_delta,
+                    C1_22_Jxz_delta, M_11_rF, M_12_rF, t339, C1_12_rF, C1_21_rF, C1_22_rF, self.mF,
+                    P_delta_lateral_rF, t345, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF,
+                    C1_12_mF, C1_22_mF, self.rF, K0_12_mF, t365, K2_12_mF, K2_22_mF, M_22_IFxx,
+                    C1_12_IFyy, K2_12_IFyy, K2_22_IFyy,
                 ],
             },
         )
@@ -5698,18 +5700,19 @@ impl WhippleMechanismDerivatives {
         Partial::new(MatrixName::M, 1, 1, 0, 1), Partial::new(MatrixName::C1, 0, 1, 0, 2),
         Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
         Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
-        Partial::new(MatrixName::K0, 1, 1, 0, 6).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 0, 6),
         Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
         Partial::new(MatrixName::K2, 1, 1, 0, 8), Partial::new(MatrixName::M, 0, 1, 1, 9),
-        Partial::new(MatrixName::M, 1, 0, 1, 9), Partial::new(MatrixName::M, 1, 1, 1, 10),
+        Partial::new(MatrixName::M, 1, 0, 1, 9),
+        Partial::new(MatrixName::M, 1, 1, 1, 10).negative(),
         Partial::new(MatrixName::C1, 0, 1, 1, 11),
         Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 13),
-        Partial::new(MatrixName::K0, 0, 1, 1, 14),
-        Partial::new(MatrixName::K0, 1, 0, 1, 14),
-        Partial::new(MatrixName::K0, 1, 1, 1, 15).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 1, 16), Partial::new(MatrixName::M, 0, 1, 2, 17),
-        Partial::new(MatrixName::M, 1, 0, 2, 17), Partial::new(MatrixName::M, 1, 1, 2, 18),
+        Partial::new(MatrixName::C1, 1, 1, 1, 13), Partial::new(MatrixName::K0, 0, 1, 1, 14),
+        Partial::new(MatrixName::K0, 1, 0, 1, 14), Partial::new(MatrixName::K0, 1, 1, 1, 15),
+        Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
+        Partial::new(MatrixName::M, 0, 1, 2, 17),
+        Partial::new(MatrixName::M, 1, 0, 2, 17),
+        Partial::new(MatrixName::M, 1, 1, 2, 18),
         Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
         Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
         Partial::new(MatrixName::K0, 0, 1, 2, 22), Partial::new(MatrixName::K0, 1, 0, 2, 22),
@@ -5766,44 +5769,47 @@ impl WhippleMechanismDerivatives {
         Partial::new(MatrixName::K0, 1, 1, 15, 69).negative(),
         Partial::new(MatrixName::K2, 1, 1, 15, 70), Partial::new(MatrixName::M, 0, 0, 16, 71),
         Partial::new(MatrixName::M, 0, 1, 16, 72), Partial::new(MatrixName::M, 1, 0, 16, 72),
-        Partial::new(MatrixName::M, 1, 1, 16, 73), Partial::new(MatrixName::C1, 0, 1, 16, 74),
-        Partial::new(MatrixName::C1, 1, 1, 16, 75), Partial::new(MatrixName::K0, 0, 0, 16, 76),
-        Partial::new(MatrixName::K0, 0, 1, 16, 77), Partial::new(MatrixName::K0, 1, 0, 16, 77),
-        Partial::new(MatrixName::K0, 1, 1, 16, 78),
+        Partial::new(MatrixName::M, 1, 1, 16, 73).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 16, 74).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 16, 75).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 16, 76), Partial::new(MatrixName::K0, 0, 1, 16, 77),
+        Partial::new(MatrixName::K0, 1, 0, 16, 77), Partial::new(MatrixName::K0, 1, 1, 16, 78),
         Partial::new(MatrixName::K2, 0, 1, 16, 79).negative(),
         Partial::new(MatrixName::K2, 1, 1, 16, 80).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 81), Partial::new(MatrixName::M, 0, 1, 17, 82),
-        Partial::new(MatrixName::M, 1, 0, 17, 82), Partial::new(MatrixName::M, 1, 1, 17, 83),
-        Partial::new(MatrixName::C1, 0, 1, 17, 84), Partial::new(MatrixName::C1, 1, 1, 17, 85),
-        Partial::new(MatrixName::K0, 0, 0, 17, 86), Partial::new(MatrixName::K0, 0, 1, 17, 87),
-        Partial::new(MatrixName::K0, 1, 0, 17, 87), Partial::new(MatrixName::K0, 1, 1, 17, 88),
+        Partial::new(MatrixName::M, 0, 0, 17, 81),
+        Partial::new(MatrixName::M, 0, 1, 17, 82).negative(),
+        Partial::new(MatrixName::M, 1, 0, 17, 82).negative(),
+        Partial::new(MatrixName::M, 1, 1, 17, 83),
+        Partial::new(MatrixName::C1, 0, 1, 17, 84).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 85), Partial::new(MatrixName::K0, 0, 0, 17, 86),
+        Partial::new(MatrixName::K0, 0, 1, 17, 87), Partial::new(MatrixName::K0, 1, 0, 17, 87),
+        Partial::new(MatrixName::K0, 1, 1, 17, 88).negative(),
         Partial::new(MatrixName::K2, 0, 1, 17, 89).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 17, 90).negative(),
-        Partial::new(MatrixName::M, 0, 0, 18, 35), Partial::new(MatrixName::M, 0, 1, 18, 91),
-        Partial::new(MatrixName::M, 1, 0, 18, 91), Partial::new(MatrixName::M, 1, 1, 18, 92),
-        Partial::new(MatrixName::M, 1, 1, 20, 93), Partial::new(MatrixName::C1, 1, 1, 20, 94),
-        Partial::new(MatrixName::M, 0, 1, 21, 95), Partial::new(MatrixName::M, 1, 0, 21, 95),
-        Partial::new(MatrixName::M, 1, 1, 21, 96), Partial::new(MatrixName::C1, 0, 1, 21, 63),
-        Partial::new(MatrixName::C1, 1, 1, 21, 97), Partial::new(MatrixName::M, 0, 0, 22, 98),
-        Partial::new(MatrixName::M, 0, 1, 22, 99), Partial::new(MatrixName::M, 1, 0, 22, 99),
-        Partial::new(MatrixName::M, 1, 1, 22, 100), Partial::new(MatrixName::C1, 0, 1, 22, 101),
-        Partial::new(MatrixName::C1, 1, 0, 22, 102), Partial::new(MatrixName::C1, 1, 1, 22, 103),
+        Partial::new(MatrixName::K2, 1, 1, 17, 90), Partial::new(MatrixName::M, 0, 0, 18, 35),
+        Partial::new(MatrixName::M, 0, 1, 18, 91), Partial::new(MatrixName::M, 1, 0, 18, 91),
+        Partial::new(MatrixName::M, 1, 1, 18, 92), Partial::new(MatrixName::M, 1, 1, 20, 93),
+        Partial::new(MatrixName::C1, 1, 1, 20, 94), Partial::new(MatrixName::M, 0, 1, 21, 95),
+        Partial::new(MatrixName::M, 1, 0, 21, 95), Partial::new(MatrixName::M, 1, 1, 21, 96),
+        Partial::new(MatrixName::C1, 0, 1, 21, 63), Partial::new(MatrixName::C1, 1, 1, 21, 97),
+        Partial::new(MatrixName::M, 0, 0, 22, 98), Partial::new(MatrixName::M, 0, 1, 22, 99),
+        Partial::new(MatrixName::M, 1, 0, 22, 99),
+        Partial::new(MatrixName::M, 1, 1, 22, 100).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 22, 101),
+        Partial::new(MatrixName::C1, 1, 0, 22, 102),
+        Partial::new(MatrixName::C1, 1, 1, 22, 103),
         Partial::new(MatrixName::K0, 0, 0, 22, 104).negative(),
         Partial::new(MatrixName::K0, 0, 1, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 0, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 1, 22, 106).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 107),
-        Partial::new(MatrixName::K2, 1, 1, 22, 108),
-        Partial::new(MatrixName::M, 0, 0, 23, 109),
-        Partial::new(MatrixName::M, 0, 1, 23, 110).negative(),
-        Partial::new(MatrixName::M, 1, 0, 23, 110).negative(),
-        Partial::new(MatrixName::M, 1, 1, 23, 111),
-        Partial::new(MatrixName::C1, 0, 1, 23, 112),
-        Partial::new(MatrixName::C1, 1, 1, 23, 113),
+        Partial::new(MatrixName::K2, 0, 1, 22, 107), Partial::new(MatrixName::K2, 1, 1, 22, 108),
+        Partial::new(MatrixName::M, 0, 0, 23, 109), Partial::new(MatrixName::M, 0, 1, 23, 110),
+        Partial::new(MatrixName::M, 1, 0, 23, 110), Partial::new(MatrixName::M, 1, 1, 23, 111),
+        Partial::new(MatrixName::C1, 0, 1, 23, 112), Partial::new(MatrixName::C1, 1, 1, 23, 113),
         Partial::new(MatrixName::K0, 0, 0, 23, 114).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 23, 115), Partial::new(MatrixName::K0, 1, 0, 23, 115),
-        Partial::new(MatrixName::K0, 1, 1, 23, 116), Partial::new(MatrixName::K2, 0, 1, 23, 117),
-        Partial::new(MatrixName::K2, 1, 1, 23, 118).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 23, 115),
+        Partial::new(MatrixName::K0, 1, 0, 23, 115),
+        Partial::new(MatrixName::K0, 1, 1, 23, 116).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 23, 117), Partial::new(MatrixName::K2, 1, 1, 23, 118),
         Partial::new(MatrixName::M, 0, 0, 24, 35), Partial::new(MatrixName::M, 0, 1, 24, 91),
         Partial::new(MatrixName::M, 1, 0, 24, 91), Partial::new(MatrixName::M, 1, 1, 24, 119),
         Partial::new(MatrixName::C1, 1, 1, 24, 94), Partial::new(MatrixName::C1, 0, 1, 25, 120),

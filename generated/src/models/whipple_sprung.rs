@@ -345,286 +345,255 @@ pub struct WhippleSprungDerivatives<T = f64> {
 
 impl<T: Number> WhippleSprung<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 168 additions, 258 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 434 operations.
+    /// 121 additions, 194 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 324 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleSprungMatrices<T>, WhippleSprungDerivatives<T>) {
-        let t6 = self.zH * self.mH;
-        let t10 = self.rF * self.mF;
-        let Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
-        let t17 = self.rR * self.mR;
-        let t21 = self.zB * self.mB;
-        let M_11 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
-        let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t35 = self.c + self.w;
-        let t36 = self.xH - t35;
-        let t37 = self.mH * t36;
-        let Jxz_delta = self.IHxz - t10 * self.c - self.zH * t37;
-        let t42 = Jxz_delta * cos_lam;
-        let hx_delta = Jxx_delta * sin_lam + t42;
-        let t44 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = cos_lam * t44;
-        let yaw_by_delta = self.c * yaw_per_v_delta;
-        let Sz_delta = t6 - t10;
-        let Jxz_all = Jxz_delta + self.IBxz - t21 * self.xB - t35 * Sz_delta;
-        let M_12 = hx_delta + yaw_by_delta * Jxz_all;
-        let t58 = sin_lam * Jxz_delta;
-        let t60 = self.IFxx + self.IHzz;
-        let t61 = self.mF * self.c;
-        let t65 = t60 + self.c * t61 + t36 * t37;
-        let hz_delta = t58 + cos_lam * t65;
-        let Sx_delta = t37 - t61;
-        let py_delta = cos_lam * Sx_delta - sin_lam * Sz_delta;
-        let M_yaw_delta = hz_delta + t35 * py_delta;
-        let t76 = self.mF * self.w;
-        let t78 = self.mB * self.xB;
-        let t80 = self.mH * self.xH;
-        let P_delta_yaw_yaw_by_delta = self.IRxx + t60 + self.IBzz + self.w * t76
-            + self.xB * t78 + self.xH * t80;
-        let t87 = yaw_by_delta * P_delta_yaw_yaw_by_delta;
-        let P_delta_yaw = M_yaw_delta + t87;
-        let t89 = M_yaw_delta + P_delta_yaw;
-        let M_22 = sin_lam * hx_delta + cos_lam * hz_delta + yaw_by_delta * t89;
-        let zero = self.w.like(0.0);
-        let t96 = self.w.like(1.0) / self.rF;
-        let h_spin_F = self.IFyy * t96;
-        let t98 = cos_lam * h_spin_F;
-        let t100 = self.w.like(1.0) / self.rR;
-        let t101 = self.IRyy * t100;
-        let h_wheels_all = h_spin_F + t101;
-        let Sz_all = t21 + Sz_delta - t17;
-        let t105 = h_wheels_all - Sz_all;
-        let t107 = yaw_per_v_delta * Jxz_all;
-        let C1_12 = t98 + yaw_by_delta * t105 + t107;
-        let Sx_all = t76 + t78 + t80;
-        let P_delta_lateral = py_delta + yaw_by_delta * Sx_all;
-        let C1_22 = yaw_per_v_delta * P_delta_yaw + yaw_by_delta * P_delta_lateral;
-        let K2_12 = yaw_per_v_delta * t105;
-        let t122 = sin_lam * h_spin_F;
-        let K2_22_yaw_per_v_delta = P_delta_lateral + t122;
-        let K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
-        let t126 = self.zH * cos_lam;
-        let t127 = self.mH * t126;
-        let t129 = t127 + t6 * yaw_by_delta;
-        let t130 = t129 - yaw_by_delta * Sz_delta;
-        let t131 = t44 * yaw_per_v_delta;
-        let M_12_yaw_per_v_delta = self.c * Jxz_all;
-        let M_12_w = t130 - t131 * M_12_yaw_per_v_delta;
-        let py_delta_mH = t36 * cos_lam - self.zH * sin_lam;
-        let t140 = t37 * cos_lam;
-        let t141 = self.mH * py_delta_mH + t140;
-        let t143 = cos_lam * t141 - sin_lam * t127;
-        let t144 = self.mH * cos_lam;
-        let t146 = t141 + t35 * t144;
-        let t147 = py_delta - t146;
-        let t148 = yaw_by_delta + yaw_by_delta;
-        let t150 = t147 * t148 - t143;
-        let t151 = self.w * yaw_by_delta;
-        let P_delta_yaw_w = self.mF * t151 + yaw_by_delta * t76;
-        let M_22_yaw_by_delta = t87 + t89;
-        let M_22_yaw_per_v_delta = self.c * M_22_yaw_by_delta;
-        let M_22_w = t150 + yaw_by_delta * P_delta_yaw_w - t131 * M_22_yaw_per_v_delta;
-        let t162 = t6 * yaw_per_v_delta;
-        let t163 = t162 - yaw_per_v_delta * Sz_delta;
-        let C1_12_yaw_per_v_delta = Jxz_all + self.c * t105;
-        let C1_12_w = t163 - t131 * C1_12_yaw_per_v_delta;
-        let t168 = self.c * h_wheels_all;
-        let C1_21_w = t131 * t168;
-        let t170 = yaw_per_v_delta * t147;
-        let P_delta_lateral_yaw_per_v_delta = self.c * Sx_all;
-        let K0_12_w = t144 + t131 * P_delta_lateral_yaw_per_v_delta
-            - self.mF * yaw_by_delta;
-        let C1_22_yaw_by_delta = P_delta_lateral
-            + yaw_per_v_delta * P_delta_yaw_yaw_by_delta;
-        let C1_22_yaw_per_v_delta = P_delta_yaw + self.c * C1_22_yaw_by_delta;
-        let C1_22_w = t170 + yaw_per_v_delta * P_delta_yaw_w - yaw_by_delta * K0_12_w
-            - t131 * C1_22_yaw_per_v_delta;
-        let K0_22_w = sin_lam * K0_12_w;
-        let t187 = t105 * t131;
-        let t190 = yaw_per_v_delta * K0_12_w + K2_22_yaw_per_v_delta * t131;
-        let t191 = t10 * cos_lam;
-        let M_12_c = t107 + t130 - t191 - t10 * yaw_by_delta;
-        let hx_delta_rF = t10 * sin_lam;
-        let t197 = self.c * cos_lam;
-        let hz_delta_c = self.mF * t197 + cos_lam * t61 - hx_delta_rF;
-        let t202 = self.mF * cos_lam;
-        let M_yaw_delta_c = hz_delta_c - t35 * t202;
-        let M_22_c = t150 + t148 * M_yaw_delta_c + cos_lam * hz_delta_c
-            + yaw_per_v_delta * M_22_yaw_by_delta - sin_lam * t191;
-        let C1_12_c = t163 + yaw_per_v_delta * (t105 - t10);
-        let t216 = yaw_per_v_delta * h_wheels_all;
-        let K0_12_c = t144 + t202 - yaw_per_v_delta * Sx_all;
-        let C1_22_c = t170 + yaw_per_v_delta * (C1_22_yaw_by_delta + M_yaw_delta_c)
-            - yaw_by_delta * K0_12_c;
-        let K0_22_c = sin_lam * K0_12_c;
-        let t226 = yaw_per_v_delta * K0_12_c;
-        let hx_delta_lam = Jxx_delta * cos_lam - t58;
-        let t229 = sin_lam * t44;
-        let M_12_lam = hx_delta_lam - M_12_yaw_per_v_delta * t229;
-        let hz_delta_lam = t42 - sin_lam * t65;
-        let t236 = cos_lam * Sz_delta + sin_lam * Sx_delta;
-        let M_yaw_delta_lam = hz_delta_lam - t35 * t236;
-        let M_22_lam = t148 * M_yaw_delta_lam + sin_lam * hx_delta_lam
-            + cos_lam * hz_delta_lam + cos_lam * hx_delta - sin_lam * hz_delta
-            - M_22_yaw_per_v_delta * t229;
-        let t251 = t122 + C1_12_yaw_per_v_delta * t229;
-        let C1_21_lam = t122 + t168 * t229;
-        let K0_12_lam = t236 + P_delta_lateral_yaw_per_v_delta * t229;
-        let C1_22_lam = yaw_per_v_delta * M_yaw_delta_lam - yaw_by_delta * K0_12_lam
-            - C1_22_yaw_per_v_delta * t229;
-        let K0_22_lam = sin_lam * K0_12_lam - cos_lam * P_delta_lateral;
-        let t264 = t105 * t229;
-        let K2_22_lam = yaw_per_v_delta * (t98 - K0_12_lam)
-            - K2_22_yaw_per_v_delta * t229;
-        let M_11_rR = t17 + t17;
-        let t270 = t100 * t101;
-        let t271 = self.mR - t270;
-        let C1_12_rR = yaw_by_delta * t271;
-        let C1_21_rR = yaw_by_delta * t270;
-        let K2_12_rR = yaw_per_v_delta * t271;
-        let M_11_mR = self.rR * self.rR;
-        let C1_12_mR = self.rR * yaw_by_delta;
-        let K2_12_mR = self.rR * yaw_per_v_delta;
-        let M_22_IRxx = yaw_by_delta * yaw_by_delta;
-        let C1_22_IRxx = yaw_per_v_delta * yaw_by_delta;
-        let C1_12_IRyy = yaw_by_delta * t100;
-        let K2_12_IRyy = yaw_per_v_delta * t100;
-        let t283 = t21 * yaw_by_delta;
-        let P_delta_lateral_mB = yaw_by_delta * self.xB;
-        let t285 = self.mB * P_delta_lateral_mB;
-        let P_delta_yaw_xB = t285 + yaw_by_delta * t78;
-        let M_22_xB = yaw_by_delta * P_delta_yaw_xB;
-        let t289 = t21 * yaw_per_v_delta;
-        let P_delta_lateral_xB = self.mB * yaw_by_delta;
-        let C1_22_xB = yaw_per_v_delta * P_delta_yaw_xB
-            + yaw_by_delta * P_delta_lateral_xB;
-        let t294 = sin_lam * P_delta_lateral_xB;
-        let K2_22_xB = yaw_per_v_delta * P_delta_lateral_xB;
-        let M_11_zB = t21 + t21;
-        let t298 = yaw_by_delta + yaw_per_v_delta * self.xB;
-        let t299 = self.mB * t298;
-        let t300 = self.mB * yaw_per_v_delta;
         let M_11_mB = self.zB * self.zB;
-        let t302 = self.zB * P_delta_lateral_mB;
-        let P_delta_yaw_mB = self.xB * P_delta_lateral_mB;
-        let M_22_mB = yaw_by_delta * P_delta_yaw_mB;
-        let t305 = self.zB * t298;
-        let C1_22_mB = yaw_per_v_delta * P_delta_yaw_mB
-            + yaw_by_delta * P_delta_lateral_mB;
-        let t309 = sin_lam * P_delta_lateral_mB;
-        let t310 = self.zB * yaw_per_v_delta;
-        let K2_22_mB = yaw_per_v_delta * P_delta_lateral_mB;
-        let t312 = self.xH * yaw_by_delta;
-        let t316 = t146 + self.mH * t312 + yaw_by_delta * t80;
-        let M_22_xH = t143 + yaw_by_delta * (t146 + t316);
-        let t321 = self.mH * yaw_by_delta;
-        let P_delta_lateral_xH = t144 + t321;
-        let C1_22_xH = yaw_per_v_delta * t316 + yaw_by_delta * P_delta_lateral_xH;
-        let t325 = sin_lam * P_delta_lateral_xH;
-        let K2_22_xH = yaw_per_v_delta * P_delta_lateral_xH;
-        let Jxx_delta_zH = t6 + t6;
-        let hx_delta_zH = sin_lam * Jxx_delta_zH - t140;
-        let t331 = t37 + self.mH * t35;
-        let M_12_zH = hx_delta_zH - yaw_by_delta * t331;
-        let t334 = sin_lam * t37;
-        let K0_12_zH = self.mH * sin_lam;
-        let t337 = t334 + t35 * K0_12_zH;
-        let M_22_zH = sin_lam * hx_delta_zH - t148 * t337 - cos_lam * t334;
-        let t344 = t321 + yaw_per_v_delta * t331;
-        let t347 = yaw_per_v_delta * t337 + yaw_by_delta * K0_12_zH;
-        let K0_22_zH = sin_lam * K0_12_zH;
-        let t349 = self.mH * yaw_per_v_delta;
-        let t350 = yaw_per_v_delta * K0_12_zH;
-        let Jxx_delta_mH = self.zH * self.zH;
-        let hx_delta_mH = sin_lam * Jxx_delta_mH - t36 * t126;
-        let t357 = self.zH * t35 + self.zH * t36;
-        let M_12_mH = hx_delta_mH - yaw_by_delta * t357;
-        let hz_delta_mH = t36 * py_delta_mH;
-        let M_yaw_delta_mH = hz_delta_mH + t35 * py_delta_mH;
-        let P_delta_yaw_mH = self.xH * t312;
-        let t366 = M_yaw_delta_mH + P_delta_yaw_mH;
-        let M_22_mH = sin_lam * hx_delta_mH + cos_lam * hz_delta_mH
-            + yaw_by_delta * (M_yaw_delta_mH + t366);
-        let t373 = self.zH * yaw_by_delta + yaw_per_v_delta * t357;
-        let P_delta_lateral_mH = py_delta_mH + t312;
-        let C1_22_mH = yaw_per_v_delta * t366 + yaw_by_delta * P_delta_lateral_mH;
-        let t378 = sin_lam * P_delta_lateral_mH;
-        let t379 = self.zH * yaw_per_v_delta;
-        let K2_22_mH = yaw_per_v_delta * P_delta_lateral_mH;
-        let M_22_IHxx = sin_lam * sin_lam;
+        let hx_delta_rF = self.mB * M_11_mB;
+        let t7 = self.zH * self.mH;
+        let t13 = self.rF * self.mF;
+        let Jxx_delta = self.zH * t7 + self.IHxx + self.IFxx + self.rF * t13;
+        let M_11_mR = self.rR * self.rR;
+        let M_11 = self.IRxx + hx_delta_rF + Jxx_delta + self.IBxx + self.mR * M_11_mR;
+        let (sin_lam, cos_lam) = self.lam.sin_cos();
+        let t31 = self.w.like(1.0) / self.w;
+        let t32 = self.c * t31;
+        let yaw_by_delta = cos_lam * t32;
+        let t34 = t13 * self.c;
+        let t37 = self.c + self.w;
+        let t38 = self.xH - t37;
+        let t39 = self.mH * t38;
+        let t42 = t34 + self.zH * t39 - self.IHxz;
+        let t44 = self.mB * self.xB;
+        let Sz_delta = t7 - t13;
+        let t51 = t42 + self.zB * t44 + t37 * Sz_delta - self.IBxz;
+        let t52 = yaw_by_delta * t51;
+        let t55 = cos_lam * t42;
+        let hx_delta = Jxx_delta * sin_lam - t55;
+        let M_12 = hx_delta - t52;
+        let t58 = t42 * sin_lam;
+        let t61 = self.IFxx + self.IHzz;
+        let t62 = self.mF * self.c;
+        let t65 = t38 * t39 + t61 + self.c * t62;
+        let t67 = t58 - cos_lam * t65;
+        let t68 = self.mF * cos_lam;
+        let t69 = self.c * t68;
+        let t71 = t69 - t13 * sin_lam;
+        let t73 = self.zH * sin_lam;
+        let t74 = cos_lam * t38 - t73;
+        let t75 = self.mH * t74;
+        let t76 = t75 - t71;
+        let t78 = t67 - t37 * t76;
+        let yaw_per_v_delta = cos_lam * t31;
+        let t81 = self.mH * self.xH;
+        let t83 = self.mF * self.w;
+        let t91 = yaw_per_v_delta
+            * (self.IRxx + t61 + self.xB * t44 + self.xH * t81 + self.w * t83
+                + self.IBzz);
+        let t92 = self.c * t91;
+        let t93 = t78 - t92;
+        let M_22 = sin_lam * hx_delta - cos_lam * (t67 + t32 * (t78 + t93));
+        let zero = self.w.like(0.0);
+        let t103 = self.w.like(1.0) / self.rF;
+        let h_spin_F = self.IFyy * t103;
+        let t105 = cos_lam * h_spin_F;
+        let t107 = self.w.like(1.0) / self.rR;
+        let t108 = self.IRyy * t107;
+        let h_wheels_all = h_spin_F + t108;
+        let t110 = self.mR * self.rR;
+        let t111 = self.mB * self.zB;
+        let K0_11 = Sz_delta + t111 - t110;
+        let t114 = h_wheels_all - K0_11;
+        let t116 = t51 - self.c * t114;
+        let t117 = yaw_per_v_delta * t116;
+        let C1_12 = t105 - t117;
+        let t120 = h_spin_F + t32 * h_wheels_all;
+        let Sx_all = t44 + t81 + t83;
+        let t124 = yaw_by_delta * Sx_all;
+        let t125 = t76 + t124;
+        let t127 = t93 - self.c * t125;
+        let K2_12 = yaw_per_v_delta * t114;
+        let t132 = sin_lam * h_spin_F;
+        let t133 = t125 + t132;
+        let K2_22 = yaw_per_v_delta * t133;
         let C1_12_h_spin_F = cos_lam + yaw_by_delta;
-        let M_22_IHzz = yaw_by_delta * (cos_lam + C1_12_h_spin_F) + cos_lam * cos_lam;
-        let C1_22_IHzz = C1_22_IRxx + cos_lam * yaw_per_v_delta;
-        let t391 = sin_lam * cos_lam + sin_lam * yaw_by_delta;
-        let M_22_IHxz = t391 + t391;
+        let P_delta_lateral_xH = self.mH * C1_12_h_spin_F;
+        let t138 = self.zH * P_delta_lateral_xH;
+        let t139 = yaw_by_delta * Sz_delta - t138;
+        let hx_delta_mH = t31 * t52;
+        let M_12_w = hx_delta_mH - t139;
+        let t142 = t75 + t75;
+        let t143 = cos_lam * t142;
+        let t144 = yaw_by_delta + yaw_by_delta;
+        let t145 = t31 * t93;
+        let P_delta_lateral_yaw_per_v_delta = self.w * yaw_per_v_delta;
+        let t147 = t62 * P_delta_lateral_yaw_per_v_delta;
+        let t148 = self.mH * cos_lam;
+        let t149 = self.xH * t148;
+        let t151 = t147 - t71 - t149;
+        let hz_delta_mF = t145 + t151;
+        let M_22_w = t144 * hz_delta_mF - t143;
+        let t155 = t13 * cos_lam;
+        let C1_12_w = t31 * (t117 + t155);
+        let t158 = yaw_per_v_delta * h_wheels_all;
+        let C1_21_w = t32 * t158;
+        let K0_12_w = t148 - t31 * (t69 - t124);
+        let t165 = t31 * (t92 - t127);
+        let C1_22_w = yaw_per_v_delta * (t147 + t151 - self.c * K0_12_w - t165);
+        let K0_22_w = sin_lam * K0_12_w;
+        let t171 = t31 * K2_12;
+        let t172 = t31 * t133;
+        let t174 = yaw_per_v_delta * (K0_12_w + t172);
+        let t178 = t139 + t155 + yaw_per_v_delta * (t34 + t51);
+        let t179 = t145 + t145;
+        let t183 = t37 * t68;
+        let t185 = t69 - t149 - t183;
+        let M_22_c = t144 * t185 - cos_lam * (t76 + t76 + t179);
+        let K0_12_c = t68 + t148 - yaw_per_v_delta * Sx_all;
+        let C1_22_c = yaw_per_v_delta * (t91 + t125 + t185 - self.c * K0_12_c);
+        let K0_22_c = sin_lam * K0_12_c;
+        let t197 = yaw_per_v_delta * K0_12_c;
+        let hx_delta_lam = t58 + Jxx_delta * cos_lam;
+        let t200 = t31 * sin_lam;
+        let t201 = self.c * t200;
+        let P_delta_yaw_mH = t51 * t201;
+        let M_12_lam = hx_delta_lam + P_delta_yaw_mH;
+        let t205 = t55 + sin_lam * t65;
+        let t209 = cos_lam * Sz_delta - sin_lam * (t62 - t39);
+        let t211 = t205 + t37 * t209;
+        let M_22_lam = sin_lam * (t67 + hx_delta_lam + self.c * t179)
+            + cos_lam * (hx_delta - t205) - t144 * t211;
+        let C1_12_lam = t116 * t200 - t132;
+        let C1_21_lam = sin_lam * t120;
+        let K0_12_lam = t209 + Sx_all * t201;
+        let t230 = yaw_per_v_delta * (t211 + self.c * K0_12_lam) + sin_lam * t165;
+        let K0_22_lam = sin_lam * K0_12_lam - cos_lam * t125;
+        let t234 = t114 * t200;
+        let K2_22_lam = yaw_per_v_delta * (t105 - K0_12_lam) - sin_lam * t172;
+        let M_11_rR = t110 + t110;
+        let t241 = self.mR - t107 * t108;
+        let C1_12_rR = yaw_by_delta * t241;
+        let K2_12_IRyy = yaw_per_v_delta * t107;
+        let C1_12_IRyy = self.c * K2_12_IRyy;
+        let C1_21_rR = t108 * C1_12_IRyy;
+        let K2_12_rR = yaw_per_v_delta * t241;
+        let K2_12_mR = self.rR * yaw_per_v_delta;
+        let C1_12_mR = self.c * K2_12_mR;
+        let C1_22_IRxx = yaw_by_delta * yaw_per_v_delta;
+        let M_22_IRxx = self.c * C1_22_IRxx;
+        let t252 = yaw_by_delta * t111;
+        let P_delta_lateral_mB = yaw_by_delta * self.xB;
+        let t254 = self.mB * P_delta_lateral_mB;
+        let M_22_xB = t144 * t254;
+        let t256 = self.zB * yaw_per_v_delta;
+        let t257 = self.mB * t256;
+        let K2_22_xB = self.mB * C1_22_IRxx;
+        let P_delta_yaw_mB = self.c + self.xB;
+        let C1_22_xB = K2_22_xB * (self.xB + P_delta_yaw_mB);
+        let P_delta_lateral_xB = self.mB * yaw_by_delta;
+        let t263 = sin_lam * P_delta_lateral_xB;
+        let M_11_zB = t111 + t111;
+        let t265 = self.mB * yaw_per_v_delta;
+        let t266 = P_delta_yaw_mB * t265;
+        let t267 = self.zB * P_delta_lateral_mB;
+        let M_22_mB = P_delta_lateral_mB * P_delta_lateral_mB;
+        let t269 = t256 * P_delta_yaw_mB;
+        let K2_22_mB = yaw_per_v_delta * P_delta_lateral_mB;
+        let C1_22_mB = P_delta_yaw_mB * K2_22_mB;
+        let t272 = sin_lam * P_delta_lateral_mB;
+        let t273 = t75 + t149;
+        let t274 = t81 * t144;
+        let t275 = t273 + t274;
+        let M_22_xH = t143 + yaw_by_delta * (t273 + t275);
+        let t279 = t7 * yaw_per_v_delta;
+        let C1_22_xH = yaw_per_v_delta * (t275 + self.c * P_delta_lateral_xH);
+        let K0_12_zH = self.mH * sin_lam;
+        let t284 = C1_12_h_spin_F * K0_12_zH;
+        let C1_22_IHzz = yaw_per_v_delta * C1_12_h_spin_F;
+        let K2_22_xH = self.mH * C1_22_IHzz;
+        let Jxx_delta_zH = t7 + t7;
+        let t289 = t74 + yaw_by_delta * self.xH;
+        let M_12_zH = self.mH * (t73 - t289);
+        let t293 = sin_lam * (t142 + t274);
+        let t294 = self.c + self.xH;
+        let t295 = t31 * t148;
+        let t296 = t294 * t295;
+        let t297 = sin_lam * t295;
+        let t298 = t294 * t297;
+        let K0_22_zH = sin_lam * K0_12_zH;
+        let Jxx_delta_mH = self.zH * self.zH;
+        let t301 = self.zH * t289;
+        let M_22_mH = t289 * t289;
+        let t303 = self.zH * yaw_per_v_delta;
+        let t304 = t294 * t303;
+        let K2_22_mH = yaw_per_v_delta * t289;
+        let C1_22_mH = t294 * K2_22_mH;
+        let t307 = sin_lam * t289;
+        let M_22_IHxx = sin_lam * sin_lam;
+        let t309 = yaw_by_delta + C1_12_h_spin_F;
+        let M_22_yaw_per_v_delta = cos_lam * t309;
+        let M_22_IHzz = M_22_IRxx + M_22_yaw_per_v_delta;
+        let M_22_IHxz = sin_lam * (cos_lam + t309);
         let K2_22_h_spin_F = sin_lam * yaw_per_v_delta;
-        let M_11_rF = t10 + t10;
-        let t396 = t197 - self.rF * sin_lam;
-        let t397 = t35 - self.c;
-        let t399 = yaw_by_delta * t397 - t396;
-        let M_12_rF = hx_delta_rF + self.mF * t399;
-        let t402 = sin_lam * self.c;
-        let t404 = sin_lam * t35 - t402;
-        let t409 = t148 * t404 - sin_lam * t396 - cos_lam * t402;
-        let M_22_rF = self.mF * t409 + sin_lam * hx_delta_rF;
-        let t414 = yaw_by_delta + yaw_per_v_delta * t397;
-        let t416 = t96 * h_spin_F;
-        let C1_21_rF = C1_12_h_spin_F * t416;
-        let C1_12_rF = self.mF * t414 - C1_21_rF;
-        let t419 = yaw_per_v_delta * t404;
+        let t315 = self.mF + self.mF;
+        let M_11_rF = self.rF * t315;
+        let t317 = self.rF * sin_lam;
+        let t319 = self.c * (cos_lam - P_delta_lateral_yaw_per_v_delta);
+        let P_delta_lateral_mF = t317 - t319;
+        let M_12_rF = self.mF * (t317 + P_delta_lateral_mF);
+        let t323 = sin_lam * P_delta_lateral_mF;
+        let M_22_rF = t315 * t323;
+        let C1_12_IFyy = t103 * C1_12_h_spin_F;
+        let C1_21_rF = h_spin_F * C1_12_IFyy;
+        let t327 = t31 * t183;
+        let C1_12_rF = t327 - C1_21_rF;
+        let C1_22_rF = sin_lam * t327;
         let P_delta_lateral_rF = self.mF * sin_lam;
-        let C1_22_rF = self.mF * t419 + yaw_by_delta * P_delta_lateral_rF;
-        let t424 = sin_lam * P_delta_lateral_rF;
-        let K2_12_rF = yaw_per_v_delta * (self.mF - t416);
-        let K2_22_rF = yaw_per_v_delta * P_delta_lateral_rF - K2_22_h_spin_F * t416;
+        let t331 = self.mF * M_22_IHxx;
+        let t333 = t103 * t105 - t68;
+        let t334 = t31 * t333;
+        let t335 = t200 * t333;
         let M_11_mF = self.rF * self.rF;
-        let M_12_mF = self.rF * t399;
-        let hz_delta_mF = self.c * t197;
-        let M_yaw_delta_mF = hz_delta_mF - t35 * t197;
-        let P_delta_yaw_mF = self.w * t151;
-        let t438 = M_yaw_delta_mF + P_delta_yaw_mF;
-        let M_22_mF = self.rF * t409 + cos_lam * hz_delta_mF
-            + yaw_by_delta * (M_yaw_delta_mF + t438);
-        let C1_12_mF = self.rF * t414;
-        let P_delta_lateral_mF = t151 - t396;
-        let C1_22_mF = self.rF * t419 + yaw_per_v_delta * t438
-            + yaw_by_delta * P_delta_lateral_mF;
-        let t450 = sin_lam * P_delta_lateral_mF;
+        let M_12_mF = self.rF * P_delta_lateral_mF;
+        let M_22_mF = P_delta_lateral_mF * P_delta_lateral_mF;
         let K2_12_mF = self.rF * yaw_per_v_delta;
+        let C1_12_mF = t37 * K2_12_mF;
         let K2_22_mF = yaw_per_v_delta * P_delta_lateral_mF;
+        let C1_22_mF = t37 * K2_22_mF;
         let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let C1_12_IFyy = t96 * C1_12_h_spin_F;
-        let K2_12_IFyy = yaw_per_v_delta * t96;
-        let K2_22_IFyy = t96 * K2_22_h_spin_F;
-        let C1_21 = -(t98 + yaw_by_delta * h_wheels_all);
-        let K0_12 = -P_delta_lateral;
-        let K0_22 = -(sin_lam * P_delta_lateral);
-        let K0_12_mF = t396 - t151;
+        let K2_12_IFyy = yaw_per_v_delta * t103;
+        let K2_22_IFyy = t103 * K2_22_h_spin_F;
+        let C1_21 = -(cos_lam * t120);
+        let C1_22 = -(yaw_per_v_delta * t127);
+        let K0_12 = -t125;
+        let K0_22 = -(sin_lam * t125);
+        let K0_12_mF = t319 - t317;
         (
             WhippleSprungMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, zero, zero, self.d, zero, C1_12, C1_21, C1_22, zero,
-                zero, zero, self.k, Sz_all, K0_12, K0_12, K0_22, zero, K2_12, zero, K2_22,
+                zero, zero, self.k, K0_11, K0_12, K0_12, K0_22, zero, K2_12, zero, K2_22,
             ]),
             WhippleSprungDerivatives {
                 values: [
-                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_12_w, K0_22_w, t187, t190, M_12_c,
-                    M_22_c, C1_12_c, t216, C1_22_c, K0_12_c, K0_22_c, t226, M_12_lam, M_22_lam,
-                    t251, C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t264, K2_22_lam, M_11_rR,
+                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_12_w, K0_22_w, t171, t174, t178,
+                    M_22_c, K2_12, t158, C1_22_c, K0_12_c, K0_22_c, t197, M_12_lam, M_22_lam,
+                    C1_12_lam, C1_21_lam, t230, K0_12_lam, K0_22_lam, t234, K2_22_lam, M_11_rR,
                     C1_12_rR, C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
-                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t283, M_22_xB,
-                    t289, C1_22_xB, P_delta_lateral_xB, t294, K2_22_xB, M_11_zB, t285, t299,
-                    self.mB, t300, M_11_mB, t302, M_22_mB, t305, C1_22_mB, self.zB,
-                    P_delta_lateral_mB, t309, t310, K2_22_mB, yaw_by_delta, yaw_per_v_delta, t129,
-                    M_22_xH, t162, C1_22_xH, P_delta_lateral_xH, t325, K2_22_xH, Jxx_delta_zH,
-                    M_12_zH, M_22_zH, t344, t347, self.mH, K0_12_zH, K0_22_zH, t349, t350,
-                    Jxx_delta_mH, M_12_mH, M_22_mH, t373, C1_22_mH, self.zH, P_delta_lateral_mH,
-                    t378, t379, K2_22_mH, sin_lam, M_22_IHxx, M_22_IHzz, C1_22_IHzz, C1_12_h_spin_F,
-                    M_22_IHxz, K2_22_h_spin_F, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF,
-                    C1_22_rF, self.mF, P_delta_lateral_rF, t424, K2_12_rF, K2_22_rF, M_11_mF,
-                    M_12_mF, M_22_mF, C1_12_mF, C1_22_mF, self.rF, K0_12_mF, t450, K2_12_mF,
-                    K2_22_mF, M_22_IFxx, C1_12_IFyy, K2_12_IFyy, K2_22_IFyy,
+                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t252, M_22_xB,
+                    t257, C1_22_xB, P_delta_lateral_xB, t263, K2_22_xB, M_11_zB, t254, t266,
+                    self.mB, t265, M_11_mB, t267, M_22_mB, t269, C1_22_mB, self.zB,
+                    P_delta_lateral_mB, t272, t256, K2_22_mB, yaw_by_delta, yaw_per_v_delta, t138,
+                    M_22_xH, t279, C1_22_xH, P_delta_lateral_xH, t284, K2_22_xH, Jxx_delta_zH,
+                    M_12_zH, t293, t296, t298, self.mH, K0_12_zH, K0_22_zH, t295, t297,
+                    Jxx_delta_mH, t301, M_22_mH, t304, C1_22_mH, self.zH, t289, t307, t303,
+                    K2_22_mH, sin_lam, M_22_IHxx, M_22_IHzz, C1_22_IHzz, C1_12_h_spin_F, M_22_IHxz,
+                    K2_22_h_spin_F, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF,
+                    self.mF, P_delta_lateral_rF, t331, t334, t335, M_11_mF, M_12_mF, M_22_mF,
+                    C1_12_mF, C1_22_mF, self.rF, K0_12_mF, t323, K2_12_mF, K2_22_mF, M_22_IFxx,
+                    C1_12_IFyy, K2_12_IFyy, K2_22_IFyy,
                 ],
             },
         )
@@ -1147,18 +1116,19 @@ impl WhippleSprungDerivatives {
         Partial::new(MatrixName::K0, 1, 1, 0, 6),
         Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
         Partial::new(MatrixName::K2, 1, 1, 0, 8).negative(),
-        Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
+        Partial::new(MatrixName::M, 0, 1, 1, 9).negative(),
+        Partial::new(MatrixName::M, 1, 0, 1, 9).negative(),
         Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
         Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
         Partial::new(MatrixName::C1, 1, 1, 1, 13), Partial::new(MatrixName::K0, 0, 1, 1, 14),
         Partial::new(MatrixName::K0, 1, 0, 1, 14), Partial::new(MatrixName::K0, 1, 1, 1, 15),
         Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
-        Partial::new(MatrixName::M, 0, 1, 2, 17),
-        Partial::new(MatrixName::M, 1, 0, 2, 17),
-        Partial::new(MatrixName::M, 1, 1, 2, 18),
-        Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
-        Partial::new(MatrixName::K0, 0, 1, 2, 22), Partial::new(MatrixName::K0, 1, 0, 2, 22),
+        Partial::new(MatrixName::M, 0, 1, 2, 17), Partial::new(MatrixName::M, 1, 0, 2, 17),
+        Partial::new(MatrixName::M, 1, 1, 2, 18), Partial::new(MatrixName::C1, 0, 1, 2, 19),
+        Partial::new(MatrixName::C1, 1, 0, 2, 20),
+        Partial::new(MatrixName::C1, 1, 1, 2, 21).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 2, 22),
+        Partial::new(MatrixName::K0, 1, 0, 2, 22),
         Partial::new(MatrixName::K0, 1, 1, 2, 23),
         Partial::new(MatrixName::K2, 0, 1, 2, 24).negative(),
         Partial::new(MatrixName::K2, 1, 1, 2, 25), Partial::new(MatrixName::M, 0, 0, 4, 26),
@@ -1212,15 +1182,17 @@ impl WhippleSprungDerivatives {
         Partial::new(MatrixName::K0, 1, 1, 15, 69).negative(),
         Partial::new(MatrixName::K2, 1, 1, 15, 70), Partial::new(MatrixName::M, 0, 0, 16, 71),
         Partial::new(MatrixName::M, 0, 1, 16, 72), Partial::new(MatrixName::M, 1, 0, 16, 72),
-        Partial::new(MatrixName::M, 1, 1, 16, 73),
+        Partial::new(MatrixName::M, 1, 1, 16, 73).negative(),
         Partial::new(MatrixName::C1, 0, 1, 16, 74).negative(),
         Partial::new(MatrixName::C1, 1, 1, 16, 75).negative(),
         Partial::new(MatrixName::K0, 0, 0, 16, 76), Partial::new(MatrixName::K0, 0, 1, 16, 77),
         Partial::new(MatrixName::K0, 1, 0, 16, 77), Partial::new(MatrixName::K0, 1, 1, 16, 78),
         Partial::new(MatrixName::K2, 0, 1, 16, 79).negative(),
         Partial::new(MatrixName::K2, 1, 1, 16, 80).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 81), Partial::new(MatrixName::M, 0, 1, 17, 82),
-        Partial::new(MatrixName::M, 1, 0, 17, 82), Partial::new(MatrixName::M, 1, 1, 17, 83),
+        Partial::new(MatrixName::M, 0, 0, 17, 81),
+        Partial::new(MatrixName::M, 0, 1, 17, 82).negative(),
+        Partial::new(MatrixName::M, 1, 0, 17, 82).negative(),
+        Partial::new(MatrixName::M, 1, 1, 17, 83),
         Partial::new(MatrixName::C1, 0, 1, 17, 84).negative(),
         Partial::new(MatrixName::C1, 1, 1, 17, 85),
         Partial::new(MatrixName::K0, 0, 0, 17, 86),
@@ -1242,7 +1214,8 @@ impl WhippleSprungDerivatives {
         Partial::new(MatrixName::K0, 0, 1, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 0, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 1, 22, 106).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 107), Partial::new(MatrixName::K2, 1, 1, 22, 108),
+        Partial::new(MatrixName::K2, 0, 1, 22, 107).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 22, 108).negative(),
         Partial::new(MatrixName::M, 0, 0, 23, 109), Partial::new(MatrixName::M, 0, 1, 23, 110),
         Partial::new(MatrixName::M, 1, 0, 23, 110), Partial::new(MatrixName::M, 1, 1, 23, 111),
         Partial::new(MatrixName::C1, 0, 1, 23, 112), Partial::new(MatrixName::C1, 1, 1, 23, 113),

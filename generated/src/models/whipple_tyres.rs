@@ -225,62 +225,61 @@ pub struct WhippleTyresMatrices<T = f64> {
 
 impl<T: Number> WhippleTyres<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 53 additions, 54 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 113 operations.
+    /// 52 additions, 52 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 112 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleTyresMatrices<T> {
-        let t6 = self.zH * self.mH;
-        let t10 = self.rF * self.mF;
-        let Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
-        let t17 = self.rR * self.mR;
-        let t21 = self.zB * self.mB;
-        let M_11 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
+        let t2 = self.rR * self.mR;
+        let t7 = self.rF * self.mF;
+        let t13 = self.zH * self.mH;
+        let Jxx_delta = self.IHxx + self.rF * t7 + (self.IFxx + self.zH * t13);
+        let t19 = self.zB * self.mB;
+        let M_11 = self.rR * t2 + (Jxx_delta + self.zB * t19) + (self.IRxx + self.IBxx);
         let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t35 = self.c + self.w;
-        let t36 = t35 - self.xH;
-        let Jxz_delta = self.IHxz + t6 * t36 - t10 * self.c;
-        let hx_delta = Jxx_delta * sin_lam + Jxz_delta * cos_lam;
-        let t43 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = cos_lam * t43;
+        let t34 = self.c + self.w;
+        let t35 = self.xH - t34;
+        let t39 = self.IHxz - t13 * t35 - t7 * self.c;
+        let hx_delta = Jxx_delta * sin_lam + t39 * cos_lam;
+        let Sz_delta = t13 - t7;
+        let t50 = t34 * Sz_delta + t19 * self.xB - (t39 + self.IBxz);
+        let t51 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = cos_lam * t51;
         let yaw_by_delta = self.c * yaw_per_v_delta;
-        let Sz_delta = t6 - t10;
-        let Jxz_all = Jxz_delta + self.IBxz - t21 * self.xB - t35 * Sz_delta;
-        let M_12 = hx_delta + yaw_by_delta * Jxz_all;
-        let t57 = self.mH * t36;
+        let M_12 = hx_delta - t50 * yaw_by_delta;
+        let t58 = self.IFxx + self.IHzz;
         let t59 = self.mF * self.c;
-        let t62 = self.IFxx + self.IHzz;
-        let hz_delta = sin_lam * Jxz_delta + cos_lam * (t36 * t57 + self.c * t59 + t62);
-        let t68 = t57 + t59;
-        let t70 = sin_lam * Sz_delta + cos_lam * t68;
-        let M_yaw_delta = hz_delta - t35 * t70;
-        let t74 = self.mB * self.xB;
-        let t85 = yaw_by_delta
-            * (self.IRxx + t62 + self.IBzz + self.xB * t74 + self.mH * self.xH * self.xH
-                + self.mF * self.w * self.w);
-        let P_delta_yaw = M_yaw_delta + t85;
-        let M_22 = yaw_by_delta * (M_yaw_delta + P_delta_yaw) + sin_lam * hx_delta
-            + cos_lam * hz_delta;
+        let t62 = self.mH * t35;
+        let t67 = (t58 + self.c * t59 + t35 * t62) * cos_lam + sin_lam * t39;
+        let t71 = t62 - t59;
+        let t73 = sin_lam * Sz_delta - cos_lam * t71;
+        let t75 = t34 * t73 - t67;
+        let t79 = self.mB * self.xB;
+        let t88 = (self.IRxx + self.mF * (self.w * self.w) + self.xB * t79
+            + (self.xH * (self.mH * self.xH) + self.IBzz + t58)) * yaw_by_delta;
+        let t89 = t75 - t88;
+        let M_22 = sin_lam * hx_delta + cos_lam * t67 - (t75 + t89) * yaw_by_delta;
         let zero = self.w.like(0.0);
         let h_spin_F = self.IFyy / self.rF;
-        let h_wheels_all = h_spin_F + self.IRyy / self.rR;
-        let Sz_all = t21 + Sz_delta - t17;
-        let t101 = h_wheels_all - Sz_all;
-        let t104 = cos_lam * h_spin_F;
-        let C1_12 = yaw_by_delta * t101 + yaw_per_v_delta * Jxz_all + t104;
+        let t96 = cos_lam * h_spin_F;
+        let t99 = h_spin_F + self.IRyy / self.rR;
+        let t101 = t2 - (t19 + Sz_delta);
+        let t102 = t99 + t101;
+        let h_wheels_all = yaw_per_v_delta * (t50 - self.c * t102);
+        let C1_12 = t96 - h_wheels_all;
         let m_delta = self.mH + self.mF;
-        let Sx_all = t74 + t35 * m_delta - t68;
-        let P_delta_lateral = yaw_by_delta * Sx_all - t70;
-        let C1_22 = yaw_by_delta * P_delta_lateral + yaw_per_v_delta * P_delta_yaw;
-        let t119 = t43 * Sx_all;
-        let K0_11 = Sz_all + self.rhoF * t119
-            + self.rhoR * (self.mR + self.mB + m_delta - t119);
-        let K_phi_delta = t70 + t119 * (sin_lam * self.rhoF - self.c * cos_lam);
+        let Sx_all = t71 + (t34 * m_delta + t79);
+        let t114 = t73 - Sx_all * yaw_by_delta;
+        let t120 = t51 * Sx_all;
+        let t125 = self.rhoF * t120;
+        let K0_11 = self.rhoR * (self.mR + (self.mB + m_delta - t120)) - (t101 - t125);
+        let K_phi_delta = sin_lam * t125 + t114;
         let K0_22 = sin_lam * K_phi_delta;
-        let K2_12 = yaw_per_v_delta * t101;
-        let K2_22 = yaw_per_v_delta * (P_delta_lateral + sin_lam * h_spin_F);
-        let C1_21 = -(t104 + yaw_by_delta * h_wheels_all);
+        let K2_12 = yaw_per_v_delta * t102;
+        let C1_21 = -(t99 * yaw_by_delta + t96);
+        let C1_22 = -(yaw_per_v_delta * (t89 + self.c * t114));
+        let K2_22 = -(yaw_per_v_delta * (t114 - sin_lam * h_spin_F));
         WhippleTyresMatrices::from_entries([
             M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K_phi_delta, K_phi_delta,
             K0_22, zero, K2_12, zero, K2_22,
@@ -5210,306 +5209,257 @@ pub struct WhippleTyresDerivatives<T = f64> {
 
 impl<T: Number> WhippleTyres<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 185 additions, 280 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 471 operations.
+    /// 158 additions, 231 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 396 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleTyresMatrices<T>, WhippleTyresDerivatives<T>) {
-        let (
-            t6, t10, Jxx_delta, t17, t21, M_11, sin_lam, cos_lam, t34, t36, Jxz_delta, t41,
-            hx_delta, t43, yaw_per_v_delta, yaw_by_delta, Sz_delta, Jxz_all, M_12, t57, t59, t60,
-            t62, t65, hz_delta, t70, t72, M_yaw_delta, t76, t78, t80, P_delta_yaw_yaw_by_delta, t87,
-            P_delta_yaw, t89, M_22, zero, t95, h_spin_F, t97, t99, t100, h_wheels_all, Sz_all, t104,
-            t106, C1_12, m_delta, Sx_all, t116, P_delta_lateral, C1_22, K0_11_rhoF, t122,
-            K0_11_rhoR, K0_11, t130, t132, K_phi_delta, K0_22, K2_12, t137, t138, K2_22,
-            C1_12_h_spin_F, t141, t143, t144, t145, M_12_yaw_per_v_delta, M_12_w, t149, t150, t151,
-            t152, M_22_hz_delta, t155, M_22_Jxz_delta, t160, t163, t165, P_delta_yaw_w,
-            M_22_yaw_by_delta, M_22_yaw_per_v_delta, M_22_w, t174, t176, C1_12_yaw_per_v_delta,
-            C1_12_w, t181, C1_21_w, C1_22_Sx_all, t185, t187, t189, K2_22_h_spin_F, t195, t199,
-            C1_22_yaw_by_delta, C1_22_yaw_per_v_delta, C1_22_w, t209, K0_11_Sx_all, K0_11_xH, t213,
-            K0_11_w, K_phi_delta_Sx_all, t218, t219, t221, K_phi_delta_w, K0_22_w, t225,
-            K2_22_Sx_all, t228, K2_22_xH, t231, K2_22_yaw_by_delta, K2_22_yaw_per_v_delta, K2_22_w,
-            M_12_c, t242, hz_delta_c, M_22_c, C1_12_c, t254, t257, C1_22_c, K_phi_delta_c, K0_22_c,
-            K2_22_c, hx_delta_lam, t275, M_12_lam, t283, hz_delta_lam, M_22_lam, t295, C1_21_lam,
-            C1_22_lam, K_phi_delta_rhoF, K_phi_delta_lam, K0_22_lam, t311, K2_22_lam, M_11_rR, t317,
-            t318, C1_12_rR, C1_21_rR, K2_12_rR, M_11_mR, C1_12_mR, K0_11_mR, K2_12_mR, C1_12_IRyy,
-            K2_12_IRyy, t329, t330, t331, P_delta_yaw_xB, M_22_xB, t335, C1_22_xB, K0_11_xB,
-            K_phi_delta_xB, K0_22_xB, K2_22_xB, M_11_zB, t345, t346, t347, M_11_mB, t349,
-            P_delta_yaw_mB, M_22_mB, t352, C1_22_mB, K0_11_mB, K_phi_delta_mB, K0_22_mB, t361,
-            K2_22_mB, P_delta_yaw_xH, M_22_xH, C1_22_xH, t369, M_11_zH, t371, t373, t375, M_12_zH,
-            t379, M_22_Jxx_delta, t384, M_22_zH, t389, C1_12_zH, t391, t393, C1_22_zH,
-            K_phi_delta_zH, K0_22_zH, t397, t398, M_11_mH, M_12_mH, P_delta_yaw_mH, M_22_mH,
-            C1_12_mH, C1_22_m_delta, C1_22_mH, K0_11_m_delta, K0_11_mH, K_phi_delta_m_delta,
-            K_phi_delta_mH, K0_22_mH, t425, K2_22_m_delta, K2_22_mH, M_22_IHzz, C1_22_IHzz, M_11_rF,
-            t436, t438, M_12_rF, t445, M_22_rF, t449, t451, C1_21_rF, C1_12_rF, t455, C1_22_rF,
-            t457, t458, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, P_delta_yaw_mF, M_22_mF, C1_12_mF,
-            C1_22_mF, K0_11_mF, K_phi_delta_mF, K0_22_mF, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy,
-        );
-        t6 = self.zH * self.mH;
-        t10 = self.rF * self.mF;
-        Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
-        t17 = self.rR * self.mR;
-        t21 = self.zB * self.mB;
-        M_11 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
-        (sin_lam, cos_lam) = self.lam.sin_cos();
-        t34 = self.c + self.w;
-        t36 = t34 - self.xH;
-        Jxz_delta = self.IHxz + t6 * t36 - t10 * self.c;
-        t41 = Jxz_delta * cos_lam;
-        hx_delta = Jxx_delta * sin_lam + t41;
-        t43 = self.w.like(1.0) / self.w;
-        yaw_per_v_delta = cos_lam * t43;
-        yaw_by_delta = self.c * yaw_per_v_delta;
-        Sz_delta = t6 - t10;
-        Jxz_all = Jxz_delta + self.IBxz - t21 * self.xB - t34 * Sz_delta;
-        M_12 = hx_delta + yaw_by_delta * Jxz_all;
-        t57 = sin_lam * Jxz_delta;
-        t59 = self.IFxx + self.IHzz;
-        t60 = self.mF * self.c;
-        t62 = self.mH * t36;
-        t65 = t59 + self.c * t60 + t36 * t62;
-        hz_delta = t57 + cos_lam * t65;
-        t70 = t60 + t62;
-        t72 = sin_lam * Sz_delta + cos_lam * t70;
-        M_yaw_delta = hz_delta - t34 * t72;
-        t76 = self.mB * self.xB;
-        t78 = self.xH * self.xH;
-        t80 = self.w * self.w;
-        P_delta_yaw_yaw_by_delta = self.IRxx + t59 + self.IBzz + self.xB * t76
-            + self.mH * t78 + self.mF * t80;
-        t87 = yaw_by_delta * P_delta_yaw_yaw_by_delta;
-        P_delta_yaw = M_yaw_delta + t87;
-        t89 = M_yaw_delta + P_delta_yaw;
-        M_22 = sin_lam * hx_delta + cos_lam * hz_delta + yaw_by_delta * t89;
-        zero = self.w.like(0.0);
-        t95 = self.w.like(1.0) / self.rF;
-        h_spin_F = self.IFyy * t95;
-        t97 = cos_lam * h_spin_F;
-        t99 = self.w.like(1.0) / self.rR;
-        t100 = self.IRyy * t99;
-        h_wheels_all = h_spin_F + t100;
-        Sz_all = t21 + Sz_delta - t17;
-        t104 = h_wheels_all - Sz_all;
-        t106 = yaw_per_v_delta * Jxz_all;
-        C1_12 = t97 + yaw_by_delta * t104 + t106;
-        m_delta = self.mH + self.mF;
-        Sx_all = t76 + t34 * m_delta - t70;
-        t116 = yaw_by_delta * Sx_all;
-        P_delta_lateral = t116 - t72;
-        C1_22 = yaw_per_v_delta * P_delta_yaw + yaw_by_delta * P_delta_lateral;
-        K0_11_rhoF = t43 * Sx_all;
-        t122 = self.rhoF * K0_11_rhoF;
-        K0_11_rhoR = self.mR + self.mB + m_delta - K0_11_rhoF;
-        K0_11 = Sz_all + t122 + self.rhoR * K0_11_rhoR;
-        t130 = self.c * cos_lam;
-        t132 = sin_lam * self.rhoF - t130;
-        K_phi_delta = t72 + K0_11_rhoF * t132;
-        K0_22 = sin_lam * K_phi_delta;
-        K2_12 = yaw_per_v_delta * t104;
-        t137 = sin_lam * h_spin_F;
-        t138 = P_delta_lateral + t137;
-        K2_22 = yaw_per_v_delta * t138;
-        C1_12_h_spin_F = cos_lam + yaw_by_delta;
-        t141 = t6 * C1_12_h_spin_F;
-        t143 = t141 - yaw_by_delta * Sz_delta;
-        t144 = t43 * t43;
-        t145 = cos_lam * t144;
-        M_12_yaw_per_v_delta = self.c * Jxz_all;
-        M_12_w = t143 - t145 * M_12_yaw_per_v_delta;
-        t149 = yaw_by_delta + yaw_by_delta;
-        t150 = t34 * t149;
-        t151 = cos_lam * t150;
-        t152 = t36 * cos_lam;
-        M_22_hz_delta = cos_lam + t149;
-        t155 = t152 * M_22_hz_delta - t151;
-        M_22_Jxz_delta = sin_lam * (cos_lam + M_22_hz_delta);
-        t160 = cos_lam * t62;
-        t163 = self.mH * t155 + t6 * M_22_Jxz_delta + M_22_hz_delta * t160;
-        t165 = t163 - t72 * t149;
-        P_delta_yaw_w = self.mF * self.w * t149;
-        M_22_yaw_by_delta = t87 + t89;
-        M_22_yaw_per_v_delta = self.c * M_22_yaw_by_delta;
-        M_22_w = t165 + yaw_by_delta * P_delta_yaw_w - t145 * M_22_yaw_per_v_delta;
-        t174 = t6 * yaw_per_v_delta;
-        t176 = t174 - yaw_per_v_delta * Sz_delta;
-        C1_12_yaw_per_v_delta = Jxz_all + self.c * t104;
-        C1_12_w = t176 - t145 * C1_12_yaw_per_v_delta;
-        t181 = self.c * h_wheels_all;
-        C1_21_w = t145 * t181;
-        C1_22_Sx_all = yaw_by_delta * yaw_by_delta;
-        t185 = yaw_by_delta + t34 * yaw_per_v_delta;
-        t187 = C1_22_Sx_all + cos_lam * t185;
-        t189 = yaw_per_v_delta * t152 - t187;
-        K2_22_h_spin_F = sin_lam * yaw_per_v_delta;
-        t195 = self.mH * t189 + t6 * K2_22_h_spin_F + yaw_per_v_delta * t160;
-        t199 = t195 + m_delta * C1_22_Sx_all - yaw_per_v_delta * t72;
-        C1_22_yaw_by_delta = t116 + P_delta_lateral
-            + yaw_per_v_delta * P_delta_yaw_yaw_by_delta;
-        C1_22_yaw_per_v_delta = P_delta_yaw + self.c * C1_22_yaw_by_delta;
-        C1_22_w = t199 + yaw_per_v_delta * P_delta_yaw_w - t145 * C1_22_yaw_per_v_delta;
-        t209 = self.rhoF - self.rhoR;
-        K0_11_Sx_all = t43 * t209;
-        K0_11_xH = self.mH * K0_11_Sx_all;
-        t213 = Sx_all * t144;
-        K0_11_w = m_delta * K0_11_Sx_all - K0_11_xH - t209 * t213;
-        K_phi_delta_Sx_all = t43 * t132;
-        t218 = cos_lam - K_phi_delta_Sx_all;
-        t219 = self.mH * t218;
-        t221 = t219 + m_delta * K_phi_delta_Sx_all;
-        K_phi_delta_w = t221 - t132 * t213;
-        K0_22_w = sin_lam * K_phi_delta_w;
-        t225 = t104 * t145;
-        K2_22_Sx_all = yaw_per_v_delta * yaw_by_delta;
-        t228 = cos_lam * yaw_per_v_delta + K2_22_Sx_all;
-        K2_22_xH = self.mH * t228;
-        t231 = m_delta * K2_22_Sx_all - K2_22_xH;
-        K2_22_yaw_by_delta = yaw_per_v_delta * Sx_all;
-        K2_22_yaw_per_v_delta = t138 + self.c * K2_22_yaw_by_delta;
-        K2_22_w = t231 - t145 * K2_22_yaw_per_v_delta;
-        M_12_c = t106 + t143 - t10 * C1_12_h_spin_F;
-        t242 = t130 * M_22_hz_delta - t151;
-        hz_delta_c = cos_lam * t60;
-        M_22_c = t165 + self.mF * t242 + yaw_per_v_delta * M_22_yaw_by_delta
-            + M_22_hz_delta * hz_delta_c - t10 * M_22_Jxz_delta;
-        C1_12_c = t176 + yaw_per_v_delta * (t104 - t10);
-        t254 = yaw_per_v_delta * h_wheels_all;
-        t257 = yaw_per_v_delta * t130 - t187;
-        C1_22_c = t199 + self.mF * t257
-            + yaw_per_v_delta * (C1_22_yaw_by_delta + hz_delta_c) - t10 * K2_22_h_spin_F;
-        K_phi_delta_c = t221 + self.mF * t218 - cos_lam * K0_11_rhoF;
-        K0_22_c = sin_lam * K_phi_delta_c;
-        K2_22_c = t231 + yaw_per_v_delta * K2_22_yaw_by_delta - self.mF * t228;
-        hx_delta_lam = Jxx_delta * cos_lam - t57;
-        t275 = sin_lam * t43;
-        M_12_lam = hx_delta_lam - M_12_yaw_per_v_delta * t275;
-        t283 = cos_lam * Sz_delta - sin_lam * t70;
-        hz_delta_lam = t41 - sin_lam * t65;
-        M_22_lam = sin_lam * hx_delta_lam + cos_lam * hx_delta
-            + M_22_hz_delta * hz_delta_lam - sin_lam * hz_delta - t150 * t283
-            - M_22_yaw_per_v_delta * t275;
-        t295 = t137 + C1_12_yaw_per_v_delta * t275;
-        C1_21_lam = t137 + t181 * t275;
-        C1_22_lam = yaw_per_v_delta * hz_delta_lam - t185 * t283
-            - C1_22_yaw_per_v_delta * t275;
-        K_phi_delta_rhoF = sin_lam * K0_11_rhoF;
-        K_phi_delta_lam = t283 + self.c * K_phi_delta_rhoF + cos_lam * t122;
-        K0_22_lam = sin_lam * K_phi_delta_lam + cos_lam * K_phi_delta;
-        t311 = t104 * t275;
-        K2_22_lam = yaw_per_v_delta * (t97 - t283) - K2_22_yaw_per_v_delta * t275;
-        M_11_rR = t17 + t17;
-        t317 = t99 * t100;
-        t318 = self.mR - t317;
-        C1_12_rR = yaw_by_delta * t318;
-        C1_21_rR = yaw_by_delta * t317;
-        K2_12_rR = yaw_per_v_delta * t318;
-        M_11_mR = self.rR * self.rR;
-        C1_12_mR = self.rR * yaw_by_delta;
-        K0_11_mR = self.rhoR - self.rR;
-        K2_12_mR = self.rR * yaw_per_v_delta;
-        C1_12_IRyy = yaw_by_delta * t99;
-        K2_12_IRyy = yaw_per_v_delta * t99;
-        t329 = t21 * yaw_by_delta;
-        t330 = yaw_by_delta * self.xB;
-        t331 = self.mB * t330;
-        P_delta_yaw_xB = t331 + yaw_by_delta * t76;
-        M_22_xB = yaw_by_delta * P_delta_yaw_xB;
-        t335 = t21 * yaw_per_v_delta;
-        C1_22_xB = self.mB * C1_22_Sx_all + yaw_per_v_delta * P_delta_yaw_xB;
-        K0_11_xB = self.mB * K0_11_Sx_all;
-        K_phi_delta_xB = self.mB * K_phi_delta_Sx_all;
-        K0_22_xB = sin_lam * K_phi_delta_xB;
-        K2_22_xB = self.mB * K2_22_Sx_all;
-        M_11_zB = t21 + t21;
-        t345 = yaw_by_delta + yaw_per_v_delta * self.xB;
-        t346 = self.mB * t345;
-        t347 = self.mB * yaw_per_v_delta;
-        M_11_mB = self.zB * self.zB;
-        t349 = self.zB * t330;
-        P_delta_yaw_mB = self.xB * t330;
-        M_22_mB = yaw_by_delta * P_delta_yaw_mB;
-        t352 = self.zB * t345;
-        C1_22_mB = self.xB * C1_22_Sx_all + yaw_per_v_delta * P_delta_yaw_mB;
-        K0_11_mB = self.zB + self.rhoR + self.xB * K0_11_Sx_all;
-        K_phi_delta_mB = self.xB * K_phi_delta_Sx_all;
-        K0_22_mB = sin_lam * K_phi_delta_mB;
-        t361 = self.zB * yaw_per_v_delta;
-        K2_22_mB = self.xB * K2_22_Sx_all;
-        P_delta_yaw_xH = self.mH * self.xH * t149;
-        M_22_xH = yaw_by_delta * P_delta_yaw_xH - t163;
-        C1_22_xH = yaw_per_v_delta * P_delta_yaw_xH - t195;
-        t369 = sin_lam * t219;
-        M_11_zH = t6 + t6;
-        t371 = t34 * yaw_by_delta;
-        t373 = self.zH * sin_lam;
-        t375 = t36 * C1_12_h_spin_F + t373 - t371;
-        M_12_zH = self.mH * t375 + t6 * sin_lam;
-        t379 = sin_lam * t150;
-        M_22_Jxx_delta = sin_lam * sin_lam;
-        t384 = self.zH * M_22_Jxx_delta + t36 * M_22_Jxz_delta - t379;
-        M_22_zH = self.mH * t384 + t6 * M_22_Jxx_delta;
-        t389 = t36 * yaw_per_v_delta - t185;
-        C1_12_zH = self.mH * t389;
-        t391 = sin_lam * t185;
-        t393 = t36 * K2_22_h_spin_F - t391;
-        C1_22_zH = self.mH * t393;
-        K_phi_delta_zH = self.mH * sin_lam;
-        K0_22_zH = sin_lam * K_phi_delta_zH;
-        t397 = self.mH * yaw_per_v_delta;
-        t398 = self.mH * K2_22_h_spin_F;
-        M_11_mH = self.zH * self.zH;
-        M_12_mH = self.zH * t375;
-        P_delta_yaw_mH = yaw_by_delta * t78;
-        M_22_mH = self.zH * t384 + t36 * t155 + yaw_by_delta * P_delta_yaw_mH;
-        C1_12_mH = self.zH * t389;
-        C1_22_m_delta = t34 * C1_22_Sx_all;
-        C1_22_mH = C1_22_m_delta + self.zH * t393 + t36 * t189
-            + yaw_per_v_delta * P_delta_yaw_mH;
-        K0_11_m_delta = self.rhoR + t34 * K0_11_Sx_all;
-        K0_11_mH = self.zH + K0_11_m_delta - t36 * K0_11_Sx_all;
-        K_phi_delta_m_delta = t34 * K_phi_delta_Sx_all;
-        K_phi_delta_mH = t373 + K_phi_delta_m_delta + t36 * t218;
-        K0_22_mH = sin_lam * K_phi_delta_mH;
-        t425 = self.zH * yaw_per_v_delta;
-        K2_22_m_delta = t34 * K2_22_Sx_all;
-        K2_22_mH = K2_22_m_delta - self.zH * K2_22_h_spin_F - t36 * t228;
-        M_22_IHzz = C1_22_Sx_all + cos_lam * M_22_hz_delta;
-        C1_22_IHzz = yaw_per_v_delta * C1_12_h_spin_F;
-        M_11_rF = t10 + t10;
-        t436 = self.rF * sin_lam;
-        t438 = t371 + t436 - self.c * C1_12_h_spin_F;
-        M_12_rF = self.mF * t438 + t10 * sin_lam;
-        t445 = t379 + self.rF * M_22_Jxx_delta - self.c * M_22_Jxz_delta;
-        M_22_rF = self.mF * t445 + t10 * M_22_Jxx_delta;
-        t449 = t185 - yaw_by_delta;
-        t451 = t95 * h_spin_F;
-        C1_21_rF = C1_12_h_spin_F * t451;
-        C1_12_rF = self.mF * t449 - C1_21_rF;
-        t455 = t391 - self.c * K2_22_h_spin_F;
-        C1_22_rF = self.mF * t455;
-        t457 = self.mF * sin_lam;
-        t458 = sin_lam * t457;
-        K2_12_rF = self.mF * yaw_per_v_delta - yaw_per_v_delta * t451;
-        K2_22_rF = self.mF * K2_22_h_spin_F - K2_22_h_spin_F * t451;
-        M_11_mF = self.rF * self.rF;
-        M_12_mF = self.rF * t438;
-        P_delta_yaw_mF = yaw_by_delta * t80;
-        M_22_mF = self.c * t242 + self.rF * t445 + yaw_by_delta * P_delta_yaw_mF;
-        C1_12_mF = self.rF * t449;
-        C1_22_mF = C1_22_m_delta + self.c * t257 + self.rF * t455
-            + yaw_per_v_delta * P_delta_yaw_mF;
-        K0_11_mF = K0_11_m_delta - self.rF - self.c * K0_11_Sx_all;
-        K_phi_delta_mF = K_phi_delta_m_delta + self.c * t218 - t436;
-        K0_22_mF = sin_lam * K_phi_delta_mF;
-        K2_12_mF = self.rF * yaw_per_v_delta;
-        K2_22_mF = K2_22_m_delta + self.rF * K2_22_h_spin_F - self.c * t228;
-        M_22_IFxx = M_22_Jxx_delta + M_22_IHzz;
-        C1_12_IFyy = t95 * C1_12_h_spin_F;
-        let (K2_12_IFyy, K2_22_IFyy, K0_22_rhoF, C1_21);
-        K2_12_IFyy = yaw_per_v_delta * t95;
-        K2_22_IFyy = t95 * K2_22_h_spin_F;
-        K0_22_rhoF = sin_lam * K_phi_delta_rhoF;
-        C1_21 = -(t97 + yaw_by_delta * h_wheels_all);
+        let t2 = self.rF * self.mF;
+        let t8 = self.zH * self.mH;
+        let Jxx_delta = self.rF * t2 + self.IHxx + self.IFxx + self.zH * t8;
+        let t17 = self.rR * self.mR;
+        let t21 = self.zB * self.mB;
+        let M_11 = Jxx_delta + self.IRxx + self.IBxx + self.rR * t17 + self.zB * t21;
+        let (sin_lam, cos_lam) = self.lam.sin_cos();
+        let t35 = self.c + self.w;
+        let t36 = self.xH - t35;
+        let t37 = self.mH * t36;
+        let t40 = self.IHxz - t2 * self.c - self.zH * t37;
+        let t42 = t40 * cos_lam;
+        let hx_delta = Jxx_delta * sin_lam + t42;
+        let Sz_delta = t8 - t2;
+        let t51 = t35 * Sz_delta + t21 * self.xB - t40 - self.IBxz;
+        let t52 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = cos_lam * t52;
+        let yaw_by_delta = self.c * yaw_per_v_delta;
+        let M_12 = hx_delta - t51 * yaw_by_delta;
+        let t58 = sin_lam * t40;
+        let t61 = self.IFxx + self.IHzz;
+        let t62 = self.mF * self.c;
+        let t65 = t36 * t37 + t61 + self.c * t62;
+        let t67 = t58 + cos_lam * t65;
+        let t69 = t62 - t37;
+        let t71 = sin_lam * Sz_delta + cos_lam * t69;
+        let t73 = t35 * t71 - t67;
+        let t74 = self.mF * self.w;
+        let t79 = self.mB * self.xB;
+        let t85 = self.IRxx + t61 + self.w * t74 + self.mH * self.xH * self.xH
+            + self.IBzz + self.xB * t79;
+        let t87 = t73 - yaw_by_delta * t85;
+        let t89 = self.c * t52;
+        let M_22 = sin_lam * hx_delta - cos_lam * ((t73 + t87) * t89 - t67);
+        let zero = self.w.like(0.0);
+        let t96 = self.w.like(1.0) / self.rF;
+        let h_spin_F = self.IFyy * t96;
+        let t98 = t51 * t52;
+        let t100 = self.w.like(1.0) / self.rR;
+        let t101 = self.IRyy * t100;
+        let t102 = h_spin_F + t101;
+        let t104 = t21 + Sz_delta - t17;
+        let t105 = t102 - t104;
+        let t107 = t89 * t105 - t98;
+        let t108 = h_spin_F + t107;
+        let C1_12 = cos_lam * t108;
+        let C1_12_h_spin_F = cos_lam + yaw_by_delta;
+        let C1_12_IFyy = t96 * C1_12_h_spin_F;
+        let K2_12_IRyy = yaw_per_v_delta * t100;
+        let C1_12_IRyy = self.c * K2_12_IRyy;
+        let M_22_yaw_by_delta = self.IRyy * C1_12_IRyy;
+        let m_delta = self.mF + self.mH;
+        let Sx_all = t79 + t35 * m_delta - t69;
+        let t121 = yaw_by_delta * Sx_all;
+        let t122 = t71 - t121;
+        let t124 = t87 + self.c * t122;
+        let K0_11_rhoF = t52 * Sx_all;
+        let t128 = self.rhoF * K0_11_rhoF;
+        let t130 = self.mF - K0_11_rhoF;
+        let t131 = self.mH + t130;
+        let K0_11_rhoR = self.mR + self.mB + t131;
+        let K0_11 = t104 + t128 + self.rhoR * K0_11_rhoR;
+        let K_phi_delta = t122 + sin_lam * t128;
+        let K0_22 = sin_lam * K_phi_delta;
+        let K2_12 = yaw_per_v_delta * t105;
+        let t141 = sin_lam * h_spin_F;
+        let t142 = t141 - t122;
+        let K2_22 = yaw_per_v_delta * t142;
+        let M_12_c = cos_lam * (Sz_delta - t98);
+        let t147 = t8 * C1_12_h_spin_F;
+        let M_12_w = t147 - t89 * M_12_c;
+        let t149 = yaw_by_delta + C1_12_h_spin_F;
+        let t150 = t36 * cos_lam;
+        let t151 = t149 * t150;
+        let M_22_IHxz = sin_lam * (cos_lam + t149);
+        let t156 = self.c * (cos_lam + cos_lam);
+        let t157 = self.w * yaw_per_v_delta;
+        let t158 = yaw_by_delta + t157;
+        let t159 = t156 * t158;
+        let t160 = t151 + t159;
+        let t163 = self.mH * (t151 + t160 - self.zH * M_22_IHxz);
+        let t164 = t52 * t156;
+        let t166 = t163 + t71 * t164;
+        let t167 = t74 * t164;
+        let t168 = t52 * t87;
+        let t169 = t168 + t168;
+        let M_22_w = yaw_by_delta * (t167 + t169) - t166;
+        let C1_12_w = yaw_per_v_delta * (t2 - t107);
+        let t175 = yaw_per_v_delta * t102;
+        let C1_21_w = t89 * t175;
+        let t177 = self.zH * sin_lam;
+        let t178 = t177 - t150;
+        let t179 = self.xH * cos_lam;
+        let t180 = t178 - t179;
+        let t182 = t71 - self.mH * t180;
+        let C1_22_yaw_by_delta = yaw_per_v_delta * t85;
+        let t184 = t121 + C1_22_yaw_by_delta;
+        let t187 = t52 * (self.c * t184 - t124);
+        let t189 = self.mH * cos_lam;
+        let t190 = yaw_per_v_delta * t62 - t189;
+        let C1_22_w = yaw_per_v_delta * (t167 + self.c * t190 - t182 - t187);
+        let t197 = t52 * (self.rhoF - self.rhoR);
+        let K0_11_w = t130 * t197;
+        let t199 = sin_lam * t52;
+        let t200 = self.rhoF * t199;
+        let t201 = t200 - yaw_by_delta;
+        let K0_12_w = t189 + t130 * t201;
+        let K0_22_w = sin_lam * K0_12_w;
+        let t205 = t52 * K2_12;
+        let t207 = t52 * (t121 + t142);
+        let K2_22_w = yaw_per_v_delta * (t190 - t207);
+        let t210 = self.c * t158;
+        let t211 = t210 + t210;
+        let t212 = self.rF * sin_lam;
+        let t218 = self.mF * (t156 - t212);
+        let t221 = t166 + cos_lam * (t169 + self.mF * (t211 + t212)) - t149 * t218;
+        let t222 = self.mF * t158;
+        let K0_12_c = cos_lam * t131;
+        let C1_22_c = yaw_per_v_delta * (t184 + t218 - t71 - t182 - self.c * K0_12_c)
+            - cos_lam * t222;
+        let K0_22_c = sin_lam * K0_12_c;
+        let t233 = yaw_per_v_delta * K0_12_c;
+        let t234 = self.c * t199;
+        let hx_delta_lam = Jxx_delta * cos_lam - t58;
+        let M_12_lam = t51 * t234 + hx_delta_lam;
+        let t241 = sin_lam * t69 - cos_lam * Sz_delta;
+        let t244 = sin_lam * t65 - t42;
+        let t252 = t211 * t241 + sin_lam * (hx_delta_lam + self.c * t169 - t67)
+            + cos_lam * hx_delta;
+        let M_22_lam = t252 - t149 * t244;
+        let t254 = sin_lam * t108;
+        let C1_21_lam = t141 + t102 * t234;
+        let C1_22_lam = t241 * (yaw_by_delta + t158) - sin_lam * t187
+            - yaw_per_v_delta * t244;
+        let K_phi_delta_lam = Sx_all * (t234 + yaw_per_v_delta * self.rhoF) - t241;
+        let K0_22_lam = sin_lam * K_phi_delta_lam + cos_lam * K_phi_delta;
+        let t270 = t105 * t199;
+        let K2_22_lam = yaw_per_v_delta * (t241 + cos_lam * h_spin_F) - sin_lam * t207;
+        let M_11_rR = t17 + t17;
+        let t277 = t100 * t101;
+        let K2_12_rR = yaw_per_v_delta * (self.mR - t277);
+        let C1_12_rR = self.c * K2_12_rR;
+        let C1_21_rR = yaw_by_delta * t277;
+        let M_11_mR = self.rR * self.rR;
+        let K2_12_mR = self.rR * yaw_per_v_delta;
+        let C1_12_mR = self.c * K2_12_mR;
+        let K0_11_mR = self.rhoR - self.rR;
+        let C1_22_IRxx = yaw_per_v_delta * yaw_by_delta;
+        let M_22_IRxx = self.c * C1_22_IRxx;
+        let t289 = t21 * yaw_per_v_delta;
+        let t290 = self.c * t289;
+        let t291 = yaw_by_delta * t79;
+        let M_22_xB = t164 * t291;
+        let t293 = self.c + self.xB;
+        let K2_22_xB = self.mB * C1_22_IRxx;
+        let C1_22_xB = (self.xB + t293) * K2_22_xB;
+        let K0_11_xB = self.mB * t197;
+        let K0_12_xB = self.mB * t201;
+        let K0_22_xB = sin_lam * K0_12_xB;
+        let M_11_zB = t21 + t21;
+        let t301 = self.mB * yaw_per_v_delta;
+        let t302 = t293 * t301;
+        let M_11_mB = self.zB * self.zB;
+        let t304 = self.xB * yaw_by_delta;
+        let t305 = self.zB * t304;
+        let M_22_mB = t304 * t304;
+        let t307 = self.zB * yaw_per_v_delta;
+        let t308 = t293 * t307;
+        let K2_22_mB = yaw_per_v_delta * t304;
+        let C1_22_mB = t293 * K2_22_mB;
+        let K0_11_mB = self.zB + self.rhoR + self.xB * t197;
+        let K0_12_mB = self.xB * t201;
+        let K0_22_mB = sin_lam * K0_12_mB;
+        let t316 = t89 * t179;
+        let M_22_xH = t163 + self.mH * t164 * t316;
+        let t320 = self.zH * yaw_per_v_delta;
+        let t321 = self.mH * t320;
+        let t322 = self.c * C1_12_h_spin_F;
+        let t326 = t52 * t189;
+        let C1_22_xH = (t316 + t316 + t322 - t180) * t326;
+        let K0_11_xH = self.mH * t197;
+        let t330 = self.mH * (cos_lam - t201);
+        let t331 = sin_lam * t330;
+        let K2_22_xH = C1_12_h_spin_F * t326;
+        let Jxx_delta_zH = t8 + t8;
+        let t335 = t210 + t36 * C1_12_h_spin_F;
+        let t336 = self.mH * t335;
+        let t337 = sin_lam * Jxx_delta_zH;
+        let t340 = sin_lam * (t336 + (t336 - t337));
+        let t341 = t52 * t179;
+        let t342 = yaw_by_delta + t341;
+        let t343 = self.mH * t342;
+        let t344 = sin_lam * t343;
+        let K0_12_zH = self.mH * sin_lam;
+        let K0_22_zH = sin_lam * K0_12_zH;
+        let t347 = yaw_per_v_delta * K0_12_zH;
+        let Jxx_delta_mH = self.zH * self.zH;
+        let t349 = t335 - t177;
+        let t350 = self.zH * t349;
+        let M_22_mH = t316 * t316 + t36 * t160 - t177 * (t335 + t349);
+        let t357 = self.zH * t342;
+        let C1_22_mH = t341 * (t316 - t178) + yaw_by_delta * t349;
+        let K0_11_mH = self.zH + self.rhoR + self.xH * t197;
+        let K0_12_mH = self.xH * t200 - t349;
+        let K0_22_mH = sin_lam * K0_12_mH;
+        let K2_22_mH = yaw_per_v_delta * t349;
+        let M_22_Jxx_delta = sin_lam * sin_lam;
+        let t370 = cos_lam * t149;
+        let M_22_IHzz = M_22_IRxx + t370;
+        let C1_22_IHzz = yaw_per_v_delta * C1_12_h_spin_F;
+        let K2_22_h_spin_F = sin_lam * yaw_per_v_delta;
+        let M_11_rF = t2 + t2;
+        let t375 = t322 - t210;
+        let t376 = t375 - t212;
+        let M_12_rF = self.mF * (t212 - t376);
+        let t379 = t375 + t376;
+        let t381 = self.mF * sin_lam;
+        let M_22_rF = (t212 - t379) * t381;
+        let t383 = t96 * h_spin_F;
+        let C1_21_rF = C1_12_h_spin_F * t383;
+        let C1_12_rF = t222 - C1_21_rF;
+        let C1_22_rF = sin_lam * t222;
+        let t387 = sin_lam * t381;
+        let K2_12_rF = yaw_per_v_delta * (self.mF - t383);
+        let K2_22_rF = sin_lam * K2_12_rF;
+        let M_11_mF = self.rF * self.rF;
+        let t392 = self.rF * t376;
+        let t394 = t157 * t157;
+        let t399 = t212 * t379 + self.c * (t159 - self.c * (t370 + t394));
+        let K2_12_mF = self.rF * yaw_per_v_delta;
+        let C1_12_mF = t35 * K2_12_mF;
+        let C1_22_mF = sin_lam * C1_12_mF - self.c * (cos_lam * t157 - t394);
+        let K0_11_mF = self.rhoR + self.w * t197 - self.rF;
+        let t410 = self.w * t200;
+        let t412 = sin_lam * (t212 - t410);
+        let K2_22_mF = self.rF * K2_22_h_spin_F;
+        let M_22_IFxx = M_22_Jxx_delta + M_22_IHzz;
+        let K2_12_IFyy = yaw_per_v_delta * t96;
+        let K2_22_IFyy = sin_lam * K2_12_IFyy;
+        let K_phi_delta_rhoF = Sx_all * t199;
+        let K0_22_rhoF = K0_11_rhoF * M_22_Jxx_delta;
+        let C1_21 = -(self.IFyy * C1_12_IFyy + M_22_yaw_by_delta);
+        let C1_22 = -(yaw_per_v_delta * t124);
+        let M_12_zH = t337 - t336;
+        let K0_12_mF = t410 - t212;
         (
             WhippleTyresMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K_phi_delta, K_phi_delta,
@@ -5517,22 +5467,21 @@ impl<T: Number> WhippleTyres<T> {
             ]),
             WhippleTyresDerivatives {
                 values: [
-                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_11_w, K_phi_delta_w, K0_22_w,
-                    t225, K2_22_w, M_12_c, M_22_c, C1_12_c, t254, C1_22_c, K_phi_delta_c, K0_22_c,
-                    K2_22_c, M_12_lam, M_22_lam, t295, C1_21_lam, C1_22_lam, K_phi_delta_lam,
-                    K0_22_lam, t311, K2_22_lam, M_11_rR, C1_12_rR, C1_21_rR, self.mR, K2_12_rR,
-                    M_11_mR, C1_12_mR, K0_11_mR, K2_12_mR, self.w.like(1.0), C1_22_Sx_all,
-                    K2_22_Sx_all, C1_12_IRyy, K2_12_IRyy, t329, M_22_xB, t335, C1_22_xB, K0_11_xB,
-                    K_phi_delta_xB, K0_22_xB, K2_22_xB, M_11_zB, t331, t346, self.mB, t347, M_11_mB,
-                    t349, M_22_mB, t352, C1_22_mB, K0_11_mB, K_phi_delta_mB, K0_22_mB, t361,
-                    K2_22_mB, yaw_by_delta, yaw_per_v_delta, t141, M_22_xH, t174, C1_22_xH,
-                    K0_11_xH, t219, t369, K2_22_xH, M_11_zH, M_12_zH, M_22_zH, C1_12_zH, C1_22_zH,
-                    self.mH, K_phi_delta_zH, K0_22_zH, t397, t398, M_11_mH, M_12_mH, M_22_mH,
-                    C1_12_mH, C1_22_mH, K0_11_mH, K_phi_delta_mH, K0_22_mH, t425, K2_22_mH, sin_lam,
-                    M_22_Jxx_delta, M_22_IHzz, C1_22_IHzz, C1_12_h_spin_F, M_22_Jxz_delta,
-                    K2_22_h_spin_F, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF,
-                    self.mF, t457, t458, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF,
-                    C1_22_mF, K0_11_mF, K_phi_delta_mF, K0_22_mF, K2_12_mF, K2_22_mF, M_22_IFxx,
+                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_11_w, K0_12_w, K0_22_w, t205,
+                    K2_22_w, M_12_c, t221, K2_12, t175, C1_22_c, K0_12_c, K0_22_c, t233, M_12_lam,
+                    M_22_lam, t254, C1_21_lam, C1_22_lam, K_phi_delta_lam, K0_22_lam, t270,
+                    K2_22_lam, M_11_rR, C1_12_rR, C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR,
+                    K0_11_mR, K2_12_mR, self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy,
+                    K2_12_IRyy, t290, M_22_xB, t289, C1_22_xB, K0_11_xB, K0_12_xB, K0_22_xB,
+                    K2_22_xB, M_11_zB, t291, t302, self.mB, t301, M_11_mB, t305, M_22_mB, t308,
+                    C1_22_mB, K0_11_mB, K0_12_mB, K0_22_mB, t307, K2_22_mB, yaw_by_delta,
+                    yaw_per_v_delta, t147, M_22_xH, t321, C1_22_xH, K0_11_xH, t330, t331, K2_22_xH,
+                    Jxx_delta_zH, M_12_zH, t340, t343, t344, self.mH, K0_12_zH, K0_22_zH, t326,
+                    t347, Jxx_delta_mH, t350, M_22_mH, t357, C1_22_mH, K0_11_mH, K0_12_mH, K0_22_mH,
+                    t320, K2_22_mH, sin_lam, M_22_Jxx_delta, M_22_IHzz, C1_22_IHzz, C1_12_h_spin_F,
+                    M_22_IHxz, K2_22_h_spin_F, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF,
+                    C1_22_rF, self.mF, t381, t387, K2_12_rF, K2_22_rF, M_11_mF, t392, t399,
+                    C1_12_mF, C1_22_mF, K0_11_mF, K0_12_mF, t412, K2_12_mF, K2_22_mF, M_22_IFxx,
                     C1_12_IFyy, K2_12_IFyy, K2_22_IFyy, K0_11_rhoR, K0_11_rhoF, K_phi_delta_rhoF,
                     K0_22_rhoF,
                 ],
@@ -6063,13 +6012,16 @@ impl WhippleTyresDerivatives {
         Partial::new(MatrixName::K0, 1, 0, 0, 6), Partial::new(MatrixName::K0, 1, 1, 0, 7),
         Partial::new(MatrixName::K2, 0, 1, 0, 8).negative(),
         Partial::new(MatrixName::K2, 1, 1, 0, 9), Partial::new(MatrixName::M, 0, 1, 1, 10),
-        Partial::new(MatrixName::M, 1, 0, 1, 10), Partial::new(MatrixName::M, 1, 1, 1, 11),
+        Partial::new(MatrixName::M, 1, 0, 1, 10),
+        Partial::new(MatrixName::M, 1, 1, 1, 11).negative(),
         Partial::new(MatrixName::C1, 0, 1, 1, 12),
         Partial::new(MatrixName::C1, 1, 0, 1, 13).negative(),
         Partial::new(MatrixName::C1, 1, 1, 1, 14), Partial::new(MatrixName::K0, 0, 1, 1, 15),
         Partial::new(MatrixName::K0, 1, 0, 1, 15), Partial::new(MatrixName::K0, 1, 1, 1, 16),
-        Partial::new(MatrixName::K2, 1, 1, 1, 17), Partial::new(MatrixName::M, 0, 1, 2, 18),
-        Partial::new(MatrixName::M, 1, 0, 2, 18), Partial::new(MatrixName::M, 1, 1, 2, 19),
+        Partial::new(MatrixName::K2, 1, 1, 1, 17).negative(),
+        Partial::new(MatrixName::M, 0, 1, 2, 18),
+        Partial::new(MatrixName::M, 1, 0, 2, 18),
+        Partial::new(MatrixName::M, 1, 1, 2, 19),
         Partial::new(MatrixName::C1, 0, 1, 2, 20).negative(),
         Partial::new(MatrixName::C1, 1, 0, 2, 21), Partial::new(MatrixName::C1, 1, 1, 2, 22),
         Partial::new(MatrixName::K0, 0, 1, 2, 23), Partial::new(MatrixName::K0, 1, 0, 2, 23),
@@ -6122,17 +6074,21 @@ impl WhippleTyresDerivatives {
         Partial::new(MatrixName::K0, 1, 1, 15, 72).negative(),
         Partial::new(MatrixName::K2, 1, 1, 15, 73), Partial::new(MatrixName::M, 0, 0, 16, 74),
         Partial::new(MatrixName::M, 0, 1, 16, 75), Partial::new(MatrixName::M, 1, 0, 16, 75),
-        Partial::new(MatrixName::M, 1, 1, 16, 76), Partial::new(MatrixName::C1, 0, 1, 16, 77),
-        Partial::new(MatrixName::C1, 1, 1, 16, 78), Partial::new(MatrixName::K0, 0, 0, 16, 79),
-        Partial::new(MatrixName::K0, 0, 1, 16, 80), Partial::new(MatrixName::K0, 1, 0, 16, 80),
-        Partial::new(MatrixName::K0, 1, 1, 16, 81),
+        Partial::new(MatrixName::M, 1, 1, 16, 76).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 16, 77).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 16, 78).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 16, 79), Partial::new(MatrixName::K0, 0, 1, 16, 80),
+        Partial::new(MatrixName::K0, 1, 0, 16, 80), Partial::new(MatrixName::K0, 1, 1, 16, 81),
         Partial::new(MatrixName::K2, 0, 1, 16, 82).negative(),
         Partial::new(MatrixName::K2, 1, 1, 16, 83).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 84), Partial::new(MatrixName::M, 0, 1, 17, 85),
-        Partial::new(MatrixName::M, 1, 0, 17, 85), Partial::new(MatrixName::M, 1, 1, 17, 86),
-        Partial::new(MatrixName::C1, 0, 1, 17, 87), Partial::new(MatrixName::C1, 1, 1, 17, 88),
-        Partial::new(MatrixName::K0, 0, 0, 17, 89), Partial::new(MatrixName::K0, 0, 1, 17, 90),
-        Partial::new(MatrixName::K0, 1, 0, 17, 90), Partial::new(MatrixName::K0, 1, 1, 17, 91),
+        Partial::new(MatrixName::M, 0, 0, 17, 84),
+        Partial::new(MatrixName::M, 0, 1, 17, 85).negative(),
+        Partial::new(MatrixName::M, 1, 0, 17, 85).negative(),
+        Partial::new(MatrixName::M, 1, 1, 17, 86),
+        Partial::new(MatrixName::C1, 0, 1, 17, 87).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 88), Partial::new(MatrixName::K0, 0, 0, 17, 89),
+        Partial::new(MatrixName::K0, 0, 1, 17, 90), Partial::new(MatrixName::K0, 1, 0, 17, 90),
+        Partial::new(MatrixName::K0, 1, 1, 17, 91),
         Partial::new(MatrixName::K2, 0, 1, 17, 92).negative(),
         Partial::new(MatrixName::K2, 1, 1, 17, 93), Partial::new(MatrixName::M, 0, 0, 18, 36),
         Partial::new(MatrixName::M, 0, 1, 18, 94), Partial::new(MatrixName::M, 1, 0, 18, 94),
@@ -6148,12 +6104,16 @@ impl WhippleTyresDerivatives {
         Partial::new(MatrixName::K0, 0, 1, 22, 108).negative(),
         Partial::new(MatrixName::K0, 1, 0, 22, 108).negative(),
         Partial::new(MatrixName::K0, 1, 1, 22, 109).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 110), Partial::new(MatrixName::K2, 1, 1, 22, 111),
-        Partial::new(MatrixName::M, 0, 0, 23, 112), Partial::new(MatrixName::M, 0, 1, 23, 113),
-        Partial::new(MatrixName::M, 1, 0, 23, 113), Partial::new(MatrixName::M, 1, 1, 23, 114),
+        Partial::new(MatrixName::K2, 0, 1, 22, 110),
+        Partial::new(MatrixName::K2, 1, 1, 22, 111),
+        Partial::new(MatrixName::M, 0, 0, 23, 112),
+        Partial::new(MatrixName::M, 0, 1, 23, 113).negative(),
+        Partial::new(MatrixName::M, 1, 0, 23, 113).negative(),
+        Partial::new(MatrixName::M, 1, 1, 23, 114).negative(),
         Partial::new(MatrixName::C1, 0, 1, 23, 115), Partial::new(MatrixName::C1, 1, 1, 23, 116),
         Partial::new(MatrixName::K0, 0, 0, 23, 117), Partial::new(MatrixName::K0, 0, 1, 23, 118),
-        Partial::new(MatrixName::K0, 1, 0, 23, 118), Partial::new(MatrixName::K0, 1, 1, 23, 119),
+        Partial::new(MatrixName::K0, 1, 0, 23, 118),
+        Partial::new(MatrixName::K0, 1, 1, 23, 119).negative(),
         Partial::new(MatrixName::K2, 0, 1, 23, 120), Partial::new(MatrixName::K2, 1, 1, 23, 121),
         Partial::new(MatrixName::M, 0, 0, 24, 36), Partial::new(MatrixName::M, 0, 1, 24, 94),
         Partial::new(MatrixName::M, 1, 0, 24, 94), Partial::new(MatrixName::M, 1, 1, 24, 122),

@@ -26,6 +26,7 @@ mod neighbours;
 pub mod nonlinear;
 mod pipeline;
 pub mod program;
+mod random;
 mod report;
 mod spread;
 mod states;

@@ -4,6 +4,8 @@
 //! fewest operations is hard to say (the problem is NP-complete: Naumann 2008), but a search by small changes finds
 //! orders that take a sixth less than the best of the usual ones.
 
+use crate::random::Random;
+
 /// Which derivatives there are: a set of nodes for each node, and whether they are 1 or -1.
 #[derive(Clone, Debug)]
 pub struct Graph {
@@ -203,16 +205,6 @@ const MAX_TAKEN_OUT: usize = 50_000;
 
 /// Operations more that are accepted at first.
 const MAX_WORSE: usize = 6;
-
-/// A linear congruential generator (Knuth's MMIX): what it gives need only be unlike.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, count: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) as usize % count
-    }
-}
 
 #[cfg(test)]
 mod tests {

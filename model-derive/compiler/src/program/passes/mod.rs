@@ -5,10 +5,12 @@ mod cse;
 mod nary;
 mod powers;
 mod quotients;
+mod rearrange;
 mod signs;
 mod substitute;
 
 pub use cse::Builder;
+pub use rearrange::rearrange;
 pub use substitute::substitute;
 
 use super::Program;

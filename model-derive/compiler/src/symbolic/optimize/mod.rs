@@ -8,7 +8,7 @@ mod system;
 use super::door::ask;
 use super::failure::Failure;
 use crate::equations::Equations;
-use crate::program::Program;
+use crate::program::{Program, passes};
 
 /// The cheapest program found for each set of equations.
 ///
@@ -18,7 +18,7 @@ pub fn compile(equations: Vec<Equations>) -> Result<Vec<Program>, Failure> {
     ask("programs", equations, |engine, equations| {
         let numbered = equations.iter().enumerate();
         let programs = numbered.map(|(index, equations)| {
-            let found = search::cheapest(engine, equations);
+            let found = search::cheapest(engine, equations).map(passes::rearrange);
             found.map_err(|(place, why)| Failure::Undefined { equations: index, place, why })
         });
         programs.collect()
