@@ -108,12 +108,12 @@ const char *flywheel_bicycle_validity_text(flywheel_bicycle_validity_t validity)
 const carvallo_partial_t flywheel_bicycle_partials[FLYWHEEL_BICYCLE_PARTIALS] = {
     {CARVALLO_MATRIX_M, 0U, 1U, 0U, 0U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 1U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 1U, true},
     {CARVALLO_MATRIX_C0, 0U, 1U, 0U, 2U, true},
     {CARVALLO_MATRIX_C0, 1U, 0U, 0U, 2U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 3U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 3U, true},
     {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 4U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 5U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 5U, true},
     {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 6U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 6U, false},
     {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 7U, false},
@@ -121,8 +121,8 @@ const carvallo_partial_t flywheel_bicycle_partials[FLYWHEEL_BICYCLE_PARTIALS] = 
     {CARVALLO_MATRIX_K1, 1U, 1U, 0U, 9U, true},
     {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 10U, true},
     {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 11U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 1U, 12U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 1U, 12U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 1U, 12U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 1U, 12U, false},
     {CARVALLO_MATRIX_M, 1U, 1U, 1U, 13U, false},
     {CARVALLO_MATRIX_C0, 0U, 1U, 1U, 14U, false},
     {CARVALLO_MATRIX_C0, 1U, 0U, 1U, 14U, true},
@@ -131,11 +131,11 @@ const carvallo_partial_t flywheel_bicycle_partials[FLYWHEEL_BICYCLE_PARTIALS] = 
     {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 17U, false},
     {CARVALLO_MATRIX_K0, 0U, 1U, 1U, 18U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 1U, 18U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 19U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 20U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 19U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 20U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 2U, 21U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 2U, 21U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 22U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 22U, true},
     {CARVALLO_MATRIX_C0, 0U, 1U, 2U, 23U, true},
     {CARVALLO_MATRIX_C0, 1U, 0U, 2U, 23U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 24U, true},
@@ -143,16 +143,16 @@ const carvallo_partial_t flywheel_bicycle_partials[FLYWHEEL_BICYCLE_PARTIALS] = 
     {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 26U, false},
     {CARVALLO_MATRIX_K0, 0U, 1U, 2U, 27U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 2U, 27U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 28U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 28U, true},
     {CARVALLO_MATRIX_K1, 0U, 1U, 2U, 29U, true},
-    {CARVALLO_MATRIX_K1, 1U, 1U, 2U, 30U, false},
+    {CARVALLO_MATRIX_K1, 1U, 1U, 2U, 30U, true},
     {CARVALLO_MATRIX_K2, 0U, 1U, 2U, 31U, true},
     {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 32U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 4U, 33U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 4U, 34U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 4U, 34U, true},
     {CARVALLO_MATRIX_C1, 1U, 0U, 4U, 35U, false},
     {CARVALLO_MATRIX_K0, 0U, 0U, 4U, 36U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 4U, 37U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 4U, 37U, true},
     {CARVALLO_MATRIX_M, 0U, 0U, 5U, 38U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 5U, 39U, false},
     {CARVALLO_MATRIX_K0, 0U, 0U, 5U, 40U, true},
@@ -198,7 +198,7 @@ const carvallo_partial_t flywheel_bicycle_partials[FLYWHEEL_BICYCLE_PARTIALS] = 
     {CARVALLO_MATRIX_C1, 0U, 1U, 14U, 70U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 15U, 71U, true},
     {CARVALLO_MATRIX_M, 1U, 0U, 15U, 71U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 72U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 72U, true},
     {CARVALLO_MATRIX_C1, 0U, 1U, 15U, 73U, true},
     {CARVALLO_MATRIX_C1, 1U, 1U, 15U, 74U, false},
     {CARVALLO_MATRIX_K0, 0U, 1U, 15U, 75U, true},
@@ -208,7 +208,7 @@ const carvallo_partial_t flywheel_bicycle_partials[FLYWHEEL_BICYCLE_PARTIALS] = 
     {CARVALLO_MATRIX_M, 0U, 0U, 16U, 78U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 16U, 79U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 16U, 79U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 80U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 80U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 81U, true},
     {CARVALLO_MATRIX_C1, 1U, 1U, 16U, 82U, true},
     {CARVALLO_MATRIX_K0, 0U, 0U, 16U, 83U, false},
@@ -218,17 +218,17 @@ const carvallo_partial_t flywheel_bicycle_partials[FLYWHEEL_BICYCLE_PARTIALS] = 
     {CARVALLO_MATRIX_K2, 0U, 1U, 16U, 86U, true},
     {CARVALLO_MATRIX_K2, 1U, 1U, 16U, 87U, true},
     {CARVALLO_MATRIX_M, 0U, 0U, 17U, 88U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 89U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 89U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 89U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 89U, false},
     {CARVALLO_MATRIX_M, 1U, 1U, 17U, 90U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 91U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 92U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 92U, true},
     {CARVALLO_MATRIX_K0, 0U, 0U, 17U, 93U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 94U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 94U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 95U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 94U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 94U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 95U, false},
     {CARVALLO_MATRIX_K2, 0U, 1U, 17U, 96U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 97U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 97U, true},
     {CARVALLO_MATRIX_M, 0U, 0U, 18U, 42U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 18U, 98U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 18U, 98U, false},
@@ -254,17 +254,17 @@ const carvallo_partial_t flywheel_bicycle_partials[FLYWHEEL_BICYCLE_PARTIALS] = 
     {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 114U, false},
     {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 115U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 23U, 116U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 117U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 117U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 117U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 117U, false},
     {CARVALLO_MATRIX_M, 1U, 1U, 23U, 118U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 23U, 119U, false},
     {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 120U, false},
     {CARVALLO_MATRIX_K0, 0U, 0U, 23U, 121U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 122U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 122U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 123U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 122U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 122U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 123U, true},
     {CARVALLO_MATRIX_K2, 0U, 1U, 23U, 124U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 125U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 125U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 24U, 42U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 24U, 98U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 24U, 98U, false},
@@ -383,56 +383,50 @@ flywheel_bicycle_validity_t flywheel_bicycle_f64_validate(const flywheel_bicycle
 
 void flywheel_bicycle_f64_matrices(const flywheel_bicycle_f64_t *p, flywheel_bicycle_f64_matrices_t *matrices)
 {
-    const double t2 = p->zB * p->mB;
-    const double t7 = p->zH * p->mH;
-    const double t13 = p->rF * p->mF;
-    const double Jxx_delta = p->IFxx + (p->zH * t7) + (p->IHxx + (p->rF * t13));
-    const double t19 = p->rR * p->mR;
-    const double M_11 = (p->zB * t2) + (Jxx_delta + ((p->rR * t19) + (p->IRxx + p->IBxx)));
-    double sin_lam = 0.0;
+    const double t2 = p->rR * p->mR;
+    const double t6 = p->zB * p->mB;
+    const double t11 = p->zH * p->mH;
+    const double t18 = p->rF * p->mF;
+    const double t22 = p->IFxx + ((p->rF * t18) + p->IHxx);
+    const double M_11 = (p->rR * t2) + ((p->zB * t6) + (p->IBxx + (p->zH * t11) + (p->IRxx + t22)));
+    double wx_delta2_delta = 0.0;
     double cos_lam = 0.0;
-    carvallo_sin_cos_f64(p->lam, &sin_lam, &cos_lam);
-    const double t31 = 1.0 / p->w;
-    const double yaw_per_v_delta = cos_lam * t31;
+    carvallo_sin_cos_f64(p->lam, &wx_delta2_delta, &cos_lam);
+    const double t32 = 1.0 / p->w;
+    const double yaw_per_v_delta = cos_lam * t32;
     const double mu = p->c * yaw_per_v_delta;
-    const double t36 = p->c + p->w;
-    const double t37 = p->xH - t36;
-    const double t41 = p->IHxz - (t7 * t37) - (t13 * p->c);
-    const double Sz_delta = t7 - t13;
-    const double t47 = p->mB * p->xB;
-    const double mA = p->zB * t47;
-    const double t50 = t41 + (p->IBxz - (t36 * Sz_delta) - mA);
-    const double t55 = (Jxx_delta * sin_lam) + (t41 * cos_lam);
-    const double M_12 = (mu * t50) + t55;
-    const double t59 = p->mH * t37;
-    const double t62 = p->mF * p->c;
-    const double Jzz_delta = p->IFxx + (p->IHzz + (t37 * t59) + (p->c * t62));
-    const double t67 = (sin_lam * t41) + (cos_lam * Jzz_delta);
-    const double t70 = t59 - t62;
-    const double t72 = (sin_lam * Sz_delta) - (cos_lam * t70);
-    const double t74 = (t36 * t72) - t67;
-    const double t79 = (p->mH * p->xH) + (p->mF * p->w);
-    const double hx_delta = p->IRxx + Jzz_delta + ((p->xB * t47) + (t36 * (t70 + t79)));
-    const double t87 = (mu * (hx_delta + p->IBzz)) - t74;
-    const double t95 = p->hH + p->hB;
-    const double t97 = cos_lam * p->hH;
-    const double C0_12 = (mu * t95) + t97;
-    const double K0_11 = Sz_delta - (t19 - t2);
+    const double wz_delta2_delta = cos_lam + mu;
+    const double t42 = (p->zH * wx_delta2_delta) + (cos_lam * (p->c + p->w)) - (p->xH *
+        wz_delta2_delta);
+    const double t43 = p->mH * t42;
+    const double t48 = (p->IHxz * wz_delta2_delta) + (wx_delta2_delta * t22);
+    const double t52 = p->IBxz - (t6 * p->xB);
+    const double M_12 = (p->zH * t43) + (t48 + (mu * t52));
+    const double t57 = p->mB * p->xB;
+    const double ST = p->IRxx + (p->IBzz + (p->xB * t57));
+    const double t66 = (wz_delta2_delta * (p->IFxx + p->IHzz)) + (wx_delta2_delta * p->IHxz);
+    const double t67 = (mu * ST) + t66;
+    const double M_22 = (mu * t67) + ((cos_lam * t66) + (t48 * wx_delta2_delta)) + (t42 * t43);
+    const double C0_12 = (wz_delta2_delta * p->hH) + (mu * p->hB);
     const double SF = p->IFyy / p->rF;
-    const double ST = SF + (p->IRyy / p->rR);
-    const double t111 = (mu * ST) + (cos_lam * SF);
-    const double C1_12 = ((t50 - (p->c * K0_11)) * yaw_per_v_delta) + t111;
-    const double Sx_all = t47 + t79;
-    const double K0_12 = t72 - (mu * Sx_all);
-    const double C1_22 = (yaw_per_v_delta * t87) - (mu * K0_12);
-    const double K0_22 = sin_lam * K0_12;
-    const double K1_12 = yaw_per_v_delta * t95;
-    const double K1_22 = t31 * (sin_lam * t97);
-    const double K2_12 = yaw_per_v_delta * (ST - K0_11);
-    const double K2_22 = yaw_per_v_delta * ((sin_lam * SF) - K0_12);
-    const double M_22 = (cos_lam * t67) - ((mu * (t74 - t87)) - (sin_lam * t55));
+    const double SR = p->IRyy / p->rR;
+    const double ay_delta2_delta = SR + SF;
+    const double t88 = (cos_lam * SF) + (mu * ay_delta2_delta);
+    const double t93 = t11 + (t6 - t2);
+    const double C1_12 = t88 + (t18 * wz_delta2_delta) + (yaw_per_v_delta * (p->IHxz + t52 -
+        ((p->c * t93) + (t11 * p->xH))));
+    const double t100 = t18 * wx_delta2_delta;
+    const double K0_12 = t43 - (mu * t57) - t100;
+    const double C1_22 = cos_lam * ((t32 * (t67 - ((p->c * K0_12) + (p->xH * t43)))) + t100);
+    const double K0_11 = t93 - t18;
+    const double K0_22 = wx_delta2_delta * K0_12;
+    const double t113 = yaw_per_v_delta * p->hH;
+    const double K1_12 = t113 + (yaw_per_v_delta * p->hB);
+    const double K1_22 = wx_delta2_delta * t113;
+    const double K2_12 = yaw_per_v_delta * (ay_delta2_delta - K0_11);
+    const double K2_22 = yaw_per_v_delta * ((wx_delta2_delta * SF) - K0_12);
     const double C0_21 = -C0_12;
-    const double C1_21 = -t111;
+    const double C1_21 = -t88;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -593,243 +587,219 @@ void flywheel_bicycle_f64_kinematics(const flywheel_bicycle_f64_t *p, flywheel_b
 void flywheel_bicycle_f64_derivatives(const flywheel_bicycle_f64_t *p,
     flywheel_bicycle_f64_matrices_t *matrices, flywheel_bicycle_f64_derivatives_t *derivatives)
 {
-    const double t3 = p->rF * p->mF;
-    const double Jzz_all_mB = p->rF * t3;
-    const double Jxz_delta_w = p->zH * p->mH;
-    const double Jxx_delta = Jzz_all_mB + p->IFxx + p->IHxx + (p->zH * Jxz_delta_w);
-    const double M_11_mB = p->zB * p->zB;
-    const double M_11_mR = p->rR * p->rR;
-    const double M_11 = p->IRxx + Jxx_delta + p->IBxx + (p->mB * M_11_mB) + (p->mR * M_11_mR);
-    double hx_delta_Jxx_delta = 0.0;
-    double hx_delta_Jxz_delta = 0.0;
-    carvallo_sin_cos_f64(p->lam, &hx_delta_Jxx_delta, &hx_delta_Jxz_delta);
-    const double t31 = p->mF * p->c;
-    const double Sx_all_mA = p->c + p->w;
-    const double Sx_delta_mH = p->xH - Sx_all_mA;
-    const double t40 = (p->rF * t31) + (Jxz_delta_w * Sx_delta_mH) - p->IHxz;
-    const double t42 = t40 * hx_delta_Jxz_delta;
-    const double hx_delta = (Jxx_delta * hx_delta_Jxx_delta) - t42;
-    const double t44 = 1.0 / p->w;
-    const double yaw_per_v_delta = hx_delta_Jxz_delta * t44;
+    const double t5 = p->rF * p->mF;
+    const double t8 = p->IHxx + p->IFxx + (p->rF * t5);
+    const double t11 = p->zB * p->mB;
+    const double t15 = p->rR * p->mR;
+    const double t20 = p->zH * p->mH;
+    const double M_11 = p->IRxx + t8 + (p->zB * t11) + (p->rR * t15) + p->IBxx + (p->zH * t20);
+    double wx_delta2_delta = 0.0;
+    double wx_delta2_delta_lam = 0.0;
+    carvallo_sin_cos_f64(p->lam, &wx_delta2_delta, &wx_delta2_delta_lam);
+    const double t31 = 1.0 / p->w;
+    const double yaw_per_v_delta = wx_delta2_delta_lam * t31;
     const double mu = p->c * yaw_per_v_delta;
-    const double t48 = p->mB * p->xB;
-    const double t50 = t3 - Jxz_delta_w;
-    const double t55 = t40 + (p->zB * t48) - (Sx_all_mA * t50) - p->IBxz;
-    const double M_12 = hx_delta - (mu * t55);
-    const double t59 = hx_delta_Jxx_delta * t40;
-    const double t62 = p->mH * Sx_delta_mH;
-    const double Jzz_delta = p->IFxx + p->IHzz + (p->c * t31) + (Sx_delta_mH * t62);
-    const double t68 = t59 - (hx_delta_Jxz_delta * Jzz_delta);
-    const double t70 = hx_delta_Jxx_delta * t50;
-    const double Sx_delta = t62 - t31;
-    const double py_delta = t70 + (hx_delta_Jxz_delta * Sx_delta);
-    const double t75 = t68 - (Sx_all_mA * py_delta);
-    const double mA = p->mF + p->mH;
-    const double t80 = Sx_all_mA * mA;
-    const double t81 = 0.5 * t80;
-    const double t82 = Sx_delta + Sx_delta;
-    const double t84 = t81 + t81 + t82;
-    const double t89 = p->IRxx + Jzz_delta + p->IBzz + (p->xB * t48) + (Sx_all_mA * t84);
-    const double t90 = mu * t89;
-    const double t91 = t75 - t90;
-    const double t92 = t75 + t91;
-    const double M_22 = (hx_delta_Jxx_delta * hx_delta) - (hx_delta_Jxz_delta * t68) - (mu * t92);
+    const double t36 = p->mB * p->xB;
+    const double t38 = p->IBxz - (p->zB * t36);
+    const double wz_delta2_delta = wx_delta2_delta_lam + mu;
+    const double t45 = (p->IHxz * wz_delta2_delta) + (t8 * wx_delta2_delta);
+    const double t46 = p->zH * wx_delta2_delta;
+    const double t49 = p->c + p->w - p->xH;
+    const double t50 = p->c * t31;
+    const double K0_12_mH = t46 - (wx_delta2_delta_lam * ((p->xH * t50) - t49));
+    const double M_12_mH = p->zH * K0_12_mH;
+    const double M_12 = (mu * t38) + t45 + (p->mH * M_12_mH);
+    const double M_22_mH = K0_12_mH * K0_12_mH;
+    const double t63 = p->IFxx + p->IHzz;
+    const double t65 = p->IHxz * wx_delta2_delta;
+    const double M_22_wz_delta2_delta = (wz_delta2_delta * t63) + t65;
+    const double t70 = p->IRxx + p->IBzz + (p->xB * t36);
+    const double K1_22_yaw_per_v_delta = mu * t70;
+    const double t72 = M_22_wz_delta2_delta + K1_22_yaw_per_v_delta;
+    const double t73 = t50 * t72;
+    const double M_22_mu = M_22_wz_delta2_delta + t73;
+    const double M_22 = (wx_delta2_delta * t45) + (p->mH * M_22_mH) + (wx_delta2_delta_lam *
+        M_22_mu);
     const double K1_12_yaw_per_v_delta = p->hH + p->hB;
-    const double t101 = hx_delta_Jxz_delta * p->hH;
-    const double C0_12 = (mu * K1_12_yaw_per_v_delta) + t101;
-    const double SF_IFyy = 1.0 / p->rF;
-    const double SF = p->IFyy * SF_IFyy;
-    const double t106 = hx_delta_Jxz_delta * SF;
-    const double SR_IRyy = 1.0 / p->rR;
-    const double ST = SF + (p->IRyy * SR_IRyy);
-    const double t111 = p->mB * p->zB;
-    const double t112 = p->mR * p->rR;
-    const double t113 = t111 - t112;
-    const double K2_12_yaw_per_v_delta = ST + (t50 - t113);
-    const double t117 = (p->c * K2_12_yaw_per_v_delta) - t55;
-    const double C1_12 = t106 + (yaw_per_v_delta * t117);
-    const double Sx_all = t48 + Sx_delta + t80;
-    const double t124 = mu * Sx_all;
-    const double P_delta_lateral = py_delta + t124;
+    const double t83 = p->hH + (t50 * K1_12_yaw_per_v_delta);
+    const double C0_12 = wx_delta2_delta_lam * t83;
+    const double t85 = p->mH * p->xH;
+    const double t88 = t38 + p->IHxz - (p->zH * t85);
+    const double K0_11 = t20 - (t5 + t15 - t11);
+    const double t93 = t88 - (p->c * K0_11);
+    const double t96 = 1.0 / p->rF;
+    const double SF = p->IFyy * t96;
+    const double t99 = 1.0 / p->rR;
+    const double t100 = p->IRyy * t99;
+    const double ay_delta2_delta = SF + t100;
+    const double t102 = yaw_per_v_delta * ay_delta2_delta;
+    const double t103 = p->c * t102;
+    const double t104 = (yaw_per_v_delta * t93) + t103;
+    const double t105 = wx_delta2_delta_lam * SF;
+    const double t106 = t5 * wx_delta2_delta_lam;
+    const double C1_12 = t104 + t105 + t106;
+    const double t110 = p->rF * wx_delta2_delta;
+    const double t111 = p->mF * t110;
+    const double t112 = p->mH * K0_12_mH;
+    const double t115 = t31 * (t72 - (p->xH * t112));
+    const double t116 = mu * t36;
+    const double t117 = t116 - t112;
+    const double t118 = t111 + t117;
+    const double C1_22 = wx_delta2_delta_lam * (t111 + t115 + (t50 * t118));
     const double K1_12 = yaw_per_v_delta * K1_12_yaw_per_v_delta;
-    const double t131 = hx_delta_Jxx_delta * t44;
-    const double C1_22_Jxz_delta = hx_delta_Jxz_delta * t131;
-    const double K1_22 = p->hH * C1_22_Jxz_delta;
+    const double K2_22_SF = yaw_per_v_delta * wx_delta2_delta;
+    const double K1_22 = p->hH * K2_22_SF;
+    const double K2_12_yaw_per_v_delta = ay_delta2_delta - K0_11;
     const double K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
-    const double t135 = hx_delta_Jxx_delta * SF;
-    const double K2_22_yaw_per_v_delta = P_delta_lateral + t135;
-    const double K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
-    const double M_12_Jxz_delta = hx_delta_Jxz_delta + mu;
-    const double t140 = p->mH * M_12_Jxz_delta;
-    const double t141 = p->zH * t140;
-    const double t143 = hx_delta_Jxz_delta / (p->w * p->w);
-    const double t144 = p->c * t143;
-    const double M_12_w = (mu * t50) + t141 + (t55 * t144);
-    const double t148 = Sx_delta_mH * M_12_Jxz_delta;
-    const double t149 = M_12_Jxz_delta * t148;
-    const double Jzz_all_Sx_delta = Sx_all_mA + Sx_all_mA;
-    const double t151 = mu * Jzz_all_Sx_delta;
-    const double M_22_Sx_delta = M_12_Jxz_delta * t151;
-    const double M_22_Jxz_delta = M_12_Jxz_delta * (hx_delta_Jxx_delta + hx_delta_Jxx_delta);
-    const double t157 = t149 + M_22_Sx_delta - (p->zH * M_22_Jxz_delta);
-    const double M_22_xH = p->mH * (t149 + t157);
-    const double t160 = t92 - t90;
-    const double Jzz_all_w = t80 + t84;
-    const double t164 = py_delta + (mu * Jzz_all_w);
-    const double t166 = mu * (py_delta + t164);
-    const double M_22_w = (t144 * t160) + t166 - M_22_xH;
-    const double C0_21_w = K1_12_yaw_per_v_delta * t144;
-    const double C1_12_w = (t3 * yaw_per_v_delta) - (t117 * t143);
-    const double C1_21_w = ST * t144;
-    const double t174 = mu * mA;
-    const double t176 = t164 + (p->c * t174);
-    const double K2_22_Sx_delta = yaw_per_v_delta * M_12_Jxz_delta;
-    const double C1_22_Jzz_all = yaw_per_v_delta * mu;
-    const double M_22_Jzz_all = p->c * C1_22_Jzz_all;
-    const double t182 = Sx_all_mA * yaw_per_v_delta;
-    const double C1_22_py_delta = mu + t182;
-    const double K2_22_mA = Sx_all_mA * C1_22_Jzz_all;
-    const double t187 = M_22_Jzz_all + (hx_delta_Jxz_delta * C1_22_py_delta) + K2_22_mA;
-    const double M_22_mA = p->c * t182;
-    const double t189 = p->zH * hx_delta_Jxx_delta;
-    const double t190 = M_22_mA - t189;
-    const double t191 = t148 + t190;
-    const double K2_22_mH = yaw_per_v_delta * t191;
-    const double t193 = t187 + K2_22_mH;
-    const double C1_22_xH = (t62 * K2_22_Sx_delta) + (p->mH * t193);
-    const double C1_22_mu = t124 + P_delta_lateral + (yaw_per_v_delta * t89);
-    const double t200 = t91 - (p->c * C1_22_mu);
-    const double C1_22_w = (yaw_per_v_delta * t176) + (t143 * t200) - C1_22_xH;
-    const double K0_12_w = t140 + (Sx_all * t144) - t174;
-    const double K0_22_w = hx_delta_Jxx_delta * K0_12_w;
-    const double t208 = K1_12_yaw_per_v_delta * t143;
-    const double K1_22_yaw_per_v_delta = hx_delta_Jxx_delta * p->hH;
-    const double t210 = t143 * K1_22_yaw_per_v_delta;
-    const double t211 = K2_12_yaw_per_v_delta * t143;
-    const double t214 = (yaw_per_v_delta * K0_12_w) + (K2_22_yaw_per_v_delta * t143);
-    const double t216 = hx_delta_Jxz_delta * t50;
-    const double t217 = (yaw_per_v_delta * t55) + t216;
-    const double t220 = t70 + (t82 * M_12_Jxz_delta);
-    const double M_22_c = t166 - (yaw_per_v_delta * t160) - (M_12_Jxz_delta * (t70 + t220 + (mA *
-        t151)));
-    const double t227 = yaw_per_v_delta * ST;
-    const double C1_22_Sx_delta = K2_22_mA + t187;
-    const double C1_22_c = (yaw_per_v_delta * (t176 + C1_22_mu - t220)) - (mA * C1_22_Sx_delta);
-    const double K0_12_c = hx_delta_Jxz_delta * (mA - (t44 * Sx_all));
-    const double K0_22_c = hx_delta_Jxx_delta * K0_12_c;
-    const double t238 = yaw_per_v_delta * K0_12_c;
-    const double t239 = p->c * t131;
-    const double hx_delta_lam = t59 + (Jxx_delta * hx_delta_Jxz_delta);
-    const double M_12_lam = (t55 * t239) + hx_delta_lam;
-    const double t245 = (hx_delta_Jxx_delta * Sx_delta) - t216;
-    const double t248 = (M_22_mA * t245) - (t91 * t239);
-    const double M_22_hz_delta = mu + M_12_Jxz_delta;
-    const double t251 = t42 + (hx_delta_Jxx_delta * Jzz_delta);
-    const double M_22_lam = (hx_delta_Jxz_delta * hx_delta) + (hx_delta_Jxx_delta * (t68 +
-        hx_delta_lam)) - t248 - t248 - (M_22_hz_delta * t251);
-    const double t260 = K1_12_yaw_per_v_delta * t131;
-    const double C0_21_lam = K1_22_yaw_per_v_delta + (p->c * t260);
-    const double t264 = t135 + (t117 * t131);
-    const double C1_21_lam = t135 + (ST * t239);
-    const double C1_22_lam = (t131 * t200) - (yaw_per_v_delta * t251) - (C1_22_py_delta * t245);
-    const double K0_12_lam = t245 + (Sx_all * t239);
-    const double K0_22_lam = (hx_delta_Jxx_delta * K0_12_lam) - (hx_delta_Jxz_delta *
-        P_delta_lateral);
-    const double K1_22_lam = (yaw_per_v_delta * t101) - (t131 * K1_22_yaw_per_v_delta);
-    const double t280 = K2_12_yaw_per_v_delta * t131;
-    const double K2_22_lam = (yaw_per_v_delta * (t106 - K0_12_lam)) - (t131 *
-        K2_22_yaw_per_v_delta);
-    const double M_11_rR = t112 + t112;
-    const double t286 = p->IRyy / M_11_mR;
-    const double K2_12_rR = yaw_per_v_delta * (p->mR - t286);
-    const double C1_12_rR = p->c * K2_12_rR;
-    const double C1_21_rR = mu * t286;
+    const double t129 = wx_delta2_delta * SF;
+    const double K2_22_yaw_per_v_delta = t118 + t129;
+    const double t131 = t31 * K2_22_yaw_per_v_delta;
+    const double K2_22 = wx_delta2_delta_lam * t131;
+    const double t133 = yaw_per_v_delta * t88;
+    const double t135 = t20 * wx_delta2_delta_lam;
+    const double M_12_w = t135 - (t50 * t133);
+    const double t137 = yaw_per_v_delta * p->xH;
+    const double t139 = wx_delta2_delta_lam + (t50 * t137);
+    const double t140 = p->mH * t139;
+    const double t143 = (yaw_per_v_delta * t73) - (K0_12_mH * t140);
+    const double t144 = t143 + t143;
+    const double t145 = t31 * K1_12;
+    const double C0_21_w = p->c * t145;
+    const double t147 = t31 * t104;
+    const double C1_21_w = t50 * t102;
+    const double t150 = t111 + (yaw_per_v_delta * t63);
+    const double t154 = t116 + t117 + t150 + (yaw_per_v_delta * t70);
+    const double t156 = t115 + (t50 * t154);
+    const double t158 = mu + t137;
+    const double t159 = p->mH * t158;
+    const double t161 = (yaw_per_v_delta * t156) + (t139 * t159);
+    const double K0_12_w = t140 + (t31 * t116);
+    const double K0_22_w = wx_delta2_delta * K0_12_w;
+    const double t165 = t31 * K1_22;
+    const double t166 = t31 * K2_12;
+    const double t168 = yaw_per_v_delta * (t131 + K0_12_w);
+    const double M_12_c = t133 + t135;
+    const double t171 = wx_delta2_delta_lam * (t112 + t115);
+    const double M_22_c = t171 + t171;
+    const double t173 = wx_delta2_delta_lam - t137;
+    const double C1_22_c = (yaw_per_v_delta * t154) - (t159 * t173);
+    const double t177 = yaw_per_v_delta * t36;
+    const double t178 = p->mH * t173;
+    const double t179 = t177 - t178;
+    const double t180 = wx_delta2_delta * t179;
+    const double K2_22_c = yaw_per_v_delta * t179;
+    const double K0_12_zH = p->mH * wx_delta2_delta;
+    const double t185 = t135 - (t49 * K0_12_zH);
+    const double t187 = t31 * wx_delta2_delta;
+    const double t188 = p->c * t187;
+    const double M_12_lam = (t8 * wx_delta2_delta_lam) + (p->zH * t185) - t65 - (t88 * t188);
+    const double ST_xB = t85 * t188;
+    const double t196 = t185 + ST_xB;
+    const double t199 = (wx_delta2_delta * M_22_mu) - (wx_delta2_delta_lam * t45) - (K0_12_mH *
+        t196);
+    const double t200 = t199 + t199;
+    const double C0_21_lam = wx_delta2_delta * t83;
+    const double C1_21_lam = t129 + (ay_delta2_delta * t188);
+    const double t206 = t111 + (t93 * t187) + C1_21_lam;
+    const double t211 = wx_delta2_delta_lam * yaw_per_v_delta;
+    const double C1_22_lam = (wz_delta2_delta * t106) + (p->IHxz * t211) - (wx_delta2_delta *
+        (t150 + t156)) - (t158 * t196);
+    const double t217 = t196 + (t36 * t188);
+    const double t218 = t106 - t217;
+    const double t221 = (wx_delta2_delta * t218) + (wx_delta2_delta_lam * t118);
+    const double t222 = K1_12_yaw_per_v_delta * t187;
+    const double t225 = p->hH * ((wx_delta2_delta * t187) - t211);
+    const double t226 = K2_12_yaw_per_v_delta * t187;
+    const double K2_22_lam = (yaw_per_v_delta * (t105 + t218)) - (wx_delta2_delta * t131);
+    const double M_11_rR = t15 + t15;
+    const double t233 = (t99 * t100) - p->mR;
+    const double t234 = mu * t233;
+    const double K2_12_IRyy = yaw_per_v_delta * t99;
+    const double C1_12_IRyy = p->c * K2_12_IRyy;
+    const double C1_21_rR = t100 * C1_12_IRyy;
+    const double t238 = yaw_per_v_delta * t233;
+    const double M_11_mR = p->rR * p->rR;
     const double K2_12_mR = p->rR * yaw_per_v_delta;
     const double C1_12_mR = p->c * K2_12_mR;
-    const double C1_12_IRyy = mu * SR_IRyy;
-    const double K2_12_IRyy = yaw_per_v_delta * SR_IRyy;
-    const double t296 = yaw_per_v_delta * t111;
-    const double t297 = p->c * t296;
-    const double t298 = p->mB * yaw_per_v_delta;
-    const double t299 = p->c * t298;
-    const double t300 = yaw_per_v_delta * p->xB;
-    const double t301 = p->c * t300;
-    const double t302 = t299 * t301;
-    const double M_22_xB = t302 + t302;
-    const double t304 = mu + t300;
-    const double Jzz_delta_mF = t300 + t304;
-    const double C1_22_xB = t299 * Jzz_delta_mF;
-    const double t307 = hx_delta_Jxx_delta * t299;
-    const double K2_22_xB = yaw_per_v_delta * t299;
-    const double M_11_zB = t111 + t111;
-    const double t310 = p->mB * t301;
-    const double t311 = p->mB * t304;
-    const double t312 = p->zB * t301;
-    const double M_22_mB = t301 * t301;
-    const double t314 = p->zB * t304;
-    const double K2_22_mB = yaw_per_v_delta * t301;
-    const double C1_22_mB = p->xB * (M_22_Jzz_all + K2_22_mB);
-    const double t318 = hx_delta_Jxx_delta * t301;
-    const double t319 = p->zB * yaw_per_v_delta;
-    const double t320 = p->mH * yaw_per_v_delta;
-    const double t321 = p->zH * t320;
-    const double K0_12_zH = p->mH * hx_delta_Jxx_delta;
-    const double t323 = M_12_Jxz_delta * K0_12_zH;
-    const double K2_22_xH = yaw_per_v_delta * t140;
-    const double Jxx_delta_zH = Jxz_delta_w + Jxz_delta_w;
-    const double M_12_zH = p->mH * (t189 - t191);
-    const double t328 = hx_delta_Jxx_delta * t191;
-    const double t330 = p->mH * (t328 + t328);
-    const double t331 = p->c + p->xH;
-    const double t332 = t320 * t331;
-    const double t333 = hx_delta_Jxx_delta * t332;
-    const double K0_22_zH = hx_delta_Jxx_delta * K0_12_zH;
-    const double t335 = p->mH * C1_22_Jxz_delta;
-    const double Jxx_delta_mH = p->zH * p->zH;
-    const double t337 = p->zH * t191;
-    const double t338 = M_22_mA * M_22_mA;
-    const double M_22_mH = t338 + (Sx_delta_mH * t157) - (t189 * (M_22_mA + t190));
-    const double t344 = p->zH * yaw_per_v_delta;
-    const double t345 = t331 * t344;
-    const double C1_22_mH = (C1_22_py_delta * t190) + (Sx_delta_mH * t193);
-    const double M_delta_delta_Jxx_delta = hx_delta_Jxx_delta * hx_delta_Jxx_delta;
-    const double M_22_Jzz_delta = M_12_Jxz_delta * M_12_Jxz_delta;
-    const double Jxx_delta_rF = t3 + t3;
-    const double py_delta_mF = p->rF * hx_delta_Jxx_delta;
-    const double t353 = p->c * M_12_Jxz_delta;
-    const double t354 = M_22_mA + py_delta_mF;
-    const double K0_12_mF = t353 - t354;
-    const double M_12_rF = p->mF * (py_delta_mF - K0_12_mF);
-    const double M_22_rF = (M_delta_delta_Jxx_delta * Jxx_delta_rF) - (t31 * (M_22_Jxz_delta -
-        (C1_22_Jxz_delta * Jzz_all_Sx_delta)));
-    const double t363 = p->mF * t182;
-    const double Jxx_delta_mF = p->rF * p->rF;
-    const double t365 = p->IFyy / Jxx_delta_mF;
-    const double C1_21_rF = M_12_Jxz_delta * t365;
-    const double C1_12_rF = t363 - C1_21_rF;
-    const double C1_22_rF = hx_delta_Jxx_delta * t363;
-    const double py_delta_rF = p->mF * hx_delta_Jxx_delta;
-    const double t370 = p->mF * M_delta_delta_Jxx_delta;
-    const double K2_12_rF = yaw_per_v_delta * (p->mF - t365);
-    const double K2_22_rF = hx_delta_Jxx_delta * K2_12_rF;
-    const double t374 = p->rF * K0_12_mF;
-    const double M_22_mF = t338 + (p->c * ((p->c * M_22_Jzz_delta) - M_22_Sx_delta)) -
-        (py_delta_mF * (t353 + K0_12_mF - M_22_mA));
-    const double C1_12_mF = p->rF * t182;
-    const double t385 = yaw_per_v_delta * K0_12_mF;
-    const double C1_22_mF = (C1_22_py_delta * t354) - (p->c * (t187 - t385));
-    const double K0_22_mF = hx_delta_Jxx_delta * K0_12_mF;
+    const double M_22_ST = mu * mu;
+    const double C1_22_ST = t50 * t211;
+    const double t245 = p->mB * mu;
+    const double t246 = p->zB * t245;
+    const double ST_mB = t36 * M_22_ST;
+    const double M_22_xB = ST_mB + ST_mB;
+    const double t249 = t11 * yaw_per_v_delta;
+    const double t250 = t177 + t245;
+    const double C1_22_xB = mu * (t177 + t250);
+    const double t253 = wx_delta2_delta * t245;
+    const double K2_22_xB = yaw_per_v_delta * t245;
+    const double M_11_zB = t11 + t11;
+    const double t256 = p->mB * yaw_per_v_delta;
+    const double M_11_mB = p->zB * p->zB;
+    const double t258 = mu * p->xB;
+    const double t259 = p->zB * t258;
+    const double M_22_mB = t258 * t258;
+    const double t261 = p->c + p->xB;
+    const double t262 = p->zB * yaw_per_v_delta;
+    const double t263 = t261 * t262;
+    const double K2_22_mB = p->xB * C1_22_ST;
+    const double C1_22_mB = t261 * K2_22_mB;
+    const double t266 = wx_delta2_delta * t258;
+    const double t267 = p->mH * wz_delta2_delta;
+    const double t268 = p->zH * t267;
+    const double t269 = t112 + t112;
+    const double t270 = wz_delta2_delta * t269;
+    const double t271 = p->zH * yaw_per_v_delta;
+    const double t272 = p->mH * t271;
+    const double C1_22_xH = (wz_delta2_delta * t159) - (yaw_per_v_delta * t112);
+    const double t276 = wz_delta2_delta * K0_12_zH;
+    const double K2_22_xH = yaw_per_v_delta * t267;
+    const double M_11_zH = t20 + t20;
+    const double M_12_zH = t112 + (p->mH * t46);
+    const double M_22_zH = wx_delta2_delta * t269;
+    const double t282 = wx_delta2_delta * t159;
+    const double K0_22_zH = wx_delta2_delta * K0_12_zH;
+    const double t284 = p->mH * yaw_per_v_delta;
+    const double t285 = yaw_per_v_delta * K0_12_zH;
+    const double M_11_mH = p->zH * p->zH;
+    const double t287 = p->zH * t158;
+    const double t288 = K0_12_mH * t158;
+    const double K0_22_mH = wx_delta2_delta * K0_12_mH;
+    const double t290 = yaw_per_v_delta * K0_12_mH;
+    const double M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+    const double M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+    const double C1_22_IHzz = t211 + C1_22_ST;
+    const double t294 = wz_delta2_delta * wx_delta2_delta;
+    const double M_22_IHxz = t294 + t294;
+    const double M_11_rF = t5 + t5;
+    const double M_12_rF = t111 + t111;
+    const double M_22_rF = wx_delta2_delta * M_12_rF;
+    const double t299 = t96 * SF;
+    const double t300 = p->mF - t299;
+    const double C1_12_rF = wz_delta2_delta * t300;
+    const double C1_21_rF = wz_delta2_delta * t299;
+    const double t303 = p->mF * wx_delta2_delta;
+    const double C1_22_rF = wz_delta2_delta * t303;
+    const double t305 = p->mF * M_22_IHxx;
+    const double K2_12_rF = yaw_per_v_delta * t300;
+    const double K2_22_rF = K2_22_SF * t300;
+    const double M_11_mF = p->rF * p->rF;
+    const double M_12_mF = p->rF * t110;
+    const double M_22_mF = t110 * t110;
+    const double C1_12_mF = p->rF * wz_delta2_delta;
+    const double C1_22_mF = wz_delta2_delta * t110;
+    const double t313 = wx_delta2_delta * t110;
     const double K2_12_mF = p->rF * yaw_per_v_delta;
-    const double M_22_IFxx = M_delta_delta_Jxx_delta + M_22_Jzz_delta;
-    const double C1_12_IFyy = SF_IFyy * M_12_Jxz_delta;
-    const double K2_12_IFyy = yaw_per_v_delta * SF_IFyy;
-    const double K2_22_IFyy = SF_IFyy * C1_22_Jxz_delta;
+    const double K2_22_mF = yaw_per_v_delta * t110;
+    const double M_22_IFxx = M_22_IHxx + M_22_IHzz;
+    const double C1_12_IFyy = wz_delta2_delta * t96;
+    const double K2_12_IFyy = yaw_per_v_delta * t96;
+    const double K2_22_IFyy = t96 * K2_22_SF;
     const double C0_21 = -C0_12;
-    const double C1_21 = -(t106 + (mu * ST));
-    const double C1_22 = -(yaw_per_v_delta * (t91 - (p->c * P_delta_lateral)));
-    const double K0_11 = t113 - t50;
-    const double K0_12 = -P_delta_lateral;
-    const double K0_22 = -(hx_delta_Jxx_delta * P_delta_lateral);
+    const double C1_21 = -(t103 + t105);
+    const double K0_12 = -t118;
+    const double K0_22 = -(wx_delta2_delta * t118);
+    const double K0_12_c = t178 - t177;
+    const double K0_12_lam = t217 - t106;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -855,131 +825,131 @@ void flywheel_bicycle_f64_derivatives(const flywheel_bicycle_f64_t *p,
     matrices->k2[1][0] = 0.0;
     matrices->k2[1][1] = K2_22;
     derivatives->values[0] = M_12_w;
-    derivatives->values[1] = M_22_w;
+    derivatives->values[1] = t144;
     derivatives->values[2] = C0_21_w;
-    derivatives->values[3] = C1_12_w;
+    derivatives->values[3] = t147;
     derivatives->values[4] = C1_21_w;
-    derivatives->values[5] = C1_22_w;
+    derivatives->values[5] = t161;
     derivatives->values[6] = K0_12_w;
     derivatives->values[7] = K0_22_w;
-    derivatives->values[8] = t208;
-    derivatives->values[9] = t210;
-    derivatives->values[10] = t211;
-    derivatives->values[11] = t214;
-    derivatives->values[12] = t217;
+    derivatives->values[8] = t145;
+    derivatives->values[9] = t165;
+    derivatives->values[10] = t166;
+    derivatives->values[11] = t168;
+    derivatives->values[12] = M_12_c;
     derivatives->values[13] = M_22_c;
     derivatives->values[14] = K1_12;
     derivatives->values[15] = K2_12;
-    derivatives->values[16] = t227;
+    derivatives->values[16] = t102;
     derivatives->values[17] = C1_22_c;
     derivatives->values[18] = K0_12_c;
-    derivatives->values[19] = K0_22_c;
-    derivatives->values[20] = t238;
+    derivatives->values[19] = t180;
+    derivatives->values[20] = K2_22_c;
     derivatives->values[21] = M_12_lam;
-    derivatives->values[22] = M_22_lam;
+    derivatives->values[22] = t200;
     derivatives->values[23] = C0_21_lam;
-    derivatives->values[24] = t264;
+    derivatives->values[24] = t206;
     derivatives->values[25] = C1_21_lam;
     derivatives->values[26] = C1_22_lam;
     derivatives->values[27] = K0_12_lam;
-    derivatives->values[28] = K0_22_lam;
-    derivatives->values[29] = t260;
-    derivatives->values[30] = K1_22_lam;
-    derivatives->values[31] = t280;
+    derivatives->values[28] = t221;
+    derivatives->values[29] = t222;
+    derivatives->values[30] = t225;
+    derivatives->values[31] = t226;
     derivatives->values[32] = K2_22_lam;
     derivatives->values[33] = M_11_rR;
-    derivatives->values[34] = C1_12_rR;
+    derivatives->values[34] = t234;
     derivatives->values[35] = C1_21_rR;
     derivatives->values[36] = p->mR;
-    derivatives->values[37] = K2_12_rR;
+    derivatives->values[37] = t238;
     derivatives->values[38] = M_11_mR;
     derivatives->values[39] = C1_12_mR;
     derivatives->values[40] = p->rR;
     derivatives->values[41] = K2_12_mR;
     derivatives->values[42] = 1.0;
-    derivatives->values[43] = M_22_Jzz_all;
-    derivatives->values[44] = C1_22_Jzz_all;
+    derivatives->values[43] = M_22_ST;
+    derivatives->values[44] = C1_22_ST;
     derivatives->values[45] = C1_12_IRyy;
     derivatives->values[46] = K2_12_IRyy;
-    derivatives->values[47] = t297;
+    derivatives->values[47] = t246;
     derivatives->values[48] = M_22_xB;
-    derivatives->values[49] = t296;
+    derivatives->values[49] = t249;
     derivatives->values[50] = C1_22_xB;
-    derivatives->values[51] = t299;
-    derivatives->values[52] = t307;
+    derivatives->values[51] = t245;
+    derivatives->values[52] = t253;
     derivatives->values[53] = K2_22_xB;
     derivatives->values[54] = M_11_zB;
-    derivatives->values[55] = t310;
-    derivatives->values[56] = t311;
+    derivatives->values[55] = t116;
+    derivatives->values[56] = t250;
     derivatives->values[57] = p->mB;
-    derivatives->values[58] = t298;
+    derivatives->values[58] = t256;
     derivatives->values[59] = M_11_mB;
-    derivatives->values[60] = t312;
+    derivatives->values[60] = t259;
     derivatives->values[61] = M_22_mB;
-    derivatives->values[62] = t314;
+    derivatives->values[62] = t263;
     derivatives->values[63] = C1_22_mB;
     derivatives->values[64] = p->zB;
-    derivatives->values[65] = t301;
-    derivatives->values[66] = t318;
-    derivatives->values[67] = t319;
+    derivatives->values[65] = t258;
+    derivatives->values[66] = t266;
+    derivatives->values[67] = t262;
     derivatives->values[68] = K2_22_mB;
     derivatives->values[69] = mu;
     derivatives->values[70] = yaw_per_v_delta;
-    derivatives->values[71] = t141;
-    derivatives->values[72] = M_22_xH;
-    derivatives->values[73] = t321;
+    derivatives->values[71] = t268;
+    derivatives->values[72] = t270;
+    derivatives->values[73] = t272;
     derivatives->values[74] = C1_22_xH;
-    derivatives->values[75] = t140;
-    derivatives->values[76] = t323;
+    derivatives->values[75] = t267;
+    derivatives->values[76] = t276;
     derivatives->values[77] = K2_22_xH;
-    derivatives->values[78] = Jxx_delta_zH;
+    derivatives->values[78] = M_11_zH;
     derivatives->values[79] = M_12_zH;
-    derivatives->values[80] = t330;
-    derivatives->values[81] = t332;
-    derivatives->values[82] = t333;
+    derivatives->values[80] = M_22_zH;
+    derivatives->values[81] = t159;
+    derivatives->values[82] = t282;
     derivatives->values[83] = p->mH;
     derivatives->values[84] = K0_12_zH;
     derivatives->values[85] = K0_22_zH;
-    derivatives->values[86] = t320;
-    derivatives->values[87] = t335;
-    derivatives->values[88] = Jxx_delta_mH;
-    derivatives->values[89] = t337;
+    derivatives->values[86] = t284;
+    derivatives->values[87] = t285;
+    derivatives->values[88] = M_11_mH;
+    derivatives->values[89] = M_12_mH;
     derivatives->values[90] = M_22_mH;
-    derivatives->values[91] = t345;
-    derivatives->values[92] = C1_22_mH;
+    derivatives->values[91] = t287;
+    derivatives->values[92] = t288;
     derivatives->values[93] = p->zH;
-    derivatives->values[94] = t191;
-    derivatives->values[95] = t328;
-    derivatives->values[96] = t344;
-    derivatives->values[97] = K2_22_mH;
-    derivatives->values[98] = hx_delta_Jxx_delta;
-    derivatives->values[99] = M_delta_delta_Jxx_delta;
-    derivatives->values[100] = M_22_Jzz_delta;
-    derivatives->values[101] = K2_22_Sx_delta;
-    derivatives->values[102] = M_12_Jxz_delta;
-    derivatives->values[103] = M_22_Jxz_delta;
-    derivatives->values[104] = C1_22_Jxz_delta;
-    derivatives->values[105] = Jxx_delta_rF;
+    derivatives->values[94] = K0_12_mH;
+    derivatives->values[95] = K0_22_mH;
+    derivatives->values[96] = t271;
+    derivatives->values[97] = t290;
+    derivatives->values[98] = wx_delta2_delta;
+    derivatives->values[99] = M_22_IHxx;
+    derivatives->values[100] = M_22_IHzz;
+    derivatives->values[101] = C1_22_IHzz;
+    derivatives->values[102] = wz_delta2_delta;
+    derivatives->values[103] = M_22_IHxz;
+    derivatives->values[104] = K2_22_SF;
+    derivatives->values[105] = M_11_rF;
     derivatives->values[106] = M_12_rF;
     derivatives->values[107] = M_22_rF;
     derivatives->values[108] = C1_12_rF;
     derivatives->values[109] = C1_21_rF;
     derivatives->values[110] = C1_22_rF;
     derivatives->values[111] = p->mF;
-    derivatives->values[112] = py_delta_rF;
-    derivatives->values[113] = t370;
+    derivatives->values[112] = t303;
+    derivatives->values[113] = t305;
     derivatives->values[114] = K2_12_rF;
     derivatives->values[115] = K2_22_rF;
-    derivatives->values[116] = Jxx_delta_mF;
-    derivatives->values[117] = t374;
+    derivatives->values[116] = M_11_mF;
+    derivatives->values[117] = M_12_mF;
     derivatives->values[118] = M_22_mF;
     derivatives->values[119] = C1_12_mF;
     derivatives->values[120] = C1_22_mF;
     derivatives->values[121] = p->rF;
-    derivatives->values[122] = K0_12_mF;
-    derivatives->values[123] = K0_22_mF;
+    derivatives->values[122] = t110;
+    derivatives->values[123] = t313;
     derivatives->values[124] = K2_12_mF;
-    derivatives->values[125] = t385;
+    derivatives->values[125] = K2_22_mF;
     derivatives->values[126] = M_22_IFxx;
     derivatives->values[127] = C1_12_IFyy;
     derivatives->values[128] = K2_12_IFyy;
@@ -1131,56 +1101,50 @@ flywheel_bicycle_validity_t flywheel_bicycle_f32_validate(const flywheel_bicycle
 
 void flywheel_bicycle_f32_matrices(const flywheel_bicycle_f32_t *p, flywheel_bicycle_f32_matrices_t *matrices)
 {
-    const float t2 = p->zB * p->mB;
-    const float t7 = p->zH * p->mH;
-    const float t13 = p->rF * p->mF;
-    const float Jxx_delta = p->IFxx + (p->zH * t7) + (p->IHxx + (p->rF * t13));
-    const float t19 = p->rR * p->mR;
-    const float M_11 = (p->zB * t2) + (Jxx_delta + ((p->rR * t19) + (p->IRxx + p->IBxx)));
-    float sin_lam = 0.0F;
+    const float t2 = p->rR * p->mR;
+    const float t6 = p->zB * p->mB;
+    const float t11 = p->zH * p->mH;
+    const float t18 = p->rF * p->mF;
+    const float t22 = p->IFxx + ((p->rF * t18) + p->IHxx);
+    const float M_11 = (p->rR * t2) + ((p->zB * t6) + (p->IBxx + (p->zH * t11) + (p->IRxx + t22)));
+    float wx_delta2_delta = 0.0F;
     float cos_lam = 0.0F;
-    carvallo_sin_cos_f32(p->lam, &sin_lam, &cos_lam);
-    const float t31 = 1.0F / p->w;
-    const float yaw_per_v_delta = cos_lam * t31;
+    carvallo_sin_cos_f32(p->lam, &wx_delta2_delta, &cos_lam);
+    const float t32 = 1.0F / p->w;
+    const float yaw_per_v_delta = cos_lam * t32;
     const float mu = p->c * yaw_per_v_delta;
-    const float t36 = p->c + p->w;
-    const float t37 = p->xH - t36;
-    const float t41 = p->IHxz - (t7 * t37) - (t13 * p->c);
-    const float Sz_delta = t7 - t13;
-    const float t47 = p->mB * p->xB;
-    const float mA = p->zB * t47;
-    const float t50 = t41 + (p->IBxz - (t36 * Sz_delta) - mA);
-    const float t55 = (Jxx_delta * sin_lam) + (t41 * cos_lam);
-    const float M_12 = (mu * t50) + t55;
-    const float t59 = p->mH * t37;
-    const float t62 = p->mF * p->c;
-    const float Jzz_delta = p->IFxx + (p->IHzz + (t37 * t59) + (p->c * t62));
-    const float t67 = (sin_lam * t41) + (cos_lam * Jzz_delta);
-    const float t70 = t59 - t62;
-    const float t72 = (sin_lam * Sz_delta) - (cos_lam * t70);
-    const float t74 = (t36 * t72) - t67;
-    const float t79 = (p->mH * p->xH) + (p->mF * p->w);
-    const float hx_delta = p->IRxx + Jzz_delta + ((p->xB * t47) + (t36 * (t70 + t79)));
-    const float t87 = (mu * (hx_delta + p->IBzz)) - t74;
-    const float t95 = p->hH + p->hB;
-    const float t97 = cos_lam * p->hH;
-    const float C0_12 = (mu * t95) + t97;
-    const float K0_11 = Sz_delta - (t19 - t2);
+    const float wz_delta2_delta = cos_lam + mu;
+    const float t42 = (p->zH * wx_delta2_delta) + (cos_lam * (p->c + p->w)) - (p->xH *
+        wz_delta2_delta);
+    const float t43 = p->mH * t42;
+    const float t48 = (p->IHxz * wz_delta2_delta) + (wx_delta2_delta * t22);
+    const float t52 = p->IBxz - (t6 * p->xB);
+    const float M_12 = (p->zH * t43) + (t48 + (mu * t52));
+    const float t57 = p->mB * p->xB;
+    const float ST = p->IRxx + (p->IBzz + (p->xB * t57));
+    const float t66 = (wz_delta2_delta * (p->IFxx + p->IHzz)) + (wx_delta2_delta * p->IHxz);
+    const float t67 = (mu * ST) + t66;
+    const float M_22 = (mu * t67) + ((cos_lam * t66) + (t48 * wx_delta2_delta)) + (t42 * t43);
+    const float C0_12 = (wz_delta2_delta * p->hH) + (mu * p->hB);
     const float SF = p->IFyy / p->rF;
-    const float ST = SF + (p->IRyy / p->rR);
-    const float t111 = (mu * ST) + (cos_lam * SF);
-    const float C1_12 = ((t50 - (p->c * K0_11)) * yaw_per_v_delta) + t111;
-    const float Sx_all = t47 + t79;
-    const float K0_12 = t72 - (mu * Sx_all);
-    const float C1_22 = (yaw_per_v_delta * t87) - (mu * K0_12);
-    const float K0_22 = sin_lam * K0_12;
-    const float K1_12 = yaw_per_v_delta * t95;
-    const float K1_22 = t31 * (sin_lam * t97);
-    const float K2_12 = yaw_per_v_delta * (ST - K0_11);
-    const float K2_22 = yaw_per_v_delta * ((sin_lam * SF) - K0_12);
-    const float M_22 = (cos_lam * t67) - ((mu * (t74 - t87)) - (sin_lam * t55));
+    const float SR = p->IRyy / p->rR;
+    const float ay_delta2_delta = SR + SF;
+    const float t88 = (cos_lam * SF) + (mu * ay_delta2_delta);
+    const float t93 = t11 + (t6 - t2);
+    const float C1_12 = t88 + (t18 * wz_delta2_delta) + (yaw_per_v_delta * (p->IHxz + t52 - ((p->c *
+        t93) + (t11 * p->xH))));
+    const float t100 = t18 * wx_delta2_delta;
+    const float K0_12 = t43 - (mu * t57) - t100;
+    const float C1_22 = cos_lam * ((t32 * (t67 - ((p->c * K0_12) + (p->xH * t43)))) + t100);
+    const float K0_11 = t93 - t18;
+    const float K0_22 = wx_delta2_delta * K0_12;
+    const float t113 = yaw_per_v_delta * p->hH;
+    const float K1_12 = t113 + (yaw_per_v_delta * p->hB);
+    const float K1_22 = wx_delta2_delta * t113;
+    const float K2_12 = yaw_per_v_delta * (ay_delta2_delta - K0_11);
+    const float K2_22 = yaw_per_v_delta * ((wx_delta2_delta * SF) - K0_12);
     const float C0_21 = -C0_12;
-    const float C1_21 = -t111;
+    const float C1_21 = -t88;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -1341,242 +1305,219 @@ void flywheel_bicycle_f32_kinematics(const flywheel_bicycle_f32_t *p, flywheel_b
 void flywheel_bicycle_f32_derivatives(const flywheel_bicycle_f32_t *p,
     flywheel_bicycle_f32_matrices_t *matrices, flywheel_bicycle_f32_derivatives_t *derivatives)
 {
-    const float t3 = p->rF * p->mF;
-    const float Jzz_all_mB = p->rF * t3;
-    const float Jxz_delta_w = p->zH * p->mH;
-    const float Jxx_delta = Jzz_all_mB + p->IFxx + p->IHxx + (p->zH * Jxz_delta_w);
-    const float M_11_mB = p->zB * p->zB;
-    const float M_11_mR = p->rR * p->rR;
-    const float M_11 = p->IRxx + Jxx_delta + p->IBxx + (p->mB * M_11_mB) + (p->mR * M_11_mR);
-    float hx_delta_Jxx_delta = 0.0F;
-    float hx_delta_Jxz_delta = 0.0F;
-    carvallo_sin_cos_f32(p->lam, &hx_delta_Jxx_delta, &hx_delta_Jxz_delta);
-    const float t31 = p->mF * p->c;
-    const float Sx_all_mA = p->c + p->w;
-    const float Sx_delta_mH = p->xH - Sx_all_mA;
-    const float t40 = (p->rF * t31) + (Jxz_delta_w * Sx_delta_mH) - p->IHxz;
-    const float t42 = t40 * hx_delta_Jxz_delta;
-    const float hx_delta = (Jxx_delta * hx_delta_Jxx_delta) - t42;
-    const float t44 = 1.0F / p->w;
-    const float yaw_per_v_delta = hx_delta_Jxz_delta * t44;
+    const float t5 = p->rF * p->mF;
+    const float t8 = p->IHxx + p->IFxx + (p->rF * t5);
+    const float t11 = p->zB * p->mB;
+    const float t15 = p->rR * p->mR;
+    const float t20 = p->zH * p->mH;
+    const float M_11 = p->IRxx + t8 + (p->zB * t11) + (p->rR * t15) + p->IBxx + (p->zH * t20);
+    float wx_delta2_delta = 0.0F;
+    float wx_delta2_delta_lam = 0.0F;
+    carvallo_sin_cos_f32(p->lam, &wx_delta2_delta, &wx_delta2_delta_lam);
+    const float t31 = 1.0F / p->w;
+    const float yaw_per_v_delta = wx_delta2_delta_lam * t31;
     const float mu = p->c * yaw_per_v_delta;
-    const float t48 = p->mB * p->xB;
-    const float t50 = t3 - Jxz_delta_w;
-    const float t55 = t40 + (p->zB * t48) - (Sx_all_mA * t50) - p->IBxz;
-    const float M_12 = hx_delta - (mu * t55);
-    const float t59 = hx_delta_Jxx_delta * t40;
-    const float t62 = p->mH * Sx_delta_mH;
-    const float Jzz_delta = p->IFxx + p->IHzz + (p->c * t31) + (Sx_delta_mH * t62);
-    const float t68 = t59 - (hx_delta_Jxz_delta * Jzz_delta);
-    const float t70 = hx_delta_Jxx_delta * t50;
-    const float Sx_delta = t62 - t31;
-    const float py_delta = t70 + (hx_delta_Jxz_delta * Sx_delta);
-    const float t75 = t68 - (Sx_all_mA * py_delta);
-    const float mA = p->mF + p->mH;
-    const float t80 = Sx_all_mA * mA;
-    const float t81 = 0.5F * t80;
-    const float t82 = Sx_delta + Sx_delta;
-    const float t84 = t81 + t81 + t82;
-    const float t89 = p->IRxx + Jzz_delta + p->IBzz + (p->xB * t48) + (Sx_all_mA * t84);
-    const float t90 = mu * t89;
-    const float t91 = t75 - t90;
-    const float t92 = t75 + t91;
-    const float M_22 = (hx_delta_Jxx_delta * hx_delta) - (hx_delta_Jxz_delta * t68) - (mu * t92);
+    const float t36 = p->mB * p->xB;
+    const float t38 = p->IBxz - (p->zB * t36);
+    const float wz_delta2_delta = wx_delta2_delta_lam + mu;
+    const float t45 = (p->IHxz * wz_delta2_delta) + (t8 * wx_delta2_delta);
+    const float t46 = p->zH * wx_delta2_delta;
+    const float t49 = p->c + p->w - p->xH;
+    const float t50 = p->c * t31;
+    const float K0_12_mH = t46 - (wx_delta2_delta_lam * ((p->xH * t50) - t49));
+    const float M_12_mH = p->zH * K0_12_mH;
+    const float M_12 = (mu * t38) + t45 + (p->mH * M_12_mH);
+    const float M_22_mH = K0_12_mH * K0_12_mH;
+    const float t63 = p->IFxx + p->IHzz;
+    const float t65 = p->IHxz * wx_delta2_delta;
+    const float M_22_wz_delta2_delta = (wz_delta2_delta * t63) + t65;
+    const float t70 = p->IRxx + p->IBzz + (p->xB * t36);
+    const float K1_22_yaw_per_v_delta = mu * t70;
+    const float t72 = M_22_wz_delta2_delta + K1_22_yaw_per_v_delta;
+    const float t73 = t50 * t72;
+    const float M_22_mu = M_22_wz_delta2_delta + t73;
+    const float M_22 = (wx_delta2_delta * t45) + (p->mH * M_22_mH) + (wx_delta2_delta_lam *
+        M_22_mu);
     const float K1_12_yaw_per_v_delta = p->hH + p->hB;
-    const float t101 = hx_delta_Jxz_delta * p->hH;
-    const float C0_12 = (mu * K1_12_yaw_per_v_delta) + t101;
-    const float SF_IFyy = 1.0F / p->rF;
-    const float SF = p->IFyy * SF_IFyy;
-    const float t106 = hx_delta_Jxz_delta * SF;
-    const float SR_IRyy = 1.0F / p->rR;
-    const float ST = SF + (p->IRyy * SR_IRyy);
-    const float t111 = p->mB * p->zB;
-    const float t112 = p->mR * p->rR;
-    const float t113 = t111 - t112;
-    const float K2_12_yaw_per_v_delta = ST + (t50 - t113);
-    const float t117 = (p->c * K2_12_yaw_per_v_delta) - t55;
-    const float C1_12 = t106 + (yaw_per_v_delta * t117);
-    const float Sx_all = t48 + Sx_delta + t80;
-    const float t124 = mu * Sx_all;
-    const float P_delta_lateral = py_delta + t124;
+    const float t83 = p->hH + (t50 * K1_12_yaw_per_v_delta);
+    const float C0_12 = wx_delta2_delta_lam * t83;
+    const float t85 = p->mH * p->xH;
+    const float t88 = t38 + p->IHxz - (p->zH * t85);
+    const float K0_11 = t20 - (t5 + t15 - t11);
+    const float t93 = t88 - (p->c * K0_11);
+    const float t96 = 1.0F / p->rF;
+    const float SF = p->IFyy * t96;
+    const float t99 = 1.0F / p->rR;
+    const float t100 = p->IRyy * t99;
+    const float ay_delta2_delta = SF + t100;
+    const float t102 = yaw_per_v_delta * ay_delta2_delta;
+    const float t103 = p->c * t102;
+    const float t104 = (yaw_per_v_delta * t93) + t103;
+    const float t105 = wx_delta2_delta_lam * SF;
+    const float t106 = t5 * wx_delta2_delta_lam;
+    const float C1_12 = t104 + t105 + t106;
+    const float t110 = p->rF * wx_delta2_delta;
+    const float t111 = p->mF * t110;
+    const float t112 = p->mH * K0_12_mH;
+    const float t115 = t31 * (t72 - (p->xH * t112));
+    const float t116 = mu * t36;
+    const float t117 = t116 - t112;
+    const float t118 = t111 + t117;
+    const float C1_22 = wx_delta2_delta_lam * (t111 + t115 + (t50 * t118));
     const float K1_12 = yaw_per_v_delta * K1_12_yaw_per_v_delta;
-    const float t131 = hx_delta_Jxx_delta * t44;
-    const float C1_22_Jxz_delta = hx_delta_Jxz_delta * t131;
-    const float K1_22 = p->hH * C1_22_Jxz_delta;
+    const float K2_22_SF = yaw_per_v_delta * wx_delta2_delta;
+    const float K1_22 = p->hH * K2_22_SF;
+    const float K2_12_yaw_per_v_delta = ay_delta2_delta - K0_11;
     const float K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
-    const float t135 = hx_delta_Jxx_delta * SF;
-    const float K2_22_yaw_per_v_delta = P_delta_lateral + t135;
-    const float K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
-    const float M_12_Jxz_delta = hx_delta_Jxz_delta + mu;
-    const float t140 = p->mH * M_12_Jxz_delta;
-    const float t141 = p->zH * t140;
-    const float t143 = hx_delta_Jxz_delta / (p->w * p->w);
-    const float t144 = p->c * t143;
-    const float M_12_w = (mu * t50) + t141 + (t55 * t144);
-    const float t148 = Sx_delta_mH * M_12_Jxz_delta;
-    const float t149 = M_12_Jxz_delta * t148;
-    const float Jzz_all_Sx_delta = Sx_all_mA + Sx_all_mA;
-    const float t151 = mu * Jzz_all_Sx_delta;
-    const float M_22_Sx_delta = M_12_Jxz_delta * t151;
-    const float M_22_Jxz_delta = M_12_Jxz_delta * (hx_delta_Jxx_delta + hx_delta_Jxx_delta);
-    const float t157 = t149 + M_22_Sx_delta - (p->zH * M_22_Jxz_delta);
-    const float M_22_xH = p->mH * (t149 + t157);
-    const float t160 = t92 - t90;
-    const float Jzz_all_w = t80 + t84;
-    const float t164 = py_delta + (mu * Jzz_all_w);
-    const float t166 = mu * (py_delta + t164);
-    const float M_22_w = (t144 * t160) + t166 - M_22_xH;
-    const float C0_21_w = K1_12_yaw_per_v_delta * t144;
-    const float C1_12_w = (t3 * yaw_per_v_delta) - (t117 * t143);
-    const float C1_21_w = ST * t144;
-    const float t174 = mu * mA;
-    const float t176 = t164 + (p->c * t174);
-    const float K2_22_Sx_delta = yaw_per_v_delta * M_12_Jxz_delta;
-    const float C1_22_Jzz_all = yaw_per_v_delta * mu;
-    const float M_22_Jzz_all = p->c * C1_22_Jzz_all;
-    const float t182 = Sx_all_mA * yaw_per_v_delta;
-    const float C1_22_py_delta = mu + t182;
-    const float K2_22_mA = Sx_all_mA * C1_22_Jzz_all;
-    const float t187 = M_22_Jzz_all + (hx_delta_Jxz_delta * C1_22_py_delta) + K2_22_mA;
-    const float M_22_mA = p->c * t182;
-    const float t189 = p->zH * hx_delta_Jxx_delta;
-    const float t190 = M_22_mA - t189;
-    const float t191 = t148 + t190;
-    const float K2_22_mH = yaw_per_v_delta * t191;
-    const float t193 = t187 + K2_22_mH;
-    const float C1_22_xH = (t62 * K2_22_Sx_delta) + (p->mH * t193);
-    const float C1_22_mu = t124 + P_delta_lateral + (yaw_per_v_delta * t89);
-    const float t200 = t91 - (p->c * C1_22_mu);
-    const float C1_22_w = (yaw_per_v_delta * t176) + (t143 * t200) - C1_22_xH;
-    const float K0_12_w = t140 + (Sx_all * t144) - t174;
-    const float K0_22_w = hx_delta_Jxx_delta * K0_12_w;
-    const float t208 = K1_12_yaw_per_v_delta * t143;
-    const float K1_22_yaw_per_v_delta = hx_delta_Jxx_delta * p->hH;
-    const float t210 = t143 * K1_22_yaw_per_v_delta;
-    const float t211 = K2_12_yaw_per_v_delta * t143;
-    const float t214 = (yaw_per_v_delta * K0_12_w) + (K2_22_yaw_per_v_delta * t143);
-    const float t216 = hx_delta_Jxz_delta * t50;
-    const float t217 = (yaw_per_v_delta * t55) + t216;
-    const float t220 = t70 + (t82 * M_12_Jxz_delta);
-    const float M_22_c = t166 - (yaw_per_v_delta * t160) - (M_12_Jxz_delta * (t70 + t220 + (mA *
-        t151)));
-    const float t227 = yaw_per_v_delta * ST;
-    const float C1_22_Sx_delta = K2_22_mA + t187;
-    const float C1_22_c = (yaw_per_v_delta * (t176 + C1_22_mu - t220)) - (mA * C1_22_Sx_delta);
-    const float K0_12_c = hx_delta_Jxz_delta * (mA - (t44 * Sx_all));
-    const float K0_22_c = hx_delta_Jxx_delta * K0_12_c;
-    const float t238 = yaw_per_v_delta * K0_12_c;
-    const float t239 = p->c * t131;
-    const float hx_delta_lam = t59 + (Jxx_delta * hx_delta_Jxz_delta);
-    const float M_12_lam = (t55 * t239) + hx_delta_lam;
-    const float t245 = (hx_delta_Jxx_delta * Sx_delta) - t216;
-    const float t248 = (M_22_mA * t245) - (t91 * t239);
-    const float M_22_hz_delta = mu + M_12_Jxz_delta;
-    const float t251 = t42 + (hx_delta_Jxx_delta * Jzz_delta);
-    const float M_22_lam = (hx_delta_Jxz_delta * hx_delta) + (hx_delta_Jxx_delta * (t68 +
-        hx_delta_lam)) - t248 - t248 - (M_22_hz_delta * t251);
-    const float t260 = K1_12_yaw_per_v_delta * t131;
-    const float C0_21_lam = K1_22_yaw_per_v_delta + (p->c * t260);
-    const float t264 = t135 + (t117 * t131);
-    const float C1_21_lam = t135 + (ST * t239);
-    const float C1_22_lam = (t131 * t200) - (yaw_per_v_delta * t251) - (C1_22_py_delta * t245);
-    const float K0_12_lam = t245 + (Sx_all * t239);
-    const float K0_22_lam = (hx_delta_Jxx_delta * K0_12_lam) - (hx_delta_Jxz_delta *
-        P_delta_lateral);
-    const float K1_22_lam = (yaw_per_v_delta * t101) - (t131 * K1_22_yaw_per_v_delta);
-    const float t280 = K2_12_yaw_per_v_delta * t131;
-    const float K2_22_lam = (yaw_per_v_delta * (t106 - K0_12_lam)) - (t131 * K2_22_yaw_per_v_delta);
-    const float M_11_rR = t112 + t112;
-    const float t286 = p->IRyy / M_11_mR;
-    const float K2_12_rR = yaw_per_v_delta * (p->mR - t286);
-    const float C1_12_rR = p->c * K2_12_rR;
-    const float C1_21_rR = mu * t286;
+    const float t129 = wx_delta2_delta * SF;
+    const float K2_22_yaw_per_v_delta = t118 + t129;
+    const float t131 = t31 * K2_22_yaw_per_v_delta;
+    const float K2_22 = wx_delta2_delta_lam * t131;
+    const float t133 = yaw_per_v_delta * t88;
+    const float t135 = t20 * wx_delta2_delta_lam;
+    const float M_12_w = t135 - (t50 * t133);
+    const float t137 = yaw_per_v_delta * p->xH;
+    const float t139 = wx_delta2_delta_lam + (t50 * t137);
+    const float t140 = p->mH * t139;
+    const float t143 = (yaw_per_v_delta * t73) - (K0_12_mH * t140);
+    const float t144 = t143 + t143;
+    const float t145 = t31 * K1_12;
+    const float C0_21_w = p->c * t145;
+    const float t147 = t31 * t104;
+    const float C1_21_w = t50 * t102;
+    const float t150 = t111 + (yaw_per_v_delta * t63);
+    const float t154 = t116 + t117 + t150 + (yaw_per_v_delta * t70);
+    const float t156 = t115 + (t50 * t154);
+    const float t158 = mu + t137;
+    const float t159 = p->mH * t158;
+    const float t161 = (yaw_per_v_delta * t156) + (t139 * t159);
+    const float K0_12_w = t140 + (t31 * t116);
+    const float K0_22_w = wx_delta2_delta * K0_12_w;
+    const float t165 = t31 * K1_22;
+    const float t166 = t31 * K2_12;
+    const float t168 = yaw_per_v_delta * (t131 + K0_12_w);
+    const float M_12_c = t133 + t135;
+    const float t171 = wx_delta2_delta_lam * (t112 + t115);
+    const float M_22_c = t171 + t171;
+    const float t173 = wx_delta2_delta_lam - t137;
+    const float C1_22_c = (yaw_per_v_delta * t154) - (t159 * t173);
+    const float t177 = yaw_per_v_delta * t36;
+    const float t178 = p->mH * t173;
+    const float t179 = t177 - t178;
+    const float t180 = wx_delta2_delta * t179;
+    const float K2_22_c = yaw_per_v_delta * t179;
+    const float K0_12_zH = p->mH * wx_delta2_delta;
+    const float t185 = t135 - (t49 * K0_12_zH);
+    const float t187 = t31 * wx_delta2_delta;
+    const float t188 = p->c * t187;
+    const float M_12_lam = (t8 * wx_delta2_delta_lam) + (p->zH * t185) - t65 - (t88 * t188);
+    const float ST_xB = t85 * t188;
+    const float t196 = t185 + ST_xB;
+    const float t199 = (wx_delta2_delta * M_22_mu) - (wx_delta2_delta_lam * t45) - (K0_12_mH *
+        t196);
+    const float t200 = t199 + t199;
+    const float C0_21_lam = wx_delta2_delta * t83;
+    const float C1_21_lam = t129 + (ay_delta2_delta * t188);
+    const float t206 = t111 + (t93 * t187) + C1_21_lam;
+    const float t211 = wx_delta2_delta_lam * yaw_per_v_delta;
+    const float C1_22_lam = (wz_delta2_delta * t106) + (p->IHxz * t211) - (wx_delta2_delta * (t150 +
+        t156)) - (t158 * t196);
+    const float t217 = t196 + (t36 * t188);
+    const float t218 = t106 - t217;
+    const float t221 = (wx_delta2_delta * t218) + (wx_delta2_delta_lam * t118);
+    const float t222 = K1_12_yaw_per_v_delta * t187;
+    const float t225 = p->hH * ((wx_delta2_delta * t187) - t211);
+    const float t226 = K2_12_yaw_per_v_delta * t187;
+    const float K2_22_lam = (yaw_per_v_delta * (t105 + t218)) - (wx_delta2_delta * t131);
+    const float M_11_rR = t15 + t15;
+    const float t233 = (t99 * t100) - p->mR;
+    const float t234 = mu * t233;
+    const float K2_12_IRyy = yaw_per_v_delta * t99;
+    const float C1_12_IRyy = p->c * K2_12_IRyy;
+    const float C1_21_rR = t100 * C1_12_IRyy;
+    const float t238 = yaw_per_v_delta * t233;
+    const float M_11_mR = p->rR * p->rR;
     const float K2_12_mR = p->rR * yaw_per_v_delta;
     const float C1_12_mR = p->c * K2_12_mR;
-    const float C1_12_IRyy = mu * SR_IRyy;
-    const float K2_12_IRyy = yaw_per_v_delta * SR_IRyy;
-    const float t296 = yaw_per_v_delta * t111;
-    const float t297 = p->c * t296;
-    const float t298 = p->mB * yaw_per_v_delta;
-    const float t299 = p->c * t298;
-    const float t300 = yaw_per_v_delta * p->xB;
-    const float t301 = p->c * t300;
-    const float t302 = t299 * t301;
-    const float M_22_xB = t302 + t302;
-    const float t304 = mu + t300;
-    const float Jzz_delta_mF = t300 + t304;
-    const float C1_22_xB = t299 * Jzz_delta_mF;
-    const float t307 = hx_delta_Jxx_delta * t299;
-    const float K2_22_xB = yaw_per_v_delta * t299;
-    const float M_11_zB = t111 + t111;
-    const float t310 = p->mB * t301;
-    const float t311 = p->mB * t304;
-    const float t312 = p->zB * t301;
-    const float M_22_mB = t301 * t301;
-    const float t314 = p->zB * t304;
-    const float K2_22_mB = yaw_per_v_delta * t301;
-    const float C1_22_mB = p->xB * (M_22_Jzz_all + K2_22_mB);
-    const float t318 = hx_delta_Jxx_delta * t301;
-    const float t319 = p->zB * yaw_per_v_delta;
-    const float t320 = p->mH * yaw_per_v_delta;
-    const float t321 = p->zH * t320;
-    const float K0_12_zH = p->mH * hx_delta_Jxx_delta;
-    const float t323 = M_12_Jxz_delta * K0_12_zH;
-    const float K2_22_xH = yaw_per_v_delta * t140;
-    const float Jxx_delta_zH = Jxz_delta_w + Jxz_delta_w;
-    const float M_12_zH = p->mH * (t189 - t191);
-    const float t328 = hx_delta_Jxx_delta * t191;
-    const float t330 = p->mH * (t328 + t328);
-    const float t331 = p->c + p->xH;
-    const float t332 = t320 * t331;
-    const float t333 = hx_delta_Jxx_delta * t332;
-    const float K0_22_zH = hx_delta_Jxx_delta * K0_12_zH;
-    const float t335 = p->mH * C1_22_Jxz_delta;
-    const float Jxx_delta_mH = p->zH * p->zH;
-    const float t337 = p->zH * t191;
-    const float t338 = M_22_mA * M_22_mA;
-    const float M_22_mH = t338 + (Sx_delta_mH * t157) - (t189 * (M_22_mA + t190));
-    const float t344 = p->zH * yaw_per_v_delta;
-    const float t345 = t331 * t344;
-    const float C1_22_mH = (C1_22_py_delta * t190) + (Sx_delta_mH * t193);
-    const float M_delta_delta_Jxx_delta = hx_delta_Jxx_delta * hx_delta_Jxx_delta;
-    const float M_22_Jzz_delta = M_12_Jxz_delta * M_12_Jxz_delta;
-    const float Jxx_delta_rF = t3 + t3;
-    const float py_delta_mF = p->rF * hx_delta_Jxx_delta;
-    const float t353 = p->c * M_12_Jxz_delta;
-    const float t354 = M_22_mA + py_delta_mF;
-    const float K0_12_mF = t353 - t354;
-    const float M_12_rF = p->mF * (py_delta_mF - K0_12_mF);
-    const float M_22_rF = (M_delta_delta_Jxx_delta * Jxx_delta_rF) - (t31 * (M_22_Jxz_delta -
-        (C1_22_Jxz_delta * Jzz_all_Sx_delta)));
-    const float t363 = p->mF * t182;
-    const float Jxx_delta_mF = p->rF * p->rF;
-    const float t365 = p->IFyy / Jxx_delta_mF;
-    const float C1_21_rF = M_12_Jxz_delta * t365;
-    const float C1_12_rF = t363 - C1_21_rF;
-    const float C1_22_rF = hx_delta_Jxx_delta * t363;
-    const float py_delta_rF = p->mF * hx_delta_Jxx_delta;
-    const float t370 = p->mF * M_delta_delta_Jxx_delta;
-    const float K2_12_rF = yaw_per_v_delta * (p->mF - t365);
-    const float K2_22_rF = hx_delta_Jxx_delta * K2_12_rF;
-    const float t374 = p->rF * K0_12_mF;
-    const float M_22_mF = t338 + (p->c * ((p->c * M_22_Jzz_delta) - M_22_Sx_delta)) - (py_delta_mF *
-        (t353 + K0_12_mF - M_22_mA));
-    const float C1_12_mF = p->rF * t182;
-    const float t385 = yaw_per_v_delta * K0_12_mF;
-    const float C1_22_mF = (C1_22_py_delta * t354) - (p->c * (t187 - t385));
-    const float K0_22_mF = hx_delta_Jxx_delta * K0_12_mF;
+    const float M_22_ST = mu * mu;
+    const float C1_22_ST = t50 * t211;
+    const float t245 = p->mB * mu;
+    const float t246 = p->zB * t245;
+    const float ST_mB = t36 * M_22_ST;
+    const float M_22_xB = ST_mB + ST_mB;
+    const float t249 = t11 * yaw_per_v_delta;
+    const float t250 = t177 + t245;
+    const float C1_22_xB = mu * (t177 + t250);
+    const float t253 = wx_delta2_delta * t245;
+    const float K2_22_xB = yaw_per_v_delta * t245;
+    const float M_11_zB = t11 + t11;
+    const float t256 = p->mB * yaw_per_v_delta;
+    const float M_11_mB = p->zB * p->zB;
+    const float t258 = mu * p->xB;
+    const float t259 = p->zB * t258;
+    const float M_22_mB = t258 * t258;
+    const float t261 = p->c + p->xB;
+    const float t262 = p->zB * yaw_per_v_delta;
+    const float t263 = t261 * t262;
+    const float K2_22_mB = p->xB * C1_22_ST;
+    const float C1_22_mB = t261 * K2_22_mB;
+    const float t266 = wx_delta2_delta * t258;
+    const float t267 = p->mH * wz_delta2_delta;
+    const float t268 = p->zH * t267;
+    const float t269 = t112 + t112;
+    const float t270 = wz_delta2_delta * t269;
+    const float t271 = p->zH * yaw_per_v_delta;
+    const float t272 = p->mH * t271;
+    const float C1_22_xH = (wz_delta2_delta * t159) - (yaw_per_v_delta * t112);
+    const float t276 = wz_delta2_delta * K0_12_zH;
+    const float K2_22_xH = yaw_per_v_delta * t267;
+    const float M_11_zH = t20 + t20;
+    const float M_12_zH = t112 + (p->mH * t46);
+    const float M_22_zH = wx_delta2_delta * t269;
+    const float t282 = wx_delta2_delta * t159;
+    const float K0_22_zH = wx_delta2_delta * K0_12_zH;
+    const float t284 = p->mH * yaw_per_v_delta;
+    const float t285 = yaw_per_v_delta * K0_12_zH;
+    const float M_11_mH = p->zH * p->zH;
+    const float t287 = p->zH * t158;
+    const float t288 = K0_12_mH * t158;
+    const float K0_22_mH = wx_delta2_delta * K0_12_mH;
+    const float t290 = yaw_per_v_delta * K0_12_mH;
+    const float M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+    const float M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+    const float C1_22_IHzz = t211 + C1_22_ST;
+    const float t294 = wz_delta2_delta * wx_delta2_delta;
+    const float M_22_IHxz = t294 + t294;
+    const float M_11_rF = t5 + t5;
+    const float M_12_rF = t111 + t111;
+    const float M_22_rF = wx_delta2_delta * M_12_rF;
+    const float t299 = t96 * SF;
+    const float t300 = p->mF - t299;
+    const float C1_12_rF = wz_delta2_delta * t300;
+    const float C1_21_rF = wz_delta2_delta * t299;
+    const float t303 = p->mF * wx_delta2_delta;
+    const float C1_22_rF = wz_delta2_delta * t303;
+    const float t305 = p->mF * M_22_IHxx;
+    const float K2_12_rF = yaw_per_v_delta * t300;
+    const float K2_22_rF = K2_22_SF * t300;
+    const float M_11_mF = p->rF * p->rF;
+    const float M_12_mF = p->rF * t110;
+    const float M_22_mF = t110 * t110;
+    const float C1_12_mF = p->rF * wz_delta2_delta;
+    const float C1_22_mF = wz_delta2_delta * t110;
+    const float t313 = wx_delta2_delta * t110;
     const float K2_12_mF = p->rF * yaw_per_v_delta;
-    const float M_22_IFxx = M_delta_delta_Jxx_delta + M_22_Jzz_delta;
-    const float C1_12_IFyy = SF_IFyy * M_12_Jxz_delta;
-    const float K2_12_IFyy = yaw_per_v_delta * SF_IFyy;
-    const float K2_22_IFyy = SF_IFyy * C1_22_Jxz_delta;
+    const float K2_22_mF = yaw_per_v_delta * t110;
+    const float M_22_IFxx = M_22_IHxx + M_22_IHzz;
+    const float C1_12_IFyy = wz_delta2_delta * t96;
+    const float K2_12_IFyy = yaw_per_v_delta * t96;
+    const float K2_22_IFyy = t96 * K2_22_SF;
     const float C0_21 = -C0_12;
-    const float C1_21 = -(t106 + (mu * ST));
-    const float C1_22 = -(yaw_per_v_delta * (t91 - (p->c * P_delta_lateral)));
-    const float K0_11 = t113 - t50;
-    const float K0_12 = -P_delta_lateral;
-    const float K0_22 = -(hx_delta_Jxx_delta * P_delta_lateral);
+    const float C1_21 = -(t103 + t105);
+    const float K0_12 = -t118;
+    const float K0_22 = -(wx_delta2_delta * t118);
+    const float K0_12_c = t178 - t177;
+    const float K0_12_lam = t217 - t106;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -1602,131 +1543,131 @@ void flywheel_bicycle_f32_derivatives(const flywheel_bicycle_f32_t *p,
     matrices->k2[1][0] = 0.0F;
     matrices->k2[1][1] = K2_22;
     derivatives->values[0] = M_12_w;
-    derivatives->values[1] = M_22_w;
+    derivatives->values[1] = t144;
     derivatives->values[2] = C0_21_w;
-    derivatives->values[3] = C1_12_w;
+    derivatives->values[3] = t147;
     derivatives->values[4] = C1_21_w;
-    derivatives->values[5] = C1_22_w;
+    derivatives->values[5] = t161;
     derivatives->values[6] = K0_12_w;
     derivatives->values[7] = K0_22_w;
-    derivatives->values[8] = t208;
-    derivatives->values[9] = t210;
-    derivatives->values[10] = t211;
-    derivatives->values[11] = t214;
-    derivatives->values[12] = t217;
+    derivatives->values[8] = t145;
+    derivatives->values[9] = t165;
+    derivatives->values[10] = t166;
+    derivatives->values[11] = t168;
+    derivatives->values[12] = M_12_c;
     derivatives->values[13] = M_22_c;
     derivatives->values[14] = K1_12;
     derivatives->values[15] = K2_12;
-    derivatives->values[16] = t227;
+    derivatives->values[16] = t102;
     derivatives->values[17] = C1_22_c;
     derivatives->values[18] = K0_12_c;
-    derivatives->values[19] = K0_22_c;
-    derivatives->values[20] = t238;
+    derivatives->values[19] = t180;
+    derivatives->values[20] = K2_22_c;
     derivatives->values[21] = M_12_lam;
-    derivatives->values[22] = M_22_lam;
+    derivatives->values[22] = t200;
     derivatives->values[23] = C0_21_lam;
-    derivatives->values[24] = t264;
+    derivatives->values[24] = t206;
     derivatives->values[25] = C1_21_lam;
     derivatives->values[26] = C1_22_lam;
     derivatives->values[27] = K0_12_lam;
-    derivatives->values[28] = K0_22_lam;
-    derivatives->values[29] = t260;
-    derivatives->values[30] = K1_22_lam;
-    derivatives->values[31] = t280;
+    derivatives->values[28] = t221;
+    derivatives->values[29] = t222;
+    derivatives->values[30] = t225;
+    derivatives->values[31] = t226;
     derivatives->values[32] = K2_22_lam;
     derivatives->values[33] = M_11_rR;
-    derivatives->values[34] = C1_12_rR;
+    derivatives->values[34] = t234;
     derivatives->values[35] = C1_21_rR;
     derivatives->values[36] = p->mR;
-    derivatives->values[37] = K2_12_rR;
+    derivatives->values[37] = t238;
     derivatives->values[38] = M_11_mR;
     derivatives->values[39] = C1_12_mR;
     derivatives->values[40] = p->rR;
     derivatives->values[41] = K2_12_mR;
     derivatives->values[42] = 1.0F;
-    derivatives->values[43] = M_22_Jzz_all;
-    derivatives->values[44] = C1_22_Jzz_all;
+    derivatives->values[43] = M_22_ST;
+    derivatives->values[44] = C1_22_ST;
     derivatives->values[45] = C1_12_IRyy;
     derivatives->values[46] = K2_12_IRyy;
-    derivatives->values[47] = t297;
+    derivatives->values[47] = t246;
     derivatives->values[48] = M_22_xB;
-    derivatives->values[49] = t296;
+    derivatives->values[49] = t249;
     derivatives->values[50] = C1_22_xB;
-    derivatives->values[51] = t299;
-    derivatives->values[52] = t307;
+    derivatives->values[51] = t245;
+    derivatives->values[52] = t253;
     derivatives->values[53] = K2_22_xB;
     derivatives->values[54] = M_11_zB;
-    derivatives->values[55] = t310;
-    derivatives->values[56] = t311;
+    derivatives->values[55] = t116;
+    derivatives->values[56] = t250;
     derivatives->values[57] = p->mB;
-    derivatives->values[58] = t298;
+    derivatives->values[58] = t256;
     derivatives->values[59] = M_11_mB;
-    derivatives->values[60] = t312;
+    derivatives->values[60] = t259;
     derivatives->values[61] = M_22_mB;
-    derivatives->values[62] = t314;
+    derivatives->values[62] = t263;
     derivatives->values[63] = C1_22_mB;
     derivatives->values[64] = p->zB;
-    derivatives->values[65] = t301;
-    derivatives->values[66] = t318;
-    derivatives->values[67] = t319;
+    derivatives->values[65] = t258;
+    derivatives->values[66] = t266;
+    derivatives->values[67] = t262;
     derivatives->values[68] = K2_22_mB;
     derivatives->values[69] = mu;
     derivatives->values[70] = yaw_per_v_delta;
-    derivatives->values[71] = t141;
-    derivatives->values[72] = M_22_xH;
-    derivatives->values[73] = t321;
+    derivatives->values[71] = t268;
+    derivatives->values[72] = t270;
+    derivatives->values[73] = t272;
     derivatives->values[74] = C1_22_xH;
-    derivatives->values[75] = t140;
-    derivatives->values[76] = t323;
+    derivatives->values[75] = t267;
+    derivatives->values[76] = t276;
     derivatives->values[77] = K2_22_xH;
-    derivatives->values[78] = Jxx_delta_zH;
+    derivatives->values[78] = M_11_zH;
     derivatives->values[79] = M_12_zH;
-    derivatives->values[80] = t330;
-    derivatives->values[81] = t332;
-    derivatives->values[82] = t333;
+    derivatives->values[80] = M_22_zH;
+    derivatives->values[81] = t159;
+    derivatives->values[82] = t282;
     derivatives->values[83] = p->mH;
     derivatives->values[84] = K0_12_zH;
     derivatives->values[85] = K0_22_zH;
-    derivatives->values[86] = t320;
-    derivatives->values[87] = t335;
-    derivatives->values[88] = Jxx_delta_mH;
-    derivatives->values[89] = t337;
+    derivatives->values[86] = t284;
+    derivatives->values[87] = t285;
+    derivatives->values[88] = M_11_mH;
+    derivatives->values[89] = M_12_mH;
     derivatives->values[90] = M_22_mH;
-    derivatives->values[91] = t345;
-    derivatives->values[92] = C1_22_mH;
+    derivatives->values[91] = t287;
+    derivatives->values[92] = t288;
     derivatives->values[93] = p->zH;
-    derivatives->values[94] = t191;
-    derivatives->values[95] = t328;
-    derivatives->values[96] = t344;
-    derivatives->values[97] = K2_22_mH;
-    derivatives->values[98] = hx_delta_Jxx_delta;
-    derivatives->values[99] = M_delta_delta_Jxx_delta;
-    derivatives->values[100] = M_22_Jzz_delta;
-    derivatives->values[101] = K2_22_Sx_delta;
-    derivatives->values[102] = M_12_Jxz_delta;
-    derivatives->values[103] = M_22_Jxz_delta;
-    derivatives->values[104] = C1_22_Jxz_delta;
-    derivatives->values[105] = Jxx_delta_rF;
+    derivatives->values[94] = K0_12_mH;
+    derivatives->values[95] = K0_22_mH;
+    derivatives->values[96] = t271;
+    derivatives->values[97] = t290;
+    derivatives->values[98] = wx_delta2_delta;
+    derivatives->values[99] = M_22_IHxx;
+    derivatives->values[100] = M_22_IHzz;
+    derivatives->values[101] = C1_22_IHzz;
+    derivatives->values[102] = wz_delta2_delta;
+    derivatives->values[103] = M_22_IHxz;
+    derivatives->values[104] = K2_22_SF;
+    derivatives->values[105] = M_11_rF;
     derivatives->values[106] = M_12_rF;
     derivatives->values[107] = M_22_rF;
     derivatives->values[108] = C1_12_rF;
     derivatives->values[109] = C1_21_rF;
     derivatives->values[110] = C1_22_rF;
     derivatives->values[111] = p->mF;
-    derivatives->values[112] = py_delta_rF;
-    derivatives->values[113] = t370;
+    derivatives->values[112] = t303;
+    derivatives->values[113] = t305;
     derivatives->values[114] = K2_12_rF;
     derivatives->values[115] = K2_22_rF;
-    derivatives->values[116] = Jxx_delta_mF;
-    derivatives->values[117] = t374;
+    derivatives->values[116] = M_11_mF;
+    derivatives->values[117] = M_12_mF;
     derivatives->values[118] = M_22_mF;
     derivatives->values[119] = C1_12_mF;
     derivatives->values[120] = C1_22_mF;
     derivatives->values[121] = p->rF;
-    derivatives->values[122] = K0_12_mF;
-    derivatives->values[123] = K0_22_mF;
+    derivatives->values[122] = t110;
+    derivatives->values[123] = t313;
     derivatives->values[124] = K2_12_mF;
-    derivatives->values[125] = t385;
+    derivatives->values[125] = K2_22_mF;
     derivatives->values[126] = M_22_IFxx;
     derivatives->values[127] = C1_12_IFyy;
     derivatives->values[128] = K2_12_IFyy;

@@ -243,7 +243,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 47 additions, 51 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 105 operations.
+ * 42 additions, 49 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 98 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -360,7 +360,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 145 additions, 215 multiplications, 6 divisions, 5 negations and 2 trigonometric functions: 373 operations.
+ * 103 additions, 187 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 299 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -487,7 +487,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 47 additions, 51 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 105 operations.
+ * 42 additions, 49 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 98 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -604,7 +604,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 145 additions, 215 multiplications, 6 divisions, 5 negations and 2 trigonometric functions: 373 operations.
+ * 103 additions, 187 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 299 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

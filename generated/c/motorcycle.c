@@ -178,71 +178,71 @@ const carvallo_partial_t motorcycle_partials[MOTORCYCLE_PARTIALS] = {
     {CARVALLO_MATRIX_M, 2U, 3U, 6U, 19U, false},
     {CARVALLO_MATRIX_M, 3U, 1U, 6U, 18U, false},
     {CARVALLO_MATRIX_M, 3U, 2U, 6U, 19U, false},
-    {CARVALLO_MATRIX_M, 3U, 3U, 6U, 20U, false},
-    {CARVALLO_MATRIX_C1, 1U, 2U, 7U, 21U, true},
-    {CARVALLO_MATRIX_C1, 1U, 3U, 7U, 22U, true},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 7U, 21U, false},
-    {CARVALLO_MATRIX_C1, 2U, 3U, 7U, 23U, false},
-    {CARVALLO_MATRIX_C1, 3U, 1U, 7U, 22U, false},
-    {CARVALLO_MATRIX_C1, 3U, 2U, 7U, 23U, true},
-    {CARVALLO_MATRIX_C1, 1U, 2U, 8U, 24U, true},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 8U, 24U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 9U, 25U, false},
-    {CARVALLO_MATRIX_M, 0U, 2U, 9U, 26U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 9U, 25U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 9U, 27U, true},
-    {CARVALLO_MATRIX_M, 1U, 2U, 9U, 28U, false},
-    {CARVALLO_MATRIX_M, 1U, 3U, 9U, 29U, false},
-    {CARVALLO_MATRIX_M, 2U, 0U, 9U, 26U, false},
-    {CARVALLO_MATRIX_M, 2U, 1U, 9U, 28U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 9U, 30U, false},
-    {CARVALLO_MATRIX_M, 2U, 3U, 9U, 31U, false},
-    {CARVALLO_MATRIX_M, 3U, 1U, 9U, 29U, false},
-    {CARVALLO_MATRIX_M, 3U, 2U, 9U, 31U, false},
-    {CARVALLO_MATRIX_C0, 5U, 1U, 9U, 32U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 9U, 25U, false},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 9U, 26U, false},
-    {CARVALLO_MATRIX_KC, 1U, 5U, 9U, 32U, false},
-    {CARVALLO_MATRIX_K0, 2U, 2U, 9U, 26U, true},
-    {CARVALLO_MATRIX_C0, 4U, 1U, 10U, 33U, false},
-    {CARVALLO_MATRIX_KC, 1U, 4U, 10U, 33U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 11U, 25U, false},
-    {CARVALLO_MATRIX_M, 0U, 2U, 11U, 26U, false},
-    {CARVALLO_MATRIX_M, 0U, 3U, 11U, 34U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 11U, 25U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 11U, 27U, true},
-    {CARVALLO_MATRIX_M, 1U, 2U, 11U, 28U, false},
-    {CARVALLO_MATRIX_M, 1U, 3U, 11U, 35U, false},
-    {CARVALLO_MATRIX_M, 2U, 0U, 11U, 26U, false},
-    {CARVALLO_MATRIX_M, 2U, 1U, 11U, 28U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 11U, 30U, false},
-    {CARVALLO_MATRIX_M, 2U, 3U, 11U, 36U, false},
-    {CARVALLO_MATRIX_M, 3U, 0U, 11U, 34U, false},
-    {CARVALLO_MATRIX_M, 3U, 1U, 11U, 35U, false},
-    {CARVALLO_MATRIX_M, 3U, 2U, 11U, 36U, false},
-    {CARVALLO_MATRIX_M, 3U, 3U, 11U, 37U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 11U, 25U, false},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 11U, 26U, false},
-    {CARVALLO_MATRIX_C1, 3U, 1U, 11U, 34U, false},
-    {CARVALLO_MATRIX_K0, 2U, 2U, 11U, 26U, true},
-    {CARVALLO_MATRIX_K0, 2U, 3U, 11U, 34U, true},
-    {CARVALLO_MATRIX_K0, 3U, 2U, 11U, 34U, true},
+    {CARVALLO_MATRIX_M, 3U, 3U, 6U, 0U, false},
+    {CARVALLO_MATRIX_C1, 1U, 2U, 7U, 20U, true},
+    {CARVALLO_MATRIX_C1, 1U, 3U, 7U, 21U, true},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 7U, 20U, false},
+    {CARVALLO_MATRIX_C1, 2U, 3U, 7U, 22U, false},
+    {CARVALLO_MATRIX_C1, 3U, 1U, 7U, 21U, false},
+    {CARVALLO_MATRIX_C1, 3U, 2U, 7U, 22U, true},
+    {CARVALLO_MATRIX_C1, 1U, 2U, 8U, 23U, true},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 8U, 23U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 9U, 24U, false},
+    {CARVALLO_MATRIX_M, 0U, 2U, 9U, 25U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 9U, 24U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 9U, 26U, true},
+    {CARVALLO_MATRIX_M, 1U, 2U, 9U, 27U, false},
+    {CARVALLO_MATRIX_M, 1U, 3U, 9U, 28U, false},
+    {CARVALLO_MATRIX_M, 2U, 0U, 9U, 25U, false},
+    {CARVALLO_MATRIX_M, 2U, 1U, 9U, 27U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 9U, 29U, false},
+    {CARVALLO_MATRIX_M, 2U, 3U, 9U, 30U, true},
+    {CARVALLO_MATRIX_M, 3U, 1U, 9U, 28U, false},
+    {CARVALLO_MATRIX_M, 3U, 2U, 9U, 30U, true},
+    {CARVALLO_MATRIX_C0, 5U, 1U, 9U, 31U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 9U, 24U, false},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 9U, 25U, false},
+    {CARVALLO_MATRIX_KC, 1U, 5U, 9U, 31U, false},
+    {CARVALLO_MATRIX_K0, 2U, 2U, 9U, 25U, true},
+    {CARVALLO_MATRIX_C0, 4U, 1U, 10U, 32U, false},
+    {CARVALLO_MATRIX_KC, 1U, 4U, 10U, 32U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 11U, 24U, false},
+    {CARVALLO_MATRIX_M, 0U, 2U, 11U, 25U, false},
+    {CARVALLO_MATRIX_M, 0U, 3U, 11U, 33U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 11U, 24U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 11U, 26U, true},
+    {CARVALLO_MATRIX_M, 1U, 2U, 11U, 27U, false},
+    {CARVALLO_MATRIX_M, 1U, 3U, 11U, 34U, true},
+    {CARVALLO_MATRIX_M, 2U, 0U, 11U, 25U, false},
+    {CARVALLO_MATRIX_M, 2U, 1U, 11U, 27U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 11U, 29U, false},
+    {CARVALLO_MATRIX_M, 2U, 3U, 11U, 35U, false},
+    {CARVALLO_MATRIX_M, 3U, 0U, 11U, 33U, false},
+    {CARVALLO_MATRIX_M, 3U, 1U, 11U, 34U, true},
+    {CARVALLO_MATRIX_M, 3U, 2U, 11U, 35U, false},
+    {CARVALLO_MATRIX_M, 3U, 3U, 11U, 36U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 11U, 24U, false},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 11U, 25U, false},
+    {CARVALLO_MATRIX_C1, 3U, 1U, 11U, 33U, false},
+    {CARVALLO_MATRIX_K0, 2U, 2U, 11U, 25U, true},
+    {CARVALLO_MATRIX_K0, 2U, 3U, 11U, 37U, true},
+    {CARVALLO_MATRIX_K0, 3U, 2U, 11U, 37U, true},
     {CARVALLO_MATRIX_K0, 3U, 3U, 11U, 38U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 12U, 26U, true},
-    {CARVALLO_MATRIX_M, 0U, 2U, 12U, 25U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 12U, 26U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 12U, 25U, true},
+    {CARVALLO_MATRIX_M, 0U, 2U, 12U, 24U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 12U, 25U, true},
     {CARVALLO_MATRIX_M, 1U, 1U, 12U, 39U, false},
     {CARVALLO_MATRIX_M, 1U, 2U, 12U, 40U, true},
     {CARVALLO_MATRIX_M, 1U, 3U, 12U, 41U, false},
-    {CARVALLO_MATRIX_M, 2U, 0U, 12U, 25U, false},
+    {CARVALLO_MATRIX_M, 2U, 0U, 12U, 24U, false},
     {CARVALLO_MATRIX_M, 2U, 1U, 12U, 40U, true},
     {CARVALLO_MATRIX_M, 2U, 2U, 12U, 42U, false},
     {CARVALLO_MATRIX_M, 2U, 3U, 12U, 43U, true},
     {CARVALLO_MATRIX_M, 3U, 1U, 12U, 41U, false},
     {CARVALLO_MATRIX_M, 3U, 2U, 12U, 43U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 12U, 26U, true},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 12U, 25U, false},
-    {CARVALLO_MATRIX_K0, 2U, 2U, 12U, 25U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 12U, 25U, true},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 12U, 24U, false},
+    {CARVALLO_MATRIX_K0, 2U, 2U, 12U, 24U, true},
     {CARVALLO_MATRIX_M, 0U, 2U, 13U, 44U, false},
     {CARVALLO_MATRIX_M, 2U, 0U, 13U, 44U, false},
     {CARVALLO_MATRIX_M, 2U, 2U, 13U, 45U, false},
@@ -256,22 +256,22 @@ const carvallo_partial_t motorcycle_partials[MOTORCYCLE_PARTIALS] = {
     {CARVALLO_MATRIX_C1, 3U, 2U, 14U, 48U, false},
     {CARVALLO_MATRIX_C1, 1U, 2U, 15U, 49U, false},
     {CARVALLO_MATRIX_C1, 2U, 1U, 15U, 49U, true},
-    {CARVALLO_MATRIX_C0, 5U, 1U, 16U, 32U, false},
+    {CARVALLO_MATRIX_C0, 5U, 1U, 16U, 31U, false},
     {CARVALLO_MATRIX_C0, 5U, 3U, 16U, 50U, false},
-    {CARVALLO_MATRIX_KC, 1U, 5U, 16U, 32U, true},
+    {CARVALLO_MATRIX_KC, 1U, 5U, 16U, 31U, true},
     {CARVALLO_MATRIX_KC, 3U, 5U, 16U, 50U, true},
-    {CARVALLO_MATRIX_K0, 2U, 3U, 16U, 51U, false},
-    {CARVALLO_MATRIX_K0, 3U, 2U, 16U, 51U, false},
-    {CARVALLO_MATRIX_K0, 3U, 3U, 16U, 52U, false},
+    {CARVALLO_MATRIX_K0, 2U, 3U, 16U, 51U, true},
+    {CARVALLO_MATRIX_K0, 3U, 2U, 16U, 51U, true},
+    {CARVALLO_MATRIX_K0, 3U, 3U, 16U, 52U, true},
     {CARVALLO_MATRIX_M, 0U, 1U, 17U, 53U, true},
     {CARVALLO_MATRIX_M, 0U, 2U, 17U, 54U, true},
     {CARVALLO_MATRIX_M, 1U, 0U, 17U, 53U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 17U, 55U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 17U, 55U, true},
     {CARVALLO_MATRIX_M, 1U, 2U, 17U, 56U, false},
     {CARVALLO_MATRIX_M, 1U, 3U, 17U, 57U, false},
     {CARVALLO_MATRIX_M, 2U, 0U, 17U, 54U, true},
     {CARVALLO_MATRIX_M, 2U, 1U, 17U, 56U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 17U, 55U, true},
+    {CARVALLO_MATRIX_M, 2U, 2U, 17U, 55U, false},
     {CARVALLO_MATRIX_M, 2U, 3U, 17U, 58U, false},
     {CARVALLO_MATRIX_M, 3U, 1U, 17U, 57U, false},
     {CARVALLO_MATRIX_M, 3U, 2U, 17U, 58U, false},
@@ -431,88 +431,82 @@ motorcycle_validity_t motorcycle_f64_validate(const motorcycle_f64_t *p)
 
 void motorcycle_f64_matrices(const motorcycle_f64_t *p, motorcycle_f64_matrices_t *matrices)
 {
-    const double m_all = p->Mf + p->Mr;
+    const double M_11 = p->Mf + p->Mr;
     double s = 0.0;
-    double c = 0.0;
-    carvallo_sin_cos_f64(p->eps, &s, &c);
+    double cos_eps = 0.0;
+    carvallo_sin_cos_f64(p->eps, &s, &cos_eps);
     const double t10 = p->a + p->e;
-    const double k = (c * t10) - (p->f * s);
-    const double Sx_all = p->Mf * k;
-    const double j = (p->f * c) + (s * t10);
-    const double t17 = p->Mf * j;
-    const double t19 = p->Mr * p->h;
-    const double M_13 = t17 + t19;
-    const double t22 = 1.0 / c;
-    const double t23 = p->a * t22;
-    const double t24 = k - t23;
-    const double t25 = p->Mf * t24;
-    const double py_delta = (s * t17) + (c * t25);
-    const double t31 = c * c;
-    const double t34 = s * s;
-    const double t36 = (p->Ifz * t31) + (p->Ifx * t34);
-    const double M_22 = p->Irz + t36 + (k * Sx_all);
-    const double Jxz_delta = (j * t25) + (s * c * (p->Ifz - p->Ifx));
-    const double Jxz_all = Jxz_delta + (t17 * t23) - p->Crxz;
-    const double hz_delta = (s * Jxz_delta) + (c * (t36 + (t24 * t25)));
-    const double M_psi_delta = hz_delta + (t23 * py_delta);
-    const double Jxx_delta = (j * t17) + (t31 * p->Ifx) + (p->Ifz * t34);
-    const double M_33 = p->Irx + Jxx_delta + (p->h * t19);
-    const double hx_delta = (s * Jxx_delta) + (c * Jxz_delta);
-    const double M_44 = (s * hx_delta) + (c * hz_delta);
-    const double t74 = 1.0 / p->sigma;
-    const double C0_55 = p->Cr1 * t74;
+    const double t12 = (cos_eps * t10) - (p->f * s);
+    const double M_12 = p->Mf * t12;
+    const double t15 = p->Mr * p->h;
+    const double j = (p->f * cos_eps) + (s * t10);
+    const double t19 = p->Mf * j;
+    const double M_13 = t15 + t19;
+    const double t21 = s * s;
+    const double t22 = cos_eps * cos_eps;
+    const double t25 = p->a - (t10 * (t21 + t22));
+    const double t26 = p->Mf * t25;
+    const double t29 = p->Ifz * t22;
+    const double M_22 = t29 + ((p->Ifx * t21) + (p->Irz + (t12 * M_12)));
+    const double t44 = t21 * p->Ifz;
+    const double t45 = t29 + t44;
+    const double M_24 = (cos_eps * t45) - (M_12 * t25);
+    const double M_33 = p->Irx + t44 + (j * t19) + ((p->h * t15) + (p->Ifx * t22));
+    const double M_34 = (s * t45) - (t19 * t25);
+    const double M_44 = p->Ifz + (t25 * t26);
+    const double t64 = 1.0 / p->sigma;
+    const double C0_55 = p->Cr1 * t64;
     const double C0_52 = C0_55 * p->b;
-    const double C0_66 = t74 * p->Cf1;
-    const double l = t22 * (p->a - p->t);
-    const double Kc_26 = C0_66 * l;
-    const double t85 = p->a - (c * l);
-    const double C0_64 = C0_66 * t85;
+    const double C0_66 = t64 * p->Cf1;
+    const double Kc_26 = C0_66 * ((p->a - p->t) / cos_eps);
+    const double C0_64 = C0_66 * p->t;
+    const double h_spin_R = p->iry / p->Rr;
     const double h_spin_F = p->ify / p->Rf;
-    const double h_wheels_all = h_spin_F + (p->iry / p->Rr);
-    const double t94 = s * h_spin_F;
+    const double h_wheels_all = h_spin_R + h_spin_F;
+    const double t82 = s * h_spin_F;
     const double C1_32 = M_13 + h_wheels_all;
-    const double C1_34 = c * h_spin_F;
-    const double C1_42 = py_delta + t94;
-    const double t101 = (Sx_all + (m_all * p->b)) / (p->b + l);
-    const double rest = t101 - (p->Zf / p->g);
-    const double K0_34 = (p->t * rest) - py_delta - (t85 * t101);
+    const double C1_34 = cos_eps * h_spin_F;
+    const double K0_34 = ((t26 * p->g) - (p->t * p->Zf)) / p->g;
     const double K0_44 = s * K0_34;
-    const double K1_53 = t74 * p->Cr2;
-    const double t114 = 1.0 / (p->sigma * p->sigma);
-    const double K1_55 = p->Cr1 * t114;
-    const double K1_63 = t74 * p->Cf2;
-    const double K1_64 = t74 * ((c * p->Cf1) + (s * p->Cf2));
-    const double K1_66 = p->Cf1 * t114;
+    const double K1_53 = t64 * p->Cr2;
+    const double t95 = 1.0 / (p->sigma * p->sigma);
+    const double K1_55 = p->Cr1 * t95;
+    const double K1_63 = t64 * p->Cf2;
+    const double K1_64 = (cos_eps * C0_66) + (s * K1_63);
+    const double K1_66 = p->Cf1 * t95;
+    const double M_14 = -t26;
+    const double M_23 = (t12 * t19) - (p->Crxz + (cos_eps * (s * (p->Ifx - p->Ifz))));
     const double C0_51 = -C0_55;
     const double C0_61 = -C0_66;
     const double C0_62 = -Kc_26;
     const double C1_23 = -h_wheels_all;
-    const double C1_24 = -t94;
+    const double C1_24 = -t82;
+    const double C1_42 = t82 - t26;
     const double C1_43 = -C1_34;
     const double Kc_25 = -C0_52;
     const double Kc_46 = -C0_64;
     const double K0_33 = -M_13;
-    matrices->m[0][0] = m_all;
-    matrices->m[0][1] = Sx_all;
+    matrices->m[0][0] = M_11;
+    matrices->m[0][1] = M_12;
     matrices->m[0][2] = M_13;
-    matrices->m[0][3] = py_delta;
+    matrices->m[0][3] = M_14;
     matrices->m[0][4] = 0.0;
     matrices->m[0][5] = 0.0;
-    matrices->m[1][0] = Sx_all;
+    matrices->m[1][0] = M_12;
     matrices->m[1][1] = M_22;
-    matrices->m[1][2] = Jxz_all;
-    matrices->m[1][3] = M_psi_delta;
+    matrices->m[1][2] = M_23;
+    matrices->m[1][3] = M_24;
     matrices->m[1][4] = 0.0;
     matrices->m[1][5] = 0.0;
     matrices->m[2][0] = M_13;
-    matrices->m[2][1] = Jxz_all;
+    matrices->m[2][1] = M_23;
     matrices->m[2][2] = M_33;
-    matrices->m[2][3] = hx_delta;
+    matrices->m[2][3] = M_34;
     matrices->m[2][4] = 0.0;
     matrices->m[2][5] = 0.0;
-    matrices->m[3][0] = py_delta;
-    matrices->m[3][1] = M_psi_delta;
-    matrices->m[3][2] = hx_delta;
+    matrices->m[3][0] = M_14;
+    matrices->m[3][1] = M_24;
+    matrices->m[3][2] = M_34;
     matrices->m[3][3] = M_44;
     matrices->m[3][4] = 0.0;
     matrices->m[3][5] = 0.0;
@@ -565,13 +559,13 @@ void motorcycle_f64_matrices(const motorcycle_f64_t *p, motorcycle_f64_matrices_
     matrices->c0[5][4] = 0.0;
     matrices->c0[5][5] = C0_66;
     matrices->c1[0][0] = 0.0;
-    matrices->c1[0][1] = m_all;
+    matrices->c1[0][1] = M_11;
     matrices->c1[0][2] = 0.0;
     matrices->c1[0][3] = 0.0;
     matrices->c1[0][4] = 0.0;
     matrices->c1[0][5] = 0.0;
     matrices->c1[1][0] = 0.0;
-    matrices->c1[1][1] = Sx_all;
+    matrices->c1[1][1] = M_12;
     matrices->c1[1][2] = C1_23;
     matrices->c1[1][3] = C1_24;
     matrices->c1[1][4] = 0.0;
@@ -859,163 +853,140 @@ void motorcycle_f64_kinematics(const motorcycle_f64_t *p, motorcycle_f64_kinemat
 void motorcycle_f64_derivatives(const motorcycle_f64_t *p, motorcycle_f64_matrices_t *matrices,
     motorcycle_f64_derivatives_t *derivatives)
 {
-    const double m_all = p->Mf + p->Mr;
+    const double M_11 = p->Mf + p->Mr;
     double s = 0.0;
-    double c = 0.0;
-    carvallo_sin_cos_f64(p->eps, &s, &c);
-    const double t6 = p->f * s;
+    double s_eps = 0.0;
+    carvallo_sin_cos_f64(p->eps, &s, &s_eps);
+    const double t6 = s * p->f;
     const double t10 = p->a + p->e;
-    const double t11 = c * t10;
+    const double t11 = s_eps * t10;
     const double t12 = t6 - t11;
     const double K0_33_eps = p->Mf * t12;
-    const double j = (p->f * c) + (s * t10);
-    const double t17 = p->Mf * j;
-    const double t19 = p->Mr * p->h;
-    const double M_13 = t17 + t19;
-    const double t21 = 1.0 / c;
-    const double t22 = p->a * t21;
-    const double t23 = t12 + t22;
-    const double t24 = c * t23;
-    const double t25 = s * j;
-    const double K0_34_Mf = t24 - t25;
-    const double t27 = p->Mf * K0_34_Mf;
-    const double t29 = t12 * K0_33_eps;
+    const double t15 = p->Mr * p->h;
+    const double j = (p->f * s_eps) + (s * t10);
+    const double t19 = p->Mf * j;
+    const double M_13 = t15 + t19;
     const double M_22_Ifx = s * s;
-    const double M_33_Ifx = c * c;
-    const double t37 = (p->Ifx * M_22_Ifx) + (p->Ifz * M_33_Ifx);
-    const double M_22 = t29 + p->Irz + t37;
-    const double t41 = p->Ifx - p->Ifz;
-    const double Jxz_delta_Ifz = s * c;
-    const double t43 = t41 * Jxz_delta_Ifz;
-    const double t45 = t43 + (K0_33_eps * j);
-    const double t48 = t43 + (t17 * t23);
-    const double t50 = p->Mf * t23;
-    const double t52 = t37 + (t23 * t50);
-    const double t54 = (s * t48) - (c * t52);
-    const double Jxx_delta_Mf = j * j;
-    const double t60 = p->Mf * Jxx_delta_Mf;
-    const double Jxx_delta = (M_22_Ifx * p->Ifz) + (p->Ifx * M_33_Ifx) + t60;
-    const double M_33 = Jxx_delta + p->Irx + (p->h * t19);
-    const double hx_delta = (s * Jxx_delta) - (c * t48);
-    const double M_44 = (s * hx_delta) - (c * t54);
+    const double M_33_Ifx = s_eps * s_eps;
+    const double t23 = M_22_Ifx + M_33_Ifx;
+    const double t24 = t10 * t23;
+    const double t25 = p->a - t24;
+    const double t26 = p->Mf * t25;
+    const double M_22_Mf = t12 * t12;
+    const double t31 = p->Mf * M_22_Mf;
+    const double M_22 = (M_33_Ifx * p->Ifz) + t31 + p->Irz + (M_22_Ifx * p->Ifx);
+    const double M_23_Ifz = s * s_eps;
+    const double t40 = p->Ifz - p->Ifx;
+    const double t43 = (M_23_Ifz * t40) - (K0_33_eps * j);
+    const double M_23 = t43 - p->Crxz;
+    const double M_24_Ifz = s_eps * t23;
+    const double M_24 = (p->Ifz * M_24_Ifz) + (K0_33_eps * t25);
+    const double M_33_Mr = p->h * p->h;
+    const double t54 = j * t19;
+    const double M_33 = p->Irx + (p->Mr * M_33_Mr) + (M_22_Ifx * p->Ifz) + (M_33_Ifx * p->Ifx) +
+        t54;
+    const double M_34_Ifz = s * t23;
+    const double t60 = p->Ifz * M_34_Ifz;
+    const double t61 = j * t25;
+    const double t62 = p->Mf * t61;
+    const double M_34 = t60 - t62;
+    const double M_44 = p->Ifz + (t25 * t26);
     const double C0_66_Cf1 = 1.0 / p->sigma;
     const double C0_55 = p->Cr1 * C0_66_Cf1;
     const double C0_52_Cr1 = C0_66_Cf1 * p->b;
     const double C0_52 = p->Cr1 * C0_52_Cr1;
     const double C0_66 = C0_66_Cf1 * p->Cf1;
-    const double t84 = p->a - p->t;
-    const double l = t21 * t84;
-    const double Kc_26 = C0_66 * l;
-    const double t87 = c * t21;
-    const double t89 = p->a - (t84 * t87);
-    const double C0_64_Cf1 = C0_66_Cf1 * t89;
+    const double t76 = 1.0 / s_eps;
+    const double t79 = t76 * (p->a - p->t);
+    const double Kc_26 = C0_66 * t79;
+    const double C0_64_Cf1 = C0_66_Cf1 * p->t;
     const double C0_64 = p->Cf1 * C0_64_Cf1;
     const double C1_32_ify = 1.0 / p->Rf;
     const double h_spin_F = p->ify * C1_32_ify;
     const double C1_32_iry = 1.0 / p->Rr;
-    const double t99 = p->iry * C1_32_iry;
-    const double h_wheels_all = h_spin_F + t99;
-    const double C1_42_ify = s * C1_32_ify;
-    const double C1_43_eps = p->ify * C1_42_ify;
+    const double t90 = p->iry * C1_32_iry;
+    const double h_wheels_all = h_spin_F + t90;
+    const double C1_43_eps = s * h_spin_F;
     const double C1_32 = M_13 + h_wheels_all;
-    const double C1_34 = c * h_spin_F;
-    const double C1_42 = C1_43_eps - t27;
-    const double t109 = (K0_33_eps - (m_all * p->b)) / (p->b + l);
-    const double t112 = 1.0 / p->g;
-    const double t113 = p->Zf * t112;
-    const double t114 = t109 + t113;
-    const double t116 = (p->t * t114) - t27;
-    const double t117 = t89 * t109;
-    const double t118 = t116 - t117;
+    const double C1_34_ify = s_eps * C1_32_ify;
+    const double C1_34 = p->ify * C1_34_ify;
+    const double C1_42 = C1_43_eps - t26;
+    const double t98 = 1.0 / p->g;
+    const double t100 = t98 * p->Zf;
+    const double t101 = p->t * t100;
+    const double t102 = p->g * t98;
+    const double t103 = t26 * t102;
+    const double t104 = t101 - t103;
     const double K1_53 = C0_66_Cf1 * p->Cr2;
-    const double t122 = p->sigma * p->sigma;
-    const double K1_66_Cf1 = 1.0 / t122;
+    const double t108 = p->sigma * p->sigma;
+    const double K1_66_Cf1 = 1.0 / t108;
     const double K1_55 = p->Cr1 * K1_66_Cf1;
     const double K1_63 = C0_66_Cf1 * p->Cf2;
-    const double K1_64_Cf1 = c * C0_66_Cf1;
-    const double t129 = p->Cf1 * K1_64_Cf1;
-    const double K1_64 = (s * K1_63) + t129;
+    const double K1_64_Cf1 = s_eps * C0_66_Cf1;
+    const double K1_64 = (p->Cf1 * K1_64_Cf1) + (s * K1_63);
     const double K1_66 = p->Cf1 * K1_66_Cf1;
-    const double M_22_Mf = t12 * t12;
-    const double t134 = t12 * j;
-    const double M_24_Mf = t12 * K0_34_Mf;
-    const double t136 = j * K0_34_Mf;
-    const double M_44_Mf = K0_34_Mf * K0_34_Mf;
+    const double t119 = t12 * j;
+    const double M_24_Mf = t12 * t25;
+    const double M_33_Mf = j * j;
+    const double M_44_Mf = t25 * t25;
+    const double K0_34_Mf = t25 * t102;
     const double K0_44_Mf = s * K0_34_Mf;
-    const double M_33_Mr = p->h * p->h;
-    const double t140 = M_22_Ifx + M_33_Ifx;
-    const double hz_delta_Ifz = c * t140;
-    const double hx_delta_Ifz = s * t140;
-    const double M_44_Ifz = t140 * t140;
-    const double C1_34_ify = c * C1_32_ify;
-    const double M_12_a = p->Mf * c;
+    const double C1_42_ify = s * C1_32_ify;
+    const double M_12_a = p->Mf * s_eps;
     const double M_13_a = p->Mf * s;
-    const double t147 = c * K0_33_eps;
-    const double t148 = t147 + t147;
-    const double t149 = j * M_12_a;
-    const double t150 = t12 * M_13_a;
-    const double M_23_a = t149 - t150;
-    const double t152 = t50 * t87;
-    const double t153 = s * t17;
-    const double t157 = (c * t153) - (t50 * (M_33_Ifx + t140));
-    const double M_24_a = t152 + t157;
-    const double hx_delta_j = t153 + t153;
-    const double hz_delta_f = s * t27;
-    const double hx_delta_e = (t17 * t140) - hz_delta_f;
-    const double M_34_a = hx_delta_e - (t17 * t87);
-    const double Kc_26_a = t21 * C0_66;
-    const double py_delta_e = p->Mf * t140;
-    const double Jxx_delta_j = t22 * py_delta_e;
-    const double M_24_e = t157 + Jxx_delta_j;
-    const double M_44_e = (c * t157) + (s * hx_delta_e);
-    const double t172 = t140 * M_13_a;
-    const double M_22_f = t150 + t150;
-    const double t174 = t147 + t153;
-    const double M_33_f = t149 + t149;
-    const double t176 = c * t27;
-    const double M_33_h = t19 + t19;
+    const double t128 = s_eps * K0_33_eps;
+    const double t129 = t128 + t128;
+    const double t130 = s_eps * t19;
+    const double t131 = s * K0_33_eps;
+    const double M_23_a = t130 - t131;
+    const double M_14_e = p->Mf * t23;
+    const double t135 = t25 * M_12_a;
+    const double t136 = (t12 * M_14_e) + t135;
+    const double M_24_a = K0_33_eps - t136;
+    const double t138 = s * t19;
+    const double M_33_a = t138 + t138;
+    const double M_24_f = s * t26;
+    const double t141 = t19 * t23;
+    const double t143 = t19 + (M_24_f - t141);
+    const double Kc_26_a = C0_66 * t76;
+    const double t145 = t23 * t26;
+    const double t146 = t145 + t145;
+    const double t147 = t102 * M_14_e;
+    const double t148 = s * t147;
+    const double M_22_f = t131 + t131;
+    const double t150 = t128 + t138;
+    const double M_33_f = t130 + t130;
+    const double M_33_h = t15 + t15;
     const double C1_23_Rf = C1_32_ify * h_spin_F;
     const double C1_24_Rf = s * C1_23_Rf;
-    const double C1_43_Rf = c * C1_23_Rf;
-    const double C1_23_Rr = C1_32_iry * t99;
-    const double C0_64_t = t21 * t129;
-    const double K0_34_t = (t87 * t109) - t114;
-    const double K0_44_t = s * K0_34_t;
-    const double M_22_eps = t45 + t45;
-    const double t188 = t41 * (M_22_Ifx - M_33_Ifx);
-    const double M_23_eps = t29 + t188 - t60;
-    const double t196 = s * t21;
-    const double t197 = t22 * t196;
-    const double t198 = j + t197;
-    const double M_24_eps = (c * (t43 + (t50 * (t197 + t198)))) - (s * (t52 - M_23_eps - (t22 *
-        (K0_33_eps - t152))));
-    const double M_34_eps = (s * (t48 - M_22_eps)) + (c * (Jxx_delta + t188 + (t12 * t50) - (t17 *
-        t198)));
-    const double Kc_26_eps = Kc_26 * t196;
-    const double t214 = c * t118;
+    const double C1_43_Rf = C1_32_ify * C1_34;
+    const double C1_23_Rr = C1_32_iry * t90;
+    const double t157 = s * t100;
+    const double M_33_eps = t43 + t43;
+    const double M_23_eps = t31 - t54 - (t40 * (M_22_Ifx - M_33_Ifx));
+    const double Kc_26_eps = s * t79 * Kc_26_a;
+    const double t165 = s_eps * t104;
     const double K1_64_Cf2 = s * C0_66_Cf1;
     const double K1_64_eps = (p->Cf2 * K1_64_Cf1) - (p->Cf1 * K1_64_Cf2);
-    const double Kc_26_Cf1 = C0_66_Cf1 * l;
+    const double Kc_26_Cf1 = C0_66_Cf1 * t79;
     const double C0_51_sigma = C0_66_Cf1 * C0_55;
     const double Kc_25_sigma = C0_55 * C0_52_Cr1;
     const double C0_61_sigma = C0_66_Cf1 * C0_66;
-    const double C0_62_sigma = l * C0_61_sigma;
-    const double Kc_46_sigma = C0_66_Cf1 * C0_64;
-    const double t225 = C0_66_Cf1 * K1_53;
-    const double t227 = 1.0 / (p->sigma * t122);
-    const double t228 = t227 + t227;
-    const double t229 = p->Cr1 * t228;
-    const double t230 = C0_66_Cf1 * K1_63;
-    const double t231 = C0_66_Cf1 * K1_64;
-    const double t232 = p->Cf1 * t228;
-    const double t233 = p->t * t112;
-    const double t234 = s * t233;
-    const double K0_34_g = t113 * t233;
-    const double K0_44_g = t113 * t234;
+    const double C0_62_sigma = t79 * C0_61_sigma;
+    const double Kc_46_sigma = p->t * C0_61_sigma;
+    const double t176 = C0_66_Cf1 * K1_53;
+    const double t178 = 1.0 / (p->sigma * t108);
+    const double t179 = t178 + t178;
+    const double t180 = p->Cr1 * t179;
+    const double t181 = C0_66_Cf1 * K1_63;
+    const double t182 = C0_66_Cf1 * K1_64;
+    const double t183 = p->Cf1 * t179;
+    const double t184 = p->t * t98;
+    const double t185 = s * t184;
+    const double K0_34_g = t98 * (t26 + t104);
+    const double K0_44_g = s * K0_34_g;
     const double M_12 = -K0_33_eps;
-    const double M_14 = -t27;
-    const double M_23 = -(p->Crxz + t45);
-    const double M_24 = -(t54 + (t22 * t27));
+    const double M_14 = -t26;
     const double C0_51 = -C0_55;
     const double C0_61 = -C0_66;
     const double C0_62 = -Kc_26;
@@ -1025,11 +996,13 @@ void motorcycle_f64_derivatives(const motorcycle_f64_t *p, motorcycle_f64_matric
     const double Kc_25 = -C0_52;
     const double Kc_46 = -C0_64;
     const double K0_33 = -M_13;
-    const double K0_34 = t117 - t116;
-    const double K0_44 = -(s * t118);
+    const double K0_34 = t103 - t101;
+    const double K0_44 = -(s * t104);
     const double M_12_Mf = t11 - t6;
-    const double M_14_Mf = t25 - t24;
-    matrices->m[0][0] = m_all;
+    const double M_14_Mf = t24 - p->a;
+    const double M_34_e = t141 - M_24_f;
+    const double M_24_eps = t62 - t60;
+    matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[0][2] = M_13;
     matrices->m[0][3] = M_14;
@@ -1044,12 +1017,12 @@ void motorcycle_f64_derivatives(const motorcycle_f64_t *p, motorcycle_f64_matric
     matrices->m[2][0] = M_13;
     matrices->m[2][1] = M_23;
     matrices->m[2][2] = M_33;
-    matrices->m[2][3] = hx_delta;
+    matrices->m[2][3] = M_34;
     matrices->m[2][4] = 0.0;
     matrices->m[2][5] = 0.0;
     matrices->m[3][0] = M_14;
     matrices->m[3][1] = M_24;
-    matrices->m[3][2] = hx_delta;
+    matrices->m[3][2] = M_34;
     matrices->m[3][3] = M_44;
     matrices->m[3][4] = 0.0;
     matrices->m[3][5] = 0.0;
@@ -1102,7 +1075,7 @@ void motorcycle_f64_derivatives(const motorcycle_f64_t *p, motorcycle_f64_matric
     matrices->c0[5][4] = 0.0;
     matrices->c0[5][5] = C0_66;
     matrices->c1[0][0] = 0.0;
-    matrices->c1[0][1] = m_all;
+    matrices->c1[0][1] = M_11;
     matrices->c1[0][2] = 0.0;
     matrices->c1[0][3] = 0.0;
     matrices->c1[0][4] = 0.0;
@@ -1250,10 +1223,10 @@ void motorcycle_f64_derivatives(const motorcycle_f64_t *p, motorcycle_f64_matric
     derivatives->values[2] = j;
     derivatives->values[3] = M_14_Mf;
     derivatives->values[4] = M_22_Mf;
-    derivatives->values[5] = t134;
+    derivatives->values[5] = t119;
     derivatives->values[6] = M_24_Mf;
-    derivatives->values[7] = Jxx_delta_Mf;
-    derivatives->values[8] = t136;
+    derivatives->values[7] = M_33_Mf;
+    derivatives->values[8] = t61;
     derivatives->values[9] = M_44_Mf;
     derivatives->values[10] = K0_34_Mf;
     derivatives->values[11] = K0_44_Mf;
@@ -1261,53 +1234,53 @@ void motorcycle_f64_derivatives(const motorcycle_f64_t *p, motorcycle_f64_matric
     derivatives->values[13] = M_33_Mr;
     derivatives->values[14] = (-1.0);
     derivatives->values[15] = M_22_Ifx;
-    derivatives->values[16] = Jxz_delta_Ifz;
+    derivatives->values[16] = M_23_Ifz;
     derivatives->values[17] = M_33_Ifx;
-    derivatives->values[18] = hz_delta_Ifz;
-    derivatives->values[19] = hx_delta_Ifz;
-    derivatives->values[20] = M_44_Ifz;
-    derivatives->values[21] = C1_32_ify;
-    derivatives->values[22] = C1_42_ify;
-    derivatives->values[23] = C1_34_ify;
-    derivatives->values[24] = C1_32_iry;
-    derivatives->values[25] = M_12_a;
-    derivatives->values[26] = M_13_a;
-    derivatives->values[27] = t148;
-    derivatives->values[28] = M_23_a;
-    derivatives->values[29] = M_24_a;
-    derivatives->values[30] = hx_delta_j;
-    derivatives->values[31] = M_34_a;
-    derivatives->values[32] = Kc_26_a;
-    derivatives->values[33] = C0_55;
-    derivatives->values[34] = py_delta_e;
-    derivatives->values[35] = M_24_e;
-    derivatives->values[36] = hx_delta_e;
-    derivatives->values[37] = M_44_e;
-    derivatives->values[38] = t172;
+    derivatives->values[18] = M_24_Ifz;
+    derivatives->values[19] = M_34_Ifz;
+    derivatives->values[20] = C1_32_ify;
+    derivatives->values[21] = C1_42_ify;
+    derivatives->values[22] = C1_34_ify;
+    derivatives->values[23] = C1_32_iry;
+    derivatives->values[24] = M_12_a;
+    derivatives->values[25] = M_13_a;
+    derivatives->values[26] = t129;
+    derivatives->values[27] = M_23_a;
+    derivatives->values[28] = M_24_a;
+    derivatives->values[29] = M_33_a;
+    derivatives->values[30] = t143;
+    derivatives->values[31] = Kc_26_a;
+    derivatives->values[32] = C0_55;
+    derivatives->values[33] = M_14_e;
+    derivatives->values[34] = t136;
+    derivatives->values[35] = M_34_e;
+    derivatives->values[36] = t146;
+    derivatives->values[37] = t147;
+    derivatives->values[38] = t148;
     derivatives->values[39] = M_22_f;
-    derivatives->values[40] = t174;
-    derivatives->values[41] = hz_delta_f;
+    derivatives->values[40] = t150;
+    derivatives->values[41] = M_24_f;
     derivatives->values[42] = M_33_f;
-    derivatives->values[43] = t176;
+    derivatives->values[43] = t135;
     derivatives->values[44] = p->Mr;
     derivatives->values[45] = M_33_h;
     derivatives->values[46] = C1_23_Rf;
     derivatives->values[47] = C1_24_Rf;
     derivatives->values[48] = C1_43_Rf;
     derivatives->values[49] = C1_23_Rr;
-    derivatives->values[50] = C0_64_t;
-    derivatives->values[51] = K0_34_t;
-    derivatives->values[52] = K0_44_t;
-    derivatives->values[53] = t17;
+    derivatives->values[50] = C0_66;
+    derivatives->values[51] = t100;
+    derivatives->values[52] = t157;
+    derivatives->values[53] = t19;
     derivatives->values[54] = K0_33_eps;
-    derivatives->values[55] = M_22_eps;
+    derivatives->values[55] = M_33_eps;
     derivatives->values[56] = M_23_eps;
     derivatives->values[57] = M_24_eps;
-    derivatives->values[58] = M_34_eps;
+    derivatives->values[58] = M_24;
     derivatives->values[59] = Kc_26_eps;
     derivatives->values[60] = C1_34;
     derivatives->values[61] = C1_43_eps;
-    derivatives->values[62] = t214;
+    derivatives->values[62] = t165;
     derivatives->values[63] = K1_64_eps;
     derivatives->values[64] = C0_66_Cf1;
     derivatives->values[65] = Kc_26_Cf1;
@@ -1321,13 +1294,13 @@ void motorcycle_f64_derivatives(const motorcycle_f64_t *p, motorcycle_f64_matric
     derivatives->values[73] = C0_61_sigma;
     derivatives->values[74] = C0_62_sigma;
     derivatives->values[75] = Kc_46_sigma;
-    derivatives->values[76] = t225;
-    derivatives->values[77] = t229;
-    derivatives->values[78] = t230;
-    derivatives->values[79] = t231;
-    derivatives->values[80] = t232;
-    derivatives->values[81] = t233;
-    derivatives->values[82] = t234;
+    derivatives->values[76] = t176;
+    derivatives->values[77] = t180;
+    derivatives->values[78] = t181;
+    derivatives->values[79] = t182;
+    derivatives->values[80] = t183;
+    derivatives->values[81] = t184;
+    derivatives->values[82] = t185;
     derivatives->values[83] = K0_34_g;
     derivatives->values[84] = K0_44_g;
 }
@@ -1478,88 +1451,82 @@ motorcycle_validity_t motorcycle_f32_validate(const motorcycle_f32_t *p)
 
 void motorcycle_f32_matrices(const motorcycle_f32_t *p, motorcycle_f32_matrices_t *matrices)
 {
-    const float m_all = p->Mf + p->Mr;
+    const float M_11 = p->Mf + p->Mr;
     float s = 0.0F;
-    float c = 0.0F;
-    carvallo_sin_cos_f32(p->eps, &s, &c);
+    float cos_eps = 0.0F;
+    carvallo_sin_cos_f32(p->eps, &s, &cos_eps);
     const float t10 = p->a + p->e;
-    const float k = (c * t10) - (p->f * s);
-    const float Sx_all = p->Mf * k;
-    const float j = (p->f * c) + (s * t10);
-    const float t17 = p->Mf * j;
-    const float t19 = p->Mr * p->h;
-    const float M_13 = t17 + t19;
-    const float t22 = 1.0F / c;
-    const float t23 = p->a * t22;
-    const float t24 = k - t23;
-    const float t25 = p->Mf * t24;
-    const float py_delta = (s * t17) + (c * t25);
-    const float t31 = c * c;
-    const float t34 = s * s;
-    const float t36 = (p->Ifz * t31) + (p->Ifx * t34);
-    const float M_22 = p->Irz + t36 + (k * Sx_all);
-    const float Jxz_delta = (j * t25) + (s * c * (p->Ifz - p->Ifx));
-    const float Jxz_all = Jxz_delta + (t17 * t23) - p->Crxz;
-    const float hz_delta = (s * Jxz_delta) + (c * (t36 + (t24 * t25)));
-    const float M_psi_delta = hz_delta + (t23 * py_delta);
-    const float Jxx_delta = (j * t17) + (t31 * p->Ifx) + (p->Ifz * t34);
-    const float M_33 = p->Irx + Jxx_delta + (p->h * t19);
-    const float hx_delta = (s * Jxx_delta) + (c * Jxz_delta);
-    const float M_44 = (s * hx_delta) + (c * hz_delta);
-    const float t74 = 1.0F / p->sigma;
-    const float C0_55 = p->Cr1 * t74;
+    const float t12 = (cos_eps * t10) - (p->f * s);
+    const float M_12 = p->Mf * t12;
+    const float t15 = p->Mr * p->h;
+    const float j = (p->f * cos_eps) + (s * t10);
+    const float t19 = p->Mf * j;
+    const float M_13 = t15 + t19;
+    const float t21 = s * s;
+    const float t22 = cos_eps * cos_eps;
+    const float t25 = p->a - (t10 * (t21 + t22));
+    const float t26 = p->Mf * t25;
+    const float t29 = p->Ifz * t22;
+    const float M_22 = t29 + ((p->Ifx * t21) + (p->Irz + (t12 * M_12)));
+    const float t44 = t21 * p->Ifz;
+    const float t45 = t29 + t44;
+    const float M_24 = (cos_eps * t45) - (M_12 * t25);
+    const float M_33 = p->Irx + t44 + (j * t19) + ((p->h * t15) + (p->Ifx * t22));
+    const float M_34 = (s * t45) - (t19 * t25);
+    const float M_44 = p->Ifz + (t25 * t26);
+    const float t64 = 1.0F / p->sigma;
+    const float C0_55 = p->Cr1 * t64;
     const float C0_52 = C0_55 * p->b;
-    const float C0_66 = t74 * p->Cf1;
-    const float l = t22 * (p->a - p->t);
-    const float Kc_26 = C0_66 * l;
-    const float t85 = p->a - (c * l);
-    const float C0_64 = C0_66 * t85;
+    const float C0_66 = t64 * p->Cf1;
+    const float Kc_26 = C0_66 * ((p->a - p->t) / cos_eps);
+    const float C0_64 = C0_66 * p->t;
+    const float h_spin_R = p->iry / p->Rr;
     const float h_spin_F = p->ify / p->Rf;
-    const float h_wheels_all = h_spin_F + (p->iry / p->Rr);
-    const float t94 = s * h_spin_F;
+    const float h_wheels_all = h_spin_R + h_spin_F;
+    const float t82 = s * h_spin_F;
     const float C1_32 = M_13 + h_wheels_all;
-    const float C1_34 = c * h_spin_F;
-    const float C1_42 = py_delta + t94;
-    const float t101 = (Sx_all + (m_all * p->b)) / (p->b + l);
-    const float rest = t101 - (p->Zf / p->g);
-    const float K0_34 = (p->t * rest) - py_delta - (t85 * t101);
+    const float C1_34 = cos_eps * h_spin_F;
+    const float K0_34 = ((t26 * p->g) - (p->t * p->Zf)) / p->g;
     const float K0_44 = s * K0_34;
-    const float K1_53 = t74 * p->Cr2;
-    const float t114 = 1.0F / (p->sigma * p->sigma);
-    const float K1_55 = p->Cr1 * t114;
-    const float K1_63 = t74 * p->Cf2;
-    const float K1_64 = t74 * ((c * p->Cf1) + (s * p->Cf2));
-    const float K1_66 = p->Cf1 * t114;
+    const float K1_53 = t64 * p->Cr2;
+    const float t95 = 1.0F / (p->sigma * p->sigma);
+    const float K1_55 = p->Cr1 * t95;
+    const float K1_63 = t64 * p->Cf2;
+    const float K1_64 = (cos_eps * C0_66) + (s * K1_63);
+    const float K1_66 = p->Cf1 * t95;
+    const float M_14 = -t26;
+    const float M_23 = (t12 * t19) - (p->Crxz + (cos_eps * (s * (p->Ifx - p->Ifz))));
     const float C0_51 = -C0_55;
     const float C0_61 = -C0_66;
     const float C0_62 = -Kc_26;
     const float C1_23 = -h_wheels_all;
-    const float C1_24 = -t94;
+    const float C1_24 = -t82;
+    const float C1_42 = t82 - t26;
     const float C1_43 = -C1_34;
     const float Kc_25 = -C0_52;
     const float Kc_46 = -C0_64;
     const float K0_33 = -M_13;
-    matrices->m[0][0] = m_all;
-    matrices->m[0][1] = Sx_all;
+    matrices->m[0][0] = M_11;
+    matrices->m[0][1] = M_12;
     matrices->m[0][2] = M_13;
-    matrices->m[0][3] = py_delta;
+    matrices->m[0][3] = M_14;
     matrices->m[0][4] = 0.0F;
     matrices->m[0][5] = 0.0F;
-    matrices->m[1][0] = Sx_all;
+    matrices->m[1][0] = M_12;
     matrices->m[1][1] = M_22;
-    matrices->m[1][2] = Jxz_all;
-    matrices->m[1][3] = M_psi_delta;
+    matrices->m[1][2] = M_23;
+    matrices->m[1][3] = M_24;
     matrices->m[1][4] = 0.0F;
     matrices->m[1][5] = 0.0F;
     matrices->m[2][0] = M_13;
-    matrices->m[2][1] = Jxz_all;
+    matrices->m[2][1] = M_23;
     matrices->m[2][2] = M_33;
-    matrices->m[2][3] = hx_delta;
+    matrices->m[2][3] = M_34;
     matrices->m[2][4] = 0.0F;
     matrices->m[2][5] = 0.0F;
-    matrices->m[3][0] = py_delta;
-    matrices->m[3][1] = M_psi_delta;
-    matrices->m[3][2] = hx_delta;
+    matrices->m[3][0] = M_14;
+    matrices->m[3][1] = M_24;
+    matrices->m[3][2] = M_34;
     matrices->m[3][3] = M_44;
     matrices->m[3][4] = 0.0F;
     matrices->m[3][5] = 0.0F;
@@ -1612,13 +1579,13 @@ void motorcycle_f32_matrices(const motorcycle_f32_t *p, motorcycle_f32_matrices_
     matrices->c0[5][4] = 0.0F;
     matrices->c0[5][5] = C0_66;
     matrices->c1[0][0] = 0.0F;
-    matrices->c1[0][1] = m_all;
+    matrices->c1[0][1] = M_11;
     matrices->c1[0][2] = 0.0F;
     matrices->c1[0][3] = 0.0F;
     matrices->c1[0][4] = 0.0F;
     matrices->c1[0][5] = 0.0F;
     matrices->c1[1][0] = 0.0F;
-    matrices->c1[1][1] = Sx_all;
+    matrices->c1[1][1] = M_12;
     matrices->c1[1][2] = C1_23;
     matrices->c1[1][3] = C1_24;
     matrices->c1[1][4] = 0.0F;
@@ -1906,163 +1873,139 @@ void motorcycle_f32_kinematics(const motorcycle_f32_t *p, motorcycle_f32_kinemat
 void motorcycle_f32_derivatives(const motorcycle_f32_t *p, motorcycle_f32_matrices_t *matrices,
     motorcycle_f32_derivatives_t *derivatives)
 {
-    const float m_all = p->Mf + p->Mr;
+    const float M_11 = p->Mf + p->Mr;
     float s = 0.0F;
-    float c = 0.0F;
-    carvallo_sin_cos_f32(p->eps, &s, &c);
-    const float t6 = p->f * s;
+    float s_eps = 0.0F;
+    carvallo_sin_cos_f32(p->eps, &s, &s_eps);
+    const float t6 = s * p->f;
     const float t10 = p->a + p->e;
-    const float t11 = c * t10;
+    const float t11 = s_eps * t10;
     const float t12 = t6 - t11;
     const float K0_33_eps = p->Mf * t12;
-    const float j = (p->f * c) + (s * t10);
-    const float t17 = p->Mf * j;
-    const float t19 = p->Mr * p->h;
-    const float M_13 = t17 + t19;
-    const float t21 = 1.0F / c;
-    const float t22 = p->a * t21;
-    const float t23 = t12 + t22;
-    const float t24 = c * t23;
-    const float t25 = s * j;
-    const float K0_34_Mf = t24 - t25;
-    const float t27 = p->Mf * K0_34_Mf;
-    const float t29 = t12 * K0_33_eps;
+    const float t15 = p->Mr * p->h;
+    const float j = (p->f * s_eps) + (s * t10);
+    const float t19 = p->Mf * j;
+    const float M_13 = t15 + t19;
     const float M_22_Ifx = s * s;
-    const float M_33_Ifx = c * c;
-    const float t37 = (p->Ifx * M_22_Ifx) + (p->Ifz * M_33_Ifx);
-    const float M_22 = t29 + p->Irz + t37;
-    const float t41 = p->Ifx - p->Ifz;
-    const float Jxz_delta_Ifz = s * c;
-    const float t43 = t41 * Jxz_delta_Ifz;
-    const float t45 = t43 + (K0_33_eps * j);
-    const float t48 = t43 + (t17 * t23);
-    const float t50 = p->Mf * t23;
-    const float t52 = t37 + (t23 * t50);
-    const float t54 = (s * t48) - (c * t52);
-    const float Jxx_delta_Mf = j * j;
-    const float t60 = p->Mf * Jxx_delta_Mf;
-    const float Jxx_delta = (M_22_Ifx * p->Ifz) + (p->Ifx * M_33_Ifx) + t60;
-    const float M_33 = Jxx_delta + p->Irx + (p->h * t19);
-    const float hx_delta = (s * Jxx_delta) - (c * t48);
-    const float M_44 = (s * hx_delta) - (c * t54);
+    const float M_33_Ifx = s_eps * s_eps;
+    const float t23 = M_22_Ifx + M_33_Ifx;
+    const float t24 = t10 * t23;
+    const float t25 = p->a - t24;
+    const float t26 = p->Mf * t25;
+    const float M_22_Mf = t12 * t12;
+    const float t31 = p->Mf * M_22_Mf;
+    const float M_22 = (M_33_Ifx * p->Ifz) + t31 + p->Irz + (M_22_Ifx * p->Ifx);
+    const float M_23_Ifz = s * s_eps;
+    const float t40 = p->Ifz - p->Ifx;
+    const float t43 = (M_23_Ifz * t40) - (K0_33_eps * j);
+    const float M_23 = t43 - p->Crxz;
+    const float M_24_Ifz = s_eps * t23;
+    const float M_24 = (p->Ifz * M_24_Ifz) + (K0_33_eps * t25);
+    const float M_33_Mr = p->h * p->h;
+    const float t54 = j * t19;
+    const float M_33 = p->Irx + (p->Mr * M_33_Mr) + (M_22_Ifx * p->Ifz) + (M_33_Ifx * p->Ifx) + t54;
+    const float M_34_Ifz = s * t23;
+    const float t60 = p->Ifz * M_34_Ifz;
+    const float t61 = j * t25;
+    const float t62 = p->Mf * t61;
+    const float M_34 = t60 - t62;
+    const float M_44 = p->Ifz + (t25 * t26);
     const float C0_66_Cf1 = 1.0F / p->sigma;
     const float C0_55 = p->Cr1 * C0_66_Cf1;
     const float C0_52_Cr1 = C0_66_Cf1 * p->b;
     const float C0_52 = p->Cr1 * C0_52_Cr1;
     const float C0_66 = C0_66_Cf1 * p->Cf1;
-    const float t84 = p->a - p->t;
-    const float l = t21 * t84;
-    const float Kc_26 = C0_66 * l;
-    const float t87 = c * t21;
-    const float t89 = p->a - (t84 * t87);
-    const float C0_64_Cf1 = C0_66_Cf1 * t89;
+    const float t76 = 1.0F / s_eps;
+    const float t79 = t76 * (p->a - p->t);
+    const float Kc_26 = C0_66 * t79;
+    const float C0_64_Cf1 = C0_66_Cf1 * p->t;
     const float C0_64 = p->Cf1 * C0_64_Cf1;
     const float C1_32_ify = 1.0F / p->Rf;
     const float h_spin_F = p->ify * C1_32_ify;
     const float C1_32_iry = 1.0F / p->Rr;
-    const float t99 = p->iry * C1_32_iry;
-    const float h_wheels_all = h_spin_F + t99;
-    const float C1_42_ify = s * C1_32_ify;
-    const float C1_43_eps = p->ify * C1_42_ify;
+    const float t90 = p->iry * C1_32_iry;
+    const float h_wheels_all = h_spin_F + t90;
+    const float C1_43_eps = s * h_spin_F;
     const float C1_32 = M_13 + h_wheels_all;
-    const float C1_34 = c * h_spin_F;
-    const float C1_42 = C1_43_eps - t27;
-    const float t109 = (K0_33_eps - (m_all * p->b)) / (p->b + l);
-    const float t112 = 1.0F / p->g;
-    const float t113 = p->Zf * t112;
-    const float t114 = t109 + t113;
-    const float t116 = (p->t * t114) - t27;
-    const float t117 = t89 * t109;
-    const float t118 = t116 - t117;
+    const float C1_34_ify = s_eps * C1_32_ify;
+    const float C1_34 = p->ify * C1_34_ify;
+    const float C1_42 = C1_43_eps - t26;
+    const float t98 = 1.0F / p->g;
+    const float t100 = t98 * p->Zf;
+    const float t101 = p->t * t100;
+    const float t102 = p->g * t98;
+    const float t103 = t26 * t102;
+    const float t104 = t101 - t103;
     const float K1_53 = C0_66_Cf1 * p->Cr2;
-    const float t122 = p->sigma * p->sigma;
-    const float K1_66_Cf1 = 1.0F / t122;
+    const float t108 = p->sigma * p->sigma;
+    const float K1_66_Cf1 = 1.0F / t108;
     const float K1_55 = p->Cr1 * K1_66_Cf1;
     const float K1_63 = C0_66_Cf1 * p->Cf2;
-    const float K1_64_Cf1 = c * C0_66_Cf1;
-    const float t129 = p->Cf1 * K1_64_Cf1;
-    const float K1_64 = (s * K1_63) + t129;
+    const float K1_64_Cf1 = s_eps * C0_66_Cf1;
+    const float K1_64 = (p->Cf1 * K1_64_Cf1) + (s * K1_63);
     const float K1_66 = p->Cf1 * K1_66_Cf1;
-    const float M_22_Mf = t12 * t12;
-    const float t134 = t12 * j;
-    const float M_24_Mf = t12 * K0_34_Mf;
-    const float t136 = j * K0_34_Mf;
-    const float M_44_Mf = K0_34_Mf * K0_34_Mf;
+    const float t119 = t12 * j;
+    const float M_24_Mf = t12 * t25;
+    const float M_33_Mf = j * j;
+    const float M_44_Mf = t25 * t25;
+    const float K0_34_Mf = t25 * t102;
     const float K0_44_Mf = s * K0_34_Mf;
-    const float M_33_Mr = p->h * p->h;
-    const float t140 = M_22_Ifx + M_33_Ifx;
-    const float hz_delta_Ifz = c * t140;
-    const float hx_delta_Ifz = s * t140;
-    const float M_44_Ifz = t140 * t140;
-    const float C1_34_ify = c * C1_32_ify;
-    const float M_12_a = p->Mf * c;
+    const float C1_42_ify = s * C1_32_ify;
+    const float M_12_a = p->Mf * s_eps;
     const float M_13_a = p->Mf * s;
-    const float t147 = c * K0_33_eps;
-    const float t148 = t147 + t147;
-    const float t149 = j * M_12_a;
-    const float t150 = t12 * M_13_a;
-    const float M_23_a = t149 - t150;
-    const float t152 = t50 * t87;
-    const float t153 = s * t17;
-    const float t157 = (c * t153) - (t50 * (M_33_Ifx + t140));
-    const float M_24_a = t152 + t157;
-    const float hx_delta_j = t153 + t153;
-    const float hz_delta_f = s * t27;
-    const float hx_delta_e = (t17 * t140) - hz_delta_f;
-    const float M_34_a = hx_delta_e - (t17 * t87);
-    const float Kc_26_a = t21 * C0_66;
-    const float py_delta_e = p->Mf * t140;
-    const float Jxx_delta_j = t22 * py_delta_e;
-    const float M_24_e = t157 + Jxx_delta_j;
-    const float M_44_e = (c * t157) + (s * hx_delta_e);
-    const float t172 = t140 * M_13_a;
-    const float M_22_f = t150 + t150;
-    const float t174 = t147 + t153;
-    const float M_33_f = t149 + t149;
-    const float t176 = c * t27;
-    const float M_33_h = t19 + t19;
+    const float t128 = s_eps * K0_33_eps;
+    const float t129 = t128 + t128;
+    const float t130 = s_eps * t19;
+    const float t131 = s * K0_33_eps;
+    const float M_23_a = t130 - t131;
+    const float M_14_e = p->Mf * t23;
+    const float t135 = t25 * M_12_a;
+    const float t136 = (t12 * M_14_e) + t135;
+    const float M_24_a = K0_33_eps - t136;
+    const float t138 = s * t19;
+    const float M_33_a = t138 + t138;
+    const float M_24_f = s * t26;
+    const float t141 = t19 * t23;
+    const float t143 = t19 + (M_24_f - t141);
+    const float Kc_26_a = C0_66 * t76;
+    const float t145 = t23 * t26;
+    const float t146 = t145 + t145;
+    const float t147 = t102 * M_14_e;
+    const float t148 = s * t147;
+    const float M_22_f = t131 + t131;
+    const float t150 = t128 + t138;
+    const float M_33_f = t130 + t130;
+    const float M_33_h = t15 + t15;
     const float C1_23_Rf = C1_32_ify * h_spin_F;
     const float C1_24_Rf = s * C1_23_Rf;
-    const float C1_43_Rf = c * C1_23_Rf;
-    const float C1_23_Rr = C1_32_iry * t99;
-    const float C0_64_t = t21 * t129;
-    const float K0_34_t = (t87 * t109) - t114;
-    const float K0_44_t = s * K0_34_t;
-    const float M_22_eps = t45 + t45;
-    const float t188 = t41 * (M_22_Ifx - M_33_Ifx);
-    const float M_23_eps = t29 + t188 - t60;
-    const float t196 = s * t21;
-    const float t197 = t22 * t196;
-    const float t198 = j + t197;
-    const float M_24_eps = (c * (t43 + (t50 * (t197 + t198)))) - (s * (t52 - M_23_eps - (t22 *
-        (K0_33_eps - t152))));
-    const float M_34_eps = (s * (t48 - M_22_eps)) + (c * (Jxx_delta + t188 + (t12 * t50) - (t17 *
-        t198)));
-    const float Kc_26_eps = Kc_26 * t196;
-    const float t214 = c * t118;
+    const float C1_43_Rf = C1_32_ify * C1_34;
+    const float C1_23_Rr = C1_32_iry * t90;
+    const float t157 = s * t100;
+    const float M_33_eps = t43 + t43;
+    const float M_23_eps = t31 - t54 - (t40 * (M_22_Ifx - M_33_Ifx));
+    const float Kc_26_eps = s * t79 * Kc_26_a;
+    const float t165 = s_eps * t104;
     const float K1_64_Cf2 = s * C0_66_Cf1;
     const float K1_64_eps = (p->Cf2 * K1_64_Cf1) - (p->Cf1 * K1_64_Cf2);
-    const float Kc_26_Cf1 = C0_66_Cf1 * l;
+    const float Kc_26_Cf1 = C0_66_Cf1 * t79;
     const float C0_51_sigma = C0_66_Cf1 * C0_55;
     const float Kc_25_sigma = C0_55 * C0_52_Cr1;
     const float C0_61_sigma = C0_66_Cf1 * C0_66;
-    const float C0_62_sigma = l * C0_61_sigma;
-    const float Kc_46_sigma = C0_66_Cf1 * C0_64;
-    const float t225 = C0_66_Cf1 * K1_53;
-    const float t227 = 1.0F / (p->sigma * t122);
-    const float t228 = t227 + t227;
-    const float t229 = p->Cr1 * t228;
-    const float t230 = C0_66_Cf1 * K1_63;
-    const float t231 = C0_66_Cf1 * K1_64;
-    const float t232 = p->Cf1 * t228;
-    const float t233 = p->t * t112;
-    const float t234 = s * t233;
-    const float K0_34_g = t113 * t233;
-    const float K0_44_g = t113 * t234;
+    const float C0_62_sigma = t79 * C0_61_sigma;
+    const float Kc_46_sigma = p->t * C0_61_sigma;
+    const float t176 = C0_66_Cf1 * K1_53;
+    const float t178 = 1.0F / (p->sigma * t108);
+    const float t179 = t178 + t178;
+    const float t180 = p->Cr1 * t179;
+    const float t181 = C0_66_Cf1 * K1_63;
+    const float t182 = C0_66_Cf1 * K1_64;
+    const float t183 = p->Cf1 * t179;
+    const float t184 = p->t * t98;
+    const float t185 = s * t184;
+    const float K0_34_g = t98 * (t26 + t104);
+    const float K0_44_g = s * K0_34_g;
     const float M_12 = -K0_33_eps;
-    const float M_14 = -t27;
-    const float M_23 = -(p->Crxz + t45);
-    const float M_24 = -(t54 + (t22 * t27));
+    const float M_14 = -t26;
     const float C0_51 = -C0_55;
     const float C0_61 = -C0_66;
     const float C0_62 = -Kc_26;
@@ -2072,11 +2015,13 @@ void motorcycle_f32_derivatives(const motorcycle_f32_t *p, motorcycle_f32_matric
     const float Kc_25 = -C0_52;
     const float Kc_46 = -C0_64;
     const float K0_33 = -M_13;
-    const float K0_34 = t117 - t116;
-    const float K0_44 = -(s * t118);
+    const float K0_34 = t103 - t101;
+    const float K0_44 = -(s * t104);
     const float M_12_Mf = t11 - t6;
-    const float M_14_Mf = t25 - t24;
-    matrices->m[0][0] = m_all;
+    const float M_14_Mf = t24 - p->a;
+    const float M_34_e = t141 - M_24_f;
+    const float M_24_eps = t62 - t60;
+    matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[0][2] = M_13;
     matrices->m[0][3] = M_14;
@@ -2091,12 +2036,12 @@ void motorcycle_f32_derivatives(const motorcycle_f32_t *p, motorcycle_f32_matric
     matrices->m[2][0] = M_13;
     matrices->m[2][1] = M_23;
     matrices->m[2][2] = M_33;
-    matrices->m[2][3] = hx_delta;
+    matrices->m[2][3] = M_34;
     matrices->m[2][4] = 0.0F;
     matrices->m[2][5] = 0.0F;
     matrices->m[3][0] = M_14;
     matrices->m[3][1] = M_24;
-    matrices->m[3][2] = hx_delta;
+    matrices->m[3][2] = M_34;
     matrices->m[3][3] = M_44;
     matrices->m[3][4] = 0.0F;
     matrices->m[3][5] = 0.0F;
@@ -2149,7 +2094,7 @@ void motorcycle_f32_derivatives(const motorcycle_f32_t *p, motorcycle_f32_matric
     matrices->c0[5][4] = 0.0F;
     matrices->c0[5][5] = C0_66;
     matrices->c1[0][0] = 0.0F;
-    matrices->c1[0][1] = m_all;
+    matrices->c1[0][1] = M_11;
     matrices->c1[0][2] = 0.0F;
     matrices->c1[0][3] = 0.0F;
     matrices->c1[0][4] = 0.0F;
@@ -2297,10 +2242,10 @@ void motorcycle_f32_derivatives(const motorcycle_f32_t *p, motorcycle_f32_matric
     derivatives->values[2] = j;
     derivatives->values[3] = M_14_Mf;
     derivatives->values[4] = M_22_Mf;
-    derivatives->values[5] = t134;
+    derivatives->values[5] = t119;
     derivatives->values[6] = M_24_Mf;
-    derivatives->values[7] = Jxx_delta_Mf;
-    derivatives->values[8] = t136;
+    derivatives->values[7] = M_33_Mf;
+    derivatives->values[8] = t61;
     derivatives->values[9] = M_44_Mf;
     derivatives->values[10] = K0_34_Mf;
     derivatives->values[11] = K0_44_Mf;
@@ -2308,53 +2253,53 @@ void motorcycle_f32_derivatives(const motorcycle_f32_t *p, motorcycle_f32_matric
     derivatives->values[13] = M_33_Mr;
     derivatives->values[14] = (-1.0F);
     derivatives->values[15] = M_22_Ifx;
-    derivatives->values[16] = Jxz_delta_Ifz;
+    derivatives->values[16] = M_23_Ifz;
     derivatives->values[17] = M_33_Ifx;
-    derivatives->values[18] = hz_delta_Ifz;
-    derivatives->values[19] = hx_delta_Ifz;
-    derivatives->values[20] = M_44_Ifz;
-    derivatives->values[21] = C1_32_ify;
-    derivatives->values[22] = C1_42_ify;
-    derivatives->values[23] = C1_34_ify;
-    derivatives->values[24] = C1_32_iry;
-    derivatives->values[25] = M_12_a;
-    derivatives->values[26] = M_13_a;
-    derivatives->values[27] = t148;
-    derivatives->values[28] = M_23_a;
-    derivatives->values[29] = M_24_a;
-    derivatives->values[30] = hx_delta_j;
-    derivatives->values[31] = M_34_a;
-    derivatives->values[32] = Kc_26_a;
-    derivatives->values[33] = C0_55;
-    derivatives->values[34] = py_delta_e;
-    derivatives->values[35] = M_24_e;
-    derivatives->values[36] = hx_delta_e;
-    derivatives->values[37] = M_44_e;
-    derivatives->values[38] = t172;
+    derivatives->values[18] = M_24_Ifz;
+    derivatives->values[19] = M_34_Ifz;
+    derivatives->values[20] = C1_32_ify;
+    derivatives->values[21] = C1_42_ify;
+    derivatives->values[22] = C1_34_ify;
+    derivatives->values[23] = C1_32_iry;
+    derivatives->values[24] = M_12_a;
+    derivatives->values[25] = M_13_a;
+    derivatives->values[26] = t129;
+    derivatives->values[27] = M_23_a;
+    derivatives->values[28] = M_24_a;
+    derivatives->values[29] = M_33_a;
+    derivatives->values[30] = t143;
+    derivatives->values[31] = Kc_26_a;
+    derivatives->values[32] = C0_55;
+    derivatives->values[33] = M_14_e;
+    derivatives->values[34] = t136;
+    derivatives->values[35] = M_34_e;
+    derivatives->values[36] = t146;
+    derivatives->values[37] = t147;
+    derivatives->values[38] = t148;
     derivatives->values[39] = M_22_f;
-    derivatives->values[40] = t174;
-    derivatives->values[41] = hz_delta_f;
+    derivatives->values[40] = t150;
+    derivatives->values[41] = M_24_f;
     derivatives->values[42] = M_33_f;
-    derivatives->values[43] = t176;
+    derivatives->values[43] = t135;
     derivatives->values[44] = p->Mr;
     derivatives->values[45] = M_33_h;
     derivatives->values[46] = C1_23_Rf;
     derivatives->values[47] = C1_24_Rf;
     derivatives->values[48] = C1_43_Rf;
     derivatives->values[49] = C1_23_Rr;
-    derivatives->values[50] = C0_64_t;
-    derivatives->values[51] = K0_34_t;
-    derivatives->values[52] = K0_44_t;
-    derivatives->values[53] = t17;
+    derivatives->values[50] = C0_66;
+    derivatives->values[51] = t100;
+    derivatives->values[52] = t157;
+    derivatives->values[53] = t19;
     derivatives->values[54] = K0_33_eps;
-    derivatives->values[55] = M_22_eps;
+    derivatives->values[55] = M_33_eps;
     derivatives->values[56] = M_23_eps;
     derivatives->values[57] = M_24_eps;
-    derivatives->values[58] = M_34_eps;
+    derivatives->values[58] = M_24;
     derivatives->values[59] = Kc_26_eps;
     derivatives->values[60] = C1_34;
     derivatives->values[61] = C1_43_eps;
-    derivatives->values[62] = t214;
+    derivatives->values[62] = t165;
     derivatives->values[63] = K1_64_eps;
     derivatives->values[64] = C0_66_Cf1;
     derivatives->values[65] = Kc_26_Cf1;
@@ -2368,13 +2313,13 @@ void motorcycle_f32_derivatives(const motorcycle_f32_t *p, motorcycle_f32_matric
     derivatives->values[73] = C0_61_sigma;
     derivatives->values[74] = C0_62_sigma;
     derivatives->values[75] = Kc_46_sigma;
-    derivatives->values[76] = t225;
-    derivatives->values[77] = t229;
-    derivatives->values[78] = t230;
-    derivatives->values[79] = t231;
-    derivatives->values[80] = t232;
-    derivatives->values[81] = t233;
-    derivatives->values[82] = t234;
+    derivatives->values[76] = t176;
+    derivatives->values[77] = t180;
+    derivatives->values[78] = t181;
+    derivatives->values[79] = t182;
+    derivatives->values[80] = t183;
+    derivatives->values[81] = t184;
+    derivatives->values[82] = t185;
     derivatives->values[83] = K0_34_g;
     derivatives->values[84] = K0_44_g;
 }

@@ -235,7 +235,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 34 additions, 53 multiplications, 7 divisions, 9 negations and 2 trigonometric functions: 105 operations.
+ * 27 additions, 43 multiplications, 6 divisions, 10 negations and 2 trigonometric functions: 88 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -351,7 +351,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 71 additions, 131 multiplications, 8 divisions, 14 negations and 2 trigonometric functions: 226 operations.
+ * 50 additions, 107 multiplications, 7 divisions, 12 negations and 2 trigonometric functions: 178 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -472,7 +472,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 34 additions, 53 multiplications, 7 divisions, 9 negations and 2 trigonometric functions: 105 operations.
+ * 27 additions, 43 multiplications, 6 divisions, 10 negations and 2 trigonometric functions: 88 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -588,7 +588,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 71 additions, 131 multiplications, 8 divisions, 14 negations and 2 trigonometric functions: 226 operations.
+ * 50 additions, 107 multiplications, 7 divisions, 12 negations and 2 trigonometric functions: 178 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

@@ -99,35 +99,35 @@ const char *rear_steered_validity_text(rear_steered_validity_t validity)
 }
 
 const carvallo_partial_t rear_steered_partials[REAR_STEERED_PARTIALS] = {
-    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 0U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 0U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 0U, true},
     {CARVALLO_MATRIX_M, 1U, 1U, 0U, 1U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 2U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 2U, true},
     {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 3U, false},
     {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 4U, false},
     {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 5U, true},
     {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 5U, true},
     {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 6U, false},
     {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 7U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 8U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 8U, true},
     {CARVALLO_MATRIX_M, 0U, 1U, 1U, 9U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 1U, 9U, false},
     {CARVALLO_MATRIX_M, 1U, 1U, 1U, 10U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 11U, false},
     {CARVALLO_MATRIX_C1, 1U, 0U, 1U, 12U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 13U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 1U, 14U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 1U, 14U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 15U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 16U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 17U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 17U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 13U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 1U, 14U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 1U, 14U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 15U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 16U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 17U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 17U, false},
     {CARVALLO_MATRIX_M, 1U, 1U, 2U, 18U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 19U, true},
     {CARVALLO_MATRIX_C1, 1U, 0U, 2U, 20U, false},
     {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 21U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 2U, 22U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 2U, 22U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 2U, 22U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 2U, 22U, false},
     {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 23U, false},
     {CARVALLO_MATRIX_K2, 0U, 1U, 2U, 24U, false},
     {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 25U, false},
@@ -181,9 +181,9 @@ const carvallo_partial_t rear_steered_partials[REAR_STEERED_PARTIALS] = {
     {CARVALLO_MATRIX_C1, 0U, 1U, 14U, 63U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 15U, 64U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 15U, 64U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 65U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 65U, true},
     {CARVALLO_MATRIX_C1, 0U, 1U, 15U, 66U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 15U, 67U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 15U, 67U, true},
     {CARVALLO_MATRIX_K0, 0U, 1U, 15U, 68U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 15U, 68U, false},
     {CARVALLO_MATRIX_K0, 1U, 1U, 15U, 69U, true},
@@ -191,7 +191,7 @@ const carvallo_partial_t rear_steered_partials[REAR_STEERED_PARTIALS] = {
     {CARVALLO_MATRIX_M, 0U, 0U, 16U, 71U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 16U, 72U, true},
     {CARVALLO_MATRIX_M, 1U, 0U, 16U, 72U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 73U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 73U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 74U, true},
     {CARVALLO_MATRIX_C1, 1U, 1U, 16U, 75U, false},
     {CARVALLO_MATRIX_K0, 0U, 0U, 16U, 76U, false},
@@ -201,17 +201,17 @@ const carvallo_partial_t rear_steered_partials[REAR_STEERED_PARTIALS] = {
     {CARVALLO_MATRIX_K2, 0U, 1U, 16U, 79U, false},
     {CARVALLO_MATRIX_K2, 1U, 1U, 16U, 80U, true},
     {CARVALLO_MATRIX_M, 0U, 0U, 17U, 81U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 82U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 82U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 82U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 82U, true},
     {CARVALLO_MATRIX_M, 1U, 1U, 17U, 83U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 84U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 85U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 85U, false},
     {CARVALLO_MATRIX_K0, 0U, 0U, 17U, 86U, false},
     {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 87U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 87U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 88U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 88U, false},
     {CARVALLO_MATRIX_K2, 0U, 1U, 17U, 89U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 90U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 90U, true},
     {CARVALLO_MATRIX_M, 0U, 0U, 18U, 35U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 18U, 91U, true},
     {CARVALLO_MATRIX_M, 1U, 0U, 18U, 91U, true},
@@ -226,7 +226,7 @@ const carvallo_partial_t rear_steered_partials[REAR_STEERED_PARTIALS] = {
     {CARVALLO_MATRIX_M, 0U, 0U, 22U, 98U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 22U, 99U, true},
     {CARVALLO_MATRIX_M, 1U, 0U, 22U, 99U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 22U, 100U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 22U, 100U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 22U, 101U, false},
     {CARVALLO_MATRIX_C1, 1U, 0U, 22U, 102U, false},
     {CARVALLO_MATRIX_C1, 1U, 1U, 22U, 103U, true},
@@ -237,17 +237,17 @@ const carvallo_partial_t rear_steered_partials[REAR_STEERED_PARTIALS] = {
     {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 107U, true},
     {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 108U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 23U, 109U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 110U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 110U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 110U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 110U, true},
     {CARVALLO_MATRIX_M, 1U, 1U, 23U, 111U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 23U, 112U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 113U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 113U, true},
     {CARVALLO_MATRIX_K0, 0U, 0U, 23U, 114U, true},
     {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 115U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 115U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 116U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 116U, true},
     {CARVALLO_MATRIX_K2, 0U, 1U, 23U, 117U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 118U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 118U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 24U, 35U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 24U, 91U, true},
     {CARVALLO_MATRIX_M, 1U, 0U, 24U, 91U, true},
@@ -353,52 +353,46 @@ rear_steered_validity_t rear_steered_f64_validate(const rear_steered_f64_t *p)
 
 void rear_steered_f64_matrices(const rear_steered_f64_t *p, rear_steered_f64_matrices_t *matrices)
 {
-    const double t6 = p->zH * p->mH;
-    const double t10 = p->rF * p->mF;
-    const double Jxx_delta = p->IHxx + p->IFxx + (p->zH * t6) + (p->rF * t10);
-    const double t17 = p->rR * p->mR;
-    const double t21 = p->zB * p->mB;
-    const double M_11 = p->IRxx + p->IBxx + Jxx_delta + (p->rR * t17) + (p->zB * t21);
+    const double t3 = p->zB * p->mB;
+    const double t7 = p->zH * p->mH;
+    const double t12 = p->rR * p->mR;
+    const double t19 = p->rF * p->mF;
+    const double t22 = p->IHxx + (p->IFxx + (p->rF * t19));
+    const double M_11 = p->IRxx + ((p->zB * t3) + (p->zH * t7) + ((p->rR * t12) + (p->IBxx + t22)));
     double sin_lam = 0.0;
     double cos_lam = 0.0;
     carvallo_sin_cos_f64(p->lam, &sin_lam, &cos_lam);
-    const double t33 = p->w + p->c;
-    const double t34 = t33 - p->xH;
-    const double t35 = p->mH * t34;
-    const double Jxz_delta = (t10 * p->c) - (p->zH * t35) - p->IHxz;
-    const double hx_delta = (Jxz_delta * cos_lam) - (Jxx_delta * sin_lam);
-    const double t44 = cos_lam / p->w;
-    const double yaw_by_delta = p->c * t44;
-    const double Sz_delta = t6 - t10;
-    const double Jxz_all = Jxz_delta + (t21 * p->xB) + (t33 * Sz_delta) - p->IBxz;
-    const double M_12 = hx_delta + (yaw_by_delta * Jxz_all);
-    const double t59 = p->mF * p->c;
-    const double t62 = p->IFxx + p->IHzz;
-    const double hz_delta = (cos_lam * ((t34 * t35) + (p->c * t59) + t62)) - (sin_lam * Jxz_delta);
-    const double py_delta = (sin_lam * Sz_delta) + (cos_lam * (t35 + t59));
-    const double M_yaw_delta = hz_delta - (t33 * py_delta);
-    const double t74 = p->mB * p->xB;
-    const double t76 = p->mH * p->xH;
-    const double t78 = p->mF * p->w;
-    const double t85 = yaw_by_delta * (p->IRxx + t62 + p->IBzz + (p->xB * t74) + (p->xH * t76) +
-        (p->w * t78));
-    const double P_delta_yaw = M_yaw_delta + t85;
-    const double M_22 = (yaw_by_delta * (M_yaw_delta + P_delta_yaw)) + (cos_lam * hz_delta) -
-        (sin_lam * hx_delta);
+    const double t31 = cos_lam / p->w;
+    const double yaw_by_delta = p->c * t31;
+    const double t36 = (t3 * p->xB) - p->IBxz;
+    const double wz_delta2_delta = cos_lam + yaw_by_delta;
+    const double t46 = (p->zH * sin_lam) + ((cos_lam * (p->c + p->w)) - (p->xH * wz_delta2_delta));
+    const double t52 = (wz_delta2_delta * p->IHxz) + (sin_lam * t22);
+    const double t53 = p->mH * t46;
+    const double t59 = (sin_lam * p->IHxz) + ((p->IFxx + p->IHzz) * wz_delta2_delta);
+    const double ay_all1_delta = p->mB * p->xB;
+    const double t68 = yaw_by_delta * (p->IBzz + (p->IRxx + (p->xB * ay_all1_delta)));
+    const double M_22 = (t46 * t53) + (wz_delta2_delta * t59) + ((sin_lam * t52) + (yaw_by_delta *
+        t68));
+    const double t74 = t7 + (t3 - t12);
     const double h_spin_R = p->IFyy / p->rF;
     const double h_wheels_all = h_spin_R + (p->IRyy / p->rR);
-    const double Sz_all = t21 + Sz_delta - t17;
-    const double t100 = h_wheels_all - Sz_all;
-    const double t103 = cos_lam * h_spin_R;
-    const double C1_12 = (yaw_by_delta * t100) + t103 - (t44 * Jxz_all);
-    const double t110 = yaw_by_delta * (t74 + t76 + t78);
-    const double P_delta_lateral = py_delta - t110;
-    const double C1_22 = (yaw_by_delta * P_delta_lateral) - (t44 * P_delta_yaw);
-    const double K0_22 = sin_lam * P_delta_lateral;
-    const double K2_22 = t44 * ((sin_lam * h_spin_R) - P_delta_lateral);
-    const double C1_21 = -(t103 + (yaw_by_delta * h_wheels_all));
-    const double K0_12 = t110 - py_delta;
-    const double K2_12 = -(t44 * t100);
+    const double t80 = t74 - h_wheels_all;
+    const double t87 = t19 * wz_delta2_delta;
+    const double t88 = t87 - (t31 * ((p->c * t80) + (t36 + ((t7 * p->xH) - p->IHxz))));
+    const double t89 = cos_lam * h_spin_R;
+    const double C1_12 = t88 + t89;
+    const double t97 = t53 - (yaw_by_delta * ay_all1_delta);
+    const double C1_22 = (((p->xH * t53) - t68 - t59 + (p->c * t97)) * t31) - (sin_lam * t87);
+    const double K0_11 = t74 - t19;
+    const double t104 = t19 * sin_lam;
+    const double t105 = t97 - t104;
+    const double K0_22 = sin_lam * t105;
+    const double K2_12 = t31 * (t80 - t19);
+    const double K2_22 = t31 * ((sin_lam * h_spin_R) - t105);
+    const double M_12 = (yaw_by_delta * t36) - (t7 * t46) - t52;
+    const double C1_21 = -(t89 + (yaw_by_delta * h_wheels_all));
+    const double K0_12 = t104 - t97;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -407,7 +401,7 @@ void rear_steered_f64_matrices(const rear_steered_f64_t *p, rear_steered_f64_mat
     matrices->c1[0][1] = C1_12;
     matrices->c1[1][0] = C1_21;
     matrices->c1[1][1] = C1_22;
-    matrices->k0[0][0] = Sz_all;
+    matrices->k0[0][0] = K0_11;
     matrices->k0[0][1] = K0_12;
     matrices->k0[1][0] = K0_12;
     matrices->k0[1][1] = K0_22;
@@ -550,232 +544,210 @@ void rear_steered_f64_kinematics(const rear_steered_f64_t *p, rear_steered_f64_k
 void rear_steered_f64_derivatives(const rear_steered_f64_t *p,
     rear_steered_f64_matrices_t *matrices, rear_steered_f64_derivatives_t *derivatives)
 {
+    const double t2 = p->zH * p->mH;
+    const double M_11_mB = p->zB * p->zB;
     const double M_11_mF = p->rF * p->rF;
-    const double Jxx_delta_mH = p->zH * p->zH;
-    const double Jxx_delta = p->IHxx + (p->mF * M_11_mF) + p->IFxx + (p->mH * Jxx_delta_mH);
-    const double t17 = p->zB * p->mB;
+    const double t15 = p->IHxx + p->IFxx + (p->mF * M_11_mF);
     const double M_11_mR = p->rR * p->rR;
-    const double M_11 = p->IBxx + Jxx_delta + p->IRxx + (p->zB * t17) + (p->mR * M_11_mR);
+    const double M_11 = (p->zH * t2) + (p->mB * M_11_mB) + t15 + p->IRxx + p->IBxx + (p->mR *
+        M_11_mR);
     double sin_lam = 0.0;
     double cos_lam = 0.0;
     carvallo_sin_cos_f64(p->lam, &sin_lam, &cos_lam);
-    const double t31 = p->mF * p->c;
-    const double t34 = p->mH * p->zH;
-    const double t36 = p->c + p->w;
-    const double t38 = t36 - p->xH;
-    const double t41 = (p->rF * t31) - p->IHxz - (t34 * t38);
-    const double t43 = t41 * cos_lam;
-    const double t44 = (Jxx_delta * sin_lam) - t43;
-    const double t45 = p->mF * p->rF;
-    const double Sz_delta = t34 - t45;
-    const double t53 = t41 + (t36 * Sz_delta) + (t17 * p->xB) - p->IBxz;
-    const double t54 = 1.0 / p->w;
-    const double t55 = p->c * t54;
-    const double yaw_by_delta = cos_lam * t55;
-    const double M_12 = (t53 * yaw_by_delta) - t44;
-    const double t60 = sin_lam * t41;
-    const double t63 = p->IFxx + p->IHzz;
-    const double t64 = p->mH * t38;
-    const double t67 = (p->c * t31) + t63 + (t38 * t64);
-    const double hz_delta = (cos_lam * t67) - t60;
-    const double t71 = t31 + t64;
-    const double py_delta = (sin_lam * Sz_delta) + (cos_lam * t71);
-    const double M_yaw_delta = hz_delta - (t36 * py_delta);
-    const double t77 = p->mH * p->xH;
-    const double t79 = p->mF * p->w;
-    const double t81 = p->mB * p->xB;
-    const double t87 = p->IRxx + t63 + p->IBzz + (p->xH * t77) + (p->w * t79) + (p->xB * t81);
-    const double t88 = yaw_by_delta * t87;
-    const double P_delta_yaw = M_yaw_delta + t88;
-    const double t92 = hz_delta + (t55 * (M_yaw_delta + P_delta_yaw));
-    const double M_22 = (sin_lam * t44) + (cos_lam * t92);
-    const double t97 = 1.0 / p->rF;
-    const double h_spin_R = p->IFyy * t97;
-    const double t100 = 1.0 / p->rR;
-    const double t101 = p->IRyy * t100;
-    const double h_wheels_all = h_spin_R + t101;
-    const double t103 = p->mR * p->rR;
-    const double K0_11 = t17 + Sz_delta - t103;
-    const double t106 = h_wheels_all - K0_11;
-    const double t109 = t54 * ((p->c * t106) - t53);
-    const double t110 = h_spin_R + t109;
-    const double C1_12 = cos_lam * t110;
-    const double t112 = cos_lam * h_spin_R;
-    const double C1_12_IBxz = cos_lam * t54;
-    const double t114 = h_wheels_all * C1_12_IBxz;
-    const double t118 = t77 + t79 + t81;
-    const double M_22_yaw_by_delta = t54 * t118;
-    const double py_delta_mF = p->c * cos_lam;
-    const double t121 = M_22_yaw_by_delta * py_delta_mF;
-    const double P_delta_lateral = py_delta - t121;
-    const double t124 = P_delta_yaw - (p->c * P_delta_lateral);
-    const double K0_22 = sin_lam * P_delta_lateral;
-    const double C1_12_c = t106 * C1_12_IBxz;
-    const double t128 = sin_lam * h_spin_R;
-    const double t129 = P_delta_lateral - t128;
-    const double t130 = C1_12_IBxz * t129;
-    const double M_12_Jxz_delta = cos_lam + yaw_by_delta;
-    const double M_12_xH = t34 * M_12_Jxz_delta;
-    const double t134 = cos_lam * Sz_delta;
-    const double M_12_c = (t53 * C1_12_IBxz) - t134;
-    const double t138 = yaw_by_delta + yaw_by_delta;
-    const double t139 = C1_12_IBxz * t138;
-    const double t140 = t79 * t139;
-    const double t142 = P_delta_yaw * (C1_12_IBxz + C1_12_IBxz);
-    const double t146 = t38 * cos_lam;
-    const double M_22_hz_delta = yaw_by_delta + M_12_Jxz_delta;
-    const double t148 = t146 * M_22_hz_delta;
-    const double C1_22_py_delta = t36 * C1_12_IBxz;
-    const double t150 = py_delta_mF * C1_22_py_delta;
-    const double t151 = sin_lam * M_12_Jxz_delta;
-    const double M_22_IHxz = t151 + t151;
-    const double t154 = t148 + (p->zH * M_22_IHxz);
-    const double t158 = p->mH * (t148 + t154 - t150 - t150);
-    const double t160 = (py_delta * t138) - t158;
-    const double M_22_w = (p->c * (t140 - (t54 * t142))) - t160;
-    const double P_delta_yaw_mB = t45 - t109;
-    const double C1_12_w = C1_12_IBxz * P_delta_yaw_mB;
-    const double C1_21_w = t55 * t114;
-    const double t165 = p->mF - M_22_yaw_by_delta;
-    const double hz_delta_mF = p->mH - (t55 * t165);
-    const double t169 = p->xH * cos_lam;
-    const double t170 = p->zH * sin_lam;
-    const double py_delta_mH = t146 + t170;
-    const double t173 = p->mH * (py_delta_mH - t169);
-    const double t174 = py_delta - t173;
-    const double t175 = t88 + t124;
-    const double P_delta_yaw_xB = t54 * t175;
-    const double C1_22_w = (C1_12_IBxz * ((py_delta_mF * hz_delta_mF) + t174 + P_delta_yaw_xB)) -
-        t140;
-    const double P_delta_lateral_w = cos_lam * hz_delta_mF;
-    const double K0_22_w = sin_lam * P_delta_lateral_w;
-    const double K2_12_w = t54 * C1_12_c;
-    const double hz_delta_mH = cos_lam * P_delta_lateral_w;
-    const double K2_22_w = t54 * (t130 - hz_delta_mH);
-    const double t187 = M_12_Jxz_delta - C1_22_py_delta;
-    const double t190 = t31 * cos_lam * (yaw_by_delta + t187);
-    const double M_22_c = t142 + t190 + t190 - t160 - (t45 * M_22_IHxz);
-    const double t197 = p->rF * sin_lam;
-    const double t198 = py_delta_mF - t197;
-    const double t201 = p->mH + t165;
-    const double P_delta_yaw_mF = P_delta_lateral + t174 + (p->mF * ((p->w * cos_lam) - t198)) +
-        (py_delta_mF * t201) - (t87 * C1_12_IBxz);
-    const double C1_22_c = C1_12_IBxz * P_delta_yaw_mF;
-    const double t209 = cos_lam * t201;
-    const double K0_22_c = sin_lam * t209;
-    const double t211 = C1_12_IBxz * t209;
-    const double t213 = t60 + (Jxx_delta * cos_lam);
-    const double t214 = sin_lam * t54;
-    const double t215 = p->c * t214;
-    const double t217 = t213 + (t53 * t215);
-    const double py_delta_lam = t134 - (sin_lam * t71);
-    const double t224 = t36 * py_delta_lam;
-    const double P_delta_yaw_xH = cos_lam * t44;
-    const double t228 = t43 + (sin_lam * t67);
-    const double t231 = P_delta_yaw_xH - (sin_lam * (t92 + (t55 * t88) - t213)) - (t138 * t224);
-    const double M_22_lam = t231 - (M_22_hz_delta * t228);
-    const double t233 = sin_lam * t110;
-    const double C1_21_lam = t128 + (h_wheels_all * t215);
-    const double P_delta_lateral_lam = py_delta_lam + (t118 * t215);
-    const double C1_22_lam = (t175 * t214) + (C1_12_IBxz * (t224 + t228 + (p->c *
-        P_delta_lateral_lam)));
-    const double K0_22_lam = (cos_lam * P_delta_lateral) + (sin_lam * P_delta_lateral_lam);
-    const double K2_12_lam = t106 * t214;
-    const double K2_22_lam = (t129 * t214) + (C1_12_IBxz * (t112 - P_delta_lateral_lam));
-    const double M_11_rR = t103 + t103;
-    const double t254 = p->mR - (t100 * t101);
-    const double C1_12_rR = yaw_by_delta * t254;
-    const double t256 = t100 * C1_12_IBxz;
-    const double C1_12_IRyy = p->c * t256;
-    const double C1_21_rR = t101 * C1_12_IRyy;
-    const double t259 = C1_12_IBxz * t254;
-    const double t260 = p->rR * C1_12_IBxz;
-    const double C1_12_mR = p->c * t260;
-    const double t263 = yaw_by_delta * C1_12_IBxz;
-    const double M_22_IRxx = p->c * t263;
-    const double M_12_xB = t17 * yaw_by_delta;
-    const double K0_12_mB = p->xB * yaw_by_delta;
-    const double M_12_zB = p->mB * K0_12_mB;
-    const double M_22_xB = t138 * M_12_zB;
+    const double t33 = 1.0 / p->w;
+    const double C1_12_IBxz = cos_lam * t33;
+    const double yaw_by_delta = p->c * C1_12_IBxz;
+    const double wz_delta2_delta = cos_lam + yaw_by_delta;
+    const double t39 = (t15 * sin_lam) + (wz_delta2_delta * p->IHxz);
+    const double t41 = p->mB * p->zB;
+    const double t44 = p->IBxz - (t41 * p->xB);
+    const double t46 = p->zH * sin_lam;
+    const double t49 = p->c + p->w - p->xH;
+    const double t51 = t46 + (cos_lam * t49);
+    const double t52 = C1_12_IBxz * p->xH;
+    const double t53 = p->c * t52;
+    const double t54 = t51 - t53;
+    const double ay_all1_delta = p->mB * p->xB;
+    const double t62 = p->IRxx + (p->xB * ay_all1_delta) + p->IBzz;
+    const double t63 = yaw_by_delta * t62;
+    const double t66 = sin_lam * p->IHxz;
+    const double t68 = p->IFxx + p->IHzz;
+    const double t70 = t66 + (wz_delta2_delta * t68);
+    const double t72 = p->mH * t54;
+    const double M_22 = (yaw_by_delta * t63) + (sin_lam * t39) + (wz_delta2_delta * t70) + (t54 *
+        t72);
+    const double t78 = p->mF * p->rF;
+    const double t79 = cos_lam * t78;
+    const double t81 = 1.0 / p->rF;
+    const double h_spin_R = p->IFyy * t81;
+    const double t83 = cos_lam * h_spin_R;
+    const double t84 = p->mR * p->rR;
+    const double t86 = t2 + t41 - t84;
+    const double t88 = 1.0 / p->rR;
+    const double t89 = p->IRyy * t88;
+    const double h_wheels_all = h_spin_R + t89;
+    const double t94 = p->IHxz + t44;
+    const double t95 = (t2 * p->xH) - t94;
+    const double t96 = (p->c * (h_wheels_all - t86)) - t95;
+    const double t98 = yaw_by_delta * t78;
+    const double t99 = (C1_12_IBxz * t96) + t98;
+    const double C1_12 = t79 + t83 + t99;
+    const double t102 = C1_12_IBxz * h_wheels_all;
+    const double t103 = p->c * t102;
+    const double t105 = p->c + p->xH;
     const double K2_12_zB = p->mB * C1_12_IBxz;
-    const double t270 = p->zB * K2_12_zB;
-    const double t271 = p->c + p->xB;
-    const double K2_22_xB = yaw_by_delta * K2_12_zB;
-    const double t274 = (p->xB + t271) * K2_22_xB;
+    const double t109 = p->xB * K2_12_zB;
+    const double M_12_zB = p->c * t109;
+    const double t111 = (C1_12_IBxz * t62) + M_12_zB;
+    const double t112 = p->c * t111;
+    const double t114 = t70 + t112 - (t72 * t105);
+    const double t115 = C1_12_IBxz * t114;
+    const double t116 = sin_lam * wz_delta2_delta;
+    const double t120 = M_12_zB - t72;
+    const double K0_12_rF = p->mF * sin_lam;
+    const double t122 = p->rF * K0_12_rF;
+    const double K0_12 = t120 + t122;
+    const double t125 = h_wheels_all + (t78 - t86);
+    const double C1_12_c = C1_12_IBxz * t125;
+    const double t127 = sin_lam * h_spin_R;
+    const double t128 = K0_12 + t127;
+    const double K2_22 = C1_12_IBxz * t128;
+    const double t130 = t2 * cos_lam;
+    const double t131 = t33 * yaw_by_delta;
+    const double t133 = t130 + (t95 * t131);
+    const double t135 = cos_lam + (p->xH * t131);
+    const double t136 = t72 + t72;
+    const double t138 = t63 + t70;
+    const double M_22_yaw_by_delta = t138 + t138;
+    const double M_22_w = (t135 * t136) - (t131 * M_22_yaw_by_delta);
+    const double t142 = t33 * t99;
+    const double C1_21_w = t33 * t103;
+    const double t144 = yaw_by_delta + t52;
+    const double t145 = p->mH * t144;
+    const double t149 = t122 + (C1_12_IBxz * t68);
+    const double t150 = t111 + t149;
+    const double C1_22_w = (t135 * t145) + (t33 * t115) + (t131 * t150);
+    const double t156 = (p->mH * t135) + (t33 * M_12_zB);
+    const double K0_22_w = sin_lam * t156;
+    const double K2_12_w = t33 * C1_12_c;
+    const double t159 = t33 * t128;
+    const double t161 = C1_12_IBxz * (t156 + t159);
+    const double M_12_c = (C1_12_IBxz * t95) - t130;
+    const double t164 = cos_lam - t52;
+    const double M_22_c = (t136 * t164) + (C1_12_IBxz * M_22_yaw_by_delta);
+    const double t168 = p->mH * t164;
+    const double t172 = C1_12_IBxz * (t120 + t150 - (t105 * t168));
+    const double K0_12_c = t109 - t168;
+    const double t174 = sin_lam * K0_12_c;
+    const double K2_22_c = C1_12_IBxz * K0_12_c;
+    const double t177 = sin_lam * t33;
+    const double t178 = p->c * t177;
+    const double t182 = (p->zH * cos_lam) + (p->xH * t178) - (sin_lam * t49);
+    const double t183 = p->mH * t182;
+    const double M_12_lam = t66 + (t94 * t178) - (p->zH * t183) - (t15 * cos_lam);
+    const double t192 = sin_lam + t178;
+    const double t197 = (cos_lam * t39) + (t72 * t182) - (t63 * t178) - (t70 * t192);
+    const double M_22_lam = t197 + t197;
+    const double t202 = t127 + (t78 * t192) + (t96 * t177);
+    const double C1_21_lam = t127 + (h_wheels_all * t178);
+    const double C1_22_lam = (t177 * (t112 + t114)) + (t149 * t192) + (t145 * t182) - (cos_lam *
+        (t79 + t98 + (C1_12_IBxz * p->IHxz)));
+    const double t216 = ay_all1_delta * t178;
+    const double t217 = t79 - t183;
+    const double t218 = t216 - t217;
+    const double K0_22_lam = (sin_lam * t218) - (cos_lam * K0_12);
+    const double K2_12_lam = t125 * t177;
+    const double K2_22_lam = (C1_12_IBxz * (t83 - t218)) - (sin_lam * t159);
+    const double M_11_rR = t84 + t84;
+    const double t228 = t88 * t89;
+    const double t230 = C1_12_IBxz * (p->mR - t228);
+    const double C1_12_rR = p->c * t230;
+    const double C1_21_rR = yaw_by_delta * t228;
+    const double t233 = p->rR * C1_12_IBxz;
+    const double C1_12_mR = p->c * t233;
+    const double t236 = C1_12_IBxz * yaw_by_delta;
+    const double M_22_IRxx = p->c * t236;
+    const double t238 = C1_12_IBxz * t88;
+    const double C1_12_IRyy = p->c * t238;
+    const double t240 = C1_12_IBxz * t41;
+    const double M_12_xB = p->c * t240;
+    const double K0_12_mB = yaw_by_delta * p->xB;
     const double K0_12_xB = p->mB * yaw_by_delta;
-    const double t276 = sin_lam * K0_12_xB;
-    const double M_11_zB = t17 + t17;
-    const double t278 = K2_12_zB * t271;
-    const double M_11_mB = p->zB * p->zB;
+    const double t244 = K0_12_mB * K0_12_xB;
+    const double M_22_xB = t244 + t244;
+    const double K2_22_mB = p->xB * t236;
+    const double t247 = p->c + p->xB;
+    const double t248 = t236 * t247;
+    const double t250 = p->mB * (K2_22_mB + t248);
+    const double t251 = sin_lam * K0_12_xB;
+    const double K2_22_xB = yaw_by_delta * K2_12_zB;
+    const double M_11_zB = t41 + t41;
+    const double t254 = t109 + K0_12_xB;
     const double M_12_mB = p->zB * K0_12_mB;
     const double M_22_mB = K0_12_mB * K0_12_mB;
     const double K2_12_mB = p->zB * C1_12_IBxz;
-    const double t283 = t271 * K2_12_mB;
-    const double K2_22_mB = p->xB * t263;
-    const double t285 = t271 * K2_22_mB;
-    const double t286 = sin_lam * K0_12_mB;
-    const double t287 = t77 * t139;
-    const double M_22_xH = (p->c * t287) - t158;
-    const double t290 = t34 * C1_12_IBxz;
-    const double K0_12_xH = p->mH * M_12_Jxz_delta;
-    const double C1_22_xH = (C1_12_IBxz * (t173 - (p->c * K0_12_xH))) - t287;
-    const double t296 = p->mH * t151;
+    const double t258 = t247 * K2_12_mB;
+    const double t259 = p->xB * t248;
+    const double t260 = sin_lam * K0_12_mB;
+    const double K0_12_xH = p->mH * wz_delta2_delta;
+    const double M_12_xH = p->zH * K0_12_xH;
+    const double t263 = wz_delta2_delta * t136;
     const double K2_12_zH = p->mH * C1_12_IBxz;
-    const double K2_22_xH = M_12_Jxz_delta * K2_12_zH;
-    const double Jxx_delta_zH = t34 + t34;
-    const double t300 = t55 * t169;
-    const double K0_12_mH = t300 - py_delta_mH;
-    const double t303 = p->mH * (t170 - K0_12_mH);
-    const double py_delta_zH = p->mH * sin_lam;
-    const double t306 = (K0_12_mH + K0_12_mH) * py_delta_zH;
-    const double t308 = yaw_by_delta + (t54 * t169);
-    const double t309 = p->mH * t308;
-    const double C1_22_zH = sin_lam * t309;
-    const double M_22_Jxx_delta = sin_lam * sin_lam;
-    const double K0_22_zH = p->mH * M_22_Jxx_delta;
-    const double t313 = sin_lam * K2_12_zH;
-    const double M_12_mH = p->zH * K0_12_mH;
-    const double t318 = t36 * yaw_by_delta * py_delta_mH;
-    const double M_22_mH = (t170 * t170) + (t300 * t300) + (t38 * t154) - t318 - t318;
-    const double t324 = p->zH * t308;
-    const double t325 = K0_12_mH * t308;
-    const double t326 = sin_lam * K0_12_mH;
+    const double t265 = p->zH * K2_12_zH;
+    const double t268 = C1_12_IBxz * ((t105 * K0_12_xH) - t72);
+    const double t269 = p->mH * t116;
+    const double K2_22_xH = C1_12_IBxz * K0_12_xH;
+    const double M_11_zH = t2 + t2;
+    const double t273 = t72 + (p->mH * t46);
+    const double M_22_zH = sin_lam * t136;
+    const double t275 = p->mH * sin_lam;
+    const double C1_22_zH = t144 * t275;
+    const double K0_22_zH = sin_lam * t275;
+    const double t278 = C1_12_IBxz * t275;
+    const double M_11_mH = p->zH * p->zH;
+    const double t280 = p->zH * t54;
+    const double M_22_mH = t54 * t54;
+    const double t282 = p->zH * t144;
+    const double t283 = C1_12_IBxz * t54;
+    const double C1_22_mH = t105 * t283;
+    const double K0_22_mH = sin_lam * t54;
     const double K2_12_mH = p->zH * C1_12_IBxz;
-    const double K2_22_mH = C1_12_IBxz * K0_12_mH;
-    const double M_22_IHzz = M_22_IRxx + (cos_lam * M_22_hz_delta);
-    const double t331 = C1_12_IBxz * M_12_Jxz_delta;
-    const double C1_22_Jxz_delta = sin_lam * C1_12_IBxz;
-    const double M_11_rF = t45 + t45;
-    const double t335 = (p->c * t187) - t197;
-    const double t337 = p->mF * (t197 - t335);
-    const double t338 = p->w * yaw_by_delta;
-    const double t339 = t198 - t338;
-    const double K0_12_rF = p->mF * sin_lam;
-    const double t342 = (t335 + t339) * K0_12_rF;
-    const double C1_12_IFyy = t97 * M_12_Jxz_delta;
-    const double C1_21_rF = h_spin_R * C1_12_IFyy;
-    const double C1_12_rF = (p->mF * C1_22_py_delta) - C1_21_rF;
-    const double t347 = C1_22_py_delta * K0_12_rF;
-    const double t348 = sin_lam * K0_12_rF;
-    const double t351 = C1_12_IBxz * (p->mF - (t97 * h_spin_R));
-    const double K2_22_rF = sin_lam * t351;
-    const double M_12_mF = p->rF * t335;
-    const double M_22_mF = (t198 * t335) - (t338 * t339);
-    const double C1_12_mF = p->rF * C1_22_py_delta;
-    const double C1_22_mF = C1_22_py_delta * t339;
-    const double K0_22_mF = sin_lam * t339;
-    const double t360 = p->rF * C1_12_IBxz;
-    const double t361 = C1_12_IBxz * t339;
-    const double M_22_IFxx = M_22_Jxx_delta + M_22_IHzz;
-    const double t363 = t97 * C1_12_IBxz;
-    const double K2_22_IFyy = t97 * C1_22_Jxz_delta;
-    const double C1_21 = -(t112 + (p->c * t114));
-    const double C1_22 = -(C1_12_IBxz * t124);
-    const double K0_12 = t121 - py_delta;
+    const double M_22_IHxx = sin_lam * sin_lam;
+    const double M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+    const double t289 = C1_12_IBxz * wz_delta2_delta;
+    const double M_22_IHxz = t116 + t116;
+    const double K2_22_h_spin_R = cos_lam * t177;
+    const double M_11_rF = t78 + t78;
+    const double t293 = t122 + t122;
+    const double M_22_rF = sin_lam * t293;
+    const double t295 = t81 * h_spin_R;
+    const double t296 = p->mF - t295;
+    const double C1_12_rF = wz_delta2_delta * t296;
+    const double C1_21_rF = wz_delta2_delta * t295;
+    const double t299 = wz_delta2_delta * K0_12_rF;
+    const double t300 = p->mF * M_22_IHxx;
+    const double t301 = C1_12_IBxz * t296;
+    const double K2_22_rF = K2_22_h_spin_R * t296;
+    const double t303 = M_11_mF * sin_lam;
+    const double K0_12_mF = p->rF * sin_lam;
+    const double t305 = sin_lam * K0_12_mF;
+    const double M_22_mF = p->rF * t305;
+    const double C1_12_mF = p->rF * wz_delta2_delta;
+    const double t308 = wz_delta2_delta * K0_12_mF;
+    const double t309 = p->rF * C1_12_IBxz;
+    const double K2_22_mF = sin_lam * t309;
+    const double M_22_IFxx = M_22_IHxx + M_22_IHzz;
+    const double C1_12_IFyy = wz_delta2_delta * t81;
+    const double t313 = C1_12_IBxz * t81;
+    const double K2_22_IFyy = t81 * K2_22_h_spin_R;
+    const double M_12 = -(t39 + (yaw_by_delta * t44) + (t2 * t54));
+    const double C1_21 = -(t83 + t103);
+    const double C1_22 = -(t115 + (t78 * t116));
+    const double K0_11 = t86 - t78;
+    const double K0_22 = -(sin_lam * K0_12);
     const double K2_12 = -C1_12_c;
-    const double K2_22 = -t130;
-    const double M_12_w = -(M_12_xH + (t55 * M_12_c));
-    const double K0_12_mF = t338 - t198;
+    const double K0_12_lam = t217 - t216;
+    const double K0_12_mH = t53 - t51;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -792,29 +764,29 @@ void rear_steered_f64_derivatives(const rear_steered_f64_t *p,
     matrices->k2[0][1] = K2_12;
     matrices->k2[1][0] = 0.0;
     matrices->k2[1][1] = K2_22;
-    derivatives->values[0] = M_12_w;
+    derivatives->values[0] = t133;
     derivatives->values[1] = M_22_w;
-    derivatives->values[2] = C1_12_w;
+    derivatives->values[2] = t142;
     derivatives->values[3] = C1_21_w;
     derivatives->values[4] = C1_22_w;
-    derivatives->values[5] = P_delta_lateral_w;
+    derivatives->values[5] = t156;
     derivatives->values[6] = K0_22_w;
     derivatives->values[7] = K2_12_w;
-    derivatives->values[8] = K2_22_w;
+    derivatives->values[8] = t161;
     derivatives->values[9] = M_12_c;
     derivatives->values[10] = M_22_c;
     derivatives->values[11] = C1_12_c;
-    derivatives->values[12] = t114;
-    derivatives->values[13] = C1_22_c;
-    derivatives->values[14] = t209;
-    derivatives->values[15] = K0_22_c;
-    derivatives->values[16] = t211;
-    derivatives->values[17] = t217;
+    derivatives->values[12] = t102;
+    derivatives->values[13] = t172;
+    derivatives->values[14] = K0_12_c;
+    derivatives->values[15] = t174;
+    derivatives->values[16] = K2_22_c;
+    derivatives->values[17] = M_12_lam;
     derivatives->values[18] = M_22_lam;
-    derivatives->values[19] = t233;
+    derivatives->values[19] = t202;
     derivatives->values[20] = C1_21_lam;
     derivatives->values[21] = C1_22_lam;
-    derivatives->values[22] = P_delta_lateral_lam;
+    derivatives->values[22] = K0_12_lam;
     derivatives->values[23] = K0_22_lam;
     derivatives->values[24] = K2_12_lam;
     derivatives->values[25] = K2_22_lam;
@@ -822,98 +794,98 @@ void rear_steered_f64_derivatives(const rear_steered_f64_t *p,
     derivatives->values[27] = C1_12_rR;
     derivatives->values[28] = C1_21_rR;
     derivatives->values[29] = p->mR;
-    derivatives->values[30] = t259;
+    derivatives->values[30] = t230;
     derivatives->values[31] = M_11_mR;
     derivatives->values[32] = C1_12_mR;
     derivatives->values[33] = p->rR;
-    derivatives->values[34] = t260;
+    derivatives->values[34] = t233;
     derivatives->values[35] = 1.0;
     derivatives->values[36] = M_22_IRxx;
-    derivatives->values[37] = t263;
+    derivatives->values[37] = t236;
     derivatives->values[38] = C1_12_IRyy;
-    derivatives->values[39] = t256;
+    derivatives->values[39] = t238;
     derivatives->values[40] = M_12_xB;
     derivatives->values[41] = M_22_xB;
-    derivatives->values[42] = t270;
-    derivatives->values[43] = t274;
+    derivatives->values[42] = t240;
+    derivatives->values[43] = t250;
     derivatives->values[44] = K0_12_xB;
-    derivatives->values[45] = t276;
+    derivatives->values[45] = t251;
     derivatives->values[46] = K2_22_xB;
     derivatives->values[47] = M_11_zB;
     derivatives->values[48] = M_12_zB;
-    derivatives->values[49] = t278;
+    derivatives->values[49] = t254;
     derivatives->values[50] = p->mB;
     derivatives->values[51] = K2_12_zB;
     derivatives->values[52] = M_11_mB;
     derivatives->values[53] = M_12_mB;
     derivatives->values[54] = M_22_mB;
-    derivatives->values[55] = t283;
-    derivatives->values[56] = t285;
+    derivatives->values[55] = t258;
+    derivatives->values[56] = t259;
     derivatives->values[57] = p->zB;
     derivatives->values[58] = K0_12_mB;
-    derivatives->values[59] = t286;
+    derivatives->values[59] = t260;
     derivatives->values[60] = K2_12_mB;
     derivatives->values[61] = K2_22_mB;
     derivatives->values[62] = yaw_by_delta;
     derivatives->values[63] = C1_12_IBxz;
     derivatives->values[64] = M_12_xH;
-    derivatives->values[65] = M_22_xH;
-    derivatives->values[66] = t290;
-    derivatives->values[67] = C1_22_xH;
+    derivatives->values[65] = t263;
+    derivatives->values[66] = t265;
+    derivatives->values[67] = t268;
     derivatives->values[68] = K0_12_xH;
-    derivatives->values[69] = t296;
+    derivatives->values[69] = t269;
     derivatives->values[70] = K2_22_xH;
-    derivatives->values[71] = Jxx_delta_zH;
-    derivatives->values[72] = t303;
-    derivatives->values[73] = t306;
-    derivatives->values[74] = t309;
+    derivatives->values[71] = M_11_zH;
+    derivatives->values[72] = t273;
+    derivatives->values[73] = M_22_zH;
+    derivatives->values[74] = t145;
     derivatives->values[75] = C1_22_zH;
     derivatives->values[76] = p->mH;
-    derivatives->values[77] = py_delta_zH;
+    derivatives->values[77] = t275;
     derivatives->values[78] = K0_22_zH;
     derivatives->values[79] = K2_12_zH;
-    derivatives->values[80] = t313;
-    derivatives->values[81] = Jxx_delta_mH;
-    derivatives->values[82] = M_12_mH;
+    derivatives->values[80] = t278;
+    derivatives->values[81] = M_11_mH;
+    derivatives->values[82] = t280;
     derivatives->values[83] = M_22_mH;
-    derivatives->values[84] = t324;
-    derivatives->values[85] = t325;
+    derivatives->values[84] = t282;
+    derivatives->values[85] = C1_22_mH;
     derivatives->values[86] = p->zH;
     derivatives->values[87] = K0_12_mH;
-    derivatives->values[88] = t326;
+    derivatives->values[88] = K0_22_mH;
     derivatives->values[89] = K2_12_mH;
-    derivatives->values[90] = K2_22_mH;
+    derivatives->values[90] = t283;
     derivatives->values[91] = sin_lam;
-    derivatives->values[92] = M_22_Jxx_delta;
+    derivatives->values[92] = M_22_IHxx;
     derivatives->values[93] = M_22_IHzz;
-    derivatives->values[94] = t331;
-    derivatives->values[95] = M_12_Jxz_delta;
+    derivatives->values[94] = t289;
+    derivatives->values[95] = wz_delta2_delta;
     derivatives->values[96] = M_22_IHxz;
-    derivatives->values[97] = C1_22_Jxz_delta;
+    derivatives->values[97] = K2_22_h_spin_R;
     derivatives->values[98] = M_11_rF;
-    derivatives->values[99] = t337;
-    derivatives->values[100] = t342;
+    derivatives->values[99] = t293;
+    derivatives->values[100] = M_22_rF;
     derivatives->values[101] = C1_12_rF;
     derivatives->values[102] = C1_21_rF;
-    derivatives->values[103] = t347;
+    derivatives->values[103] = t299;
     derivatives->values[104] = p->mF;
     derivatives->values[105] = K0_12_rF;
-    derivatives->values[106] = t348;
-    derivatives->values[107] = t351;
+    derivatives->values[106] = t300;
+    derivatives->values[107] = t301;
     derivatives->values[108] = K2_22_rF;
     derivatives->values[109] = M_11_mF;
-    derivatives->values[110] = M_12_mF;
+    derivatives->values[110] = t303;
     derivatives->values[111] = M_22_mF;
     derivatives->values[112] = C1_12_mF;
-    derivatives->values[113] = C1_22_mF;
+    derivatives->values[113] = t308;
     derivatives->values[114] = p->rF;
     derivatives->values[115] = K0_12_mF;
-    derivatives->values[116] = K0_22_mF;
-    derivatives->values[117] = t360;
-    derivatives->values[118] = t361;
+    derivatives->values[116] = t305;
+    derivatives->values[117] = t309;
+    derivatives->values[118] = K2_22_mF;
     derivatives->values[119] = M_22_IFxx;
     derivatives->values[120] = C1_12_IFyy;
-    derivatives->values[121] = t363;
+    derivatives->values[121] = t313;
     derivatives->values[122] = K2_22_IFyy;
 }
 
@@ -1048,52 +1020,46 @@ rear_steered_validity_t rear_steered_f32_validate(const rear_steered_f32_t *p)
 
 void rear_steered_f32_matrices(const rear_steered_f32_t *p, rear_steered_f32_matrices_t *matrices)
 {
-    const float t6 = p->zH * p->mH;
-    const float t10 = p->rF * p->mF;
-    const float Jxx_delta = p->IHxx + p->IFxx + (p->zH * t6) + (p->rF * t10);
-    const float t17 = p->rR * p->mR;
-    const float t21 = p->zB * p->mB;
-    const float M_11 = p->IRxx + p->IBxx + Jxx_delta + (p->rR * t17) + (p->zB * t21);
+    const float t3 = p->zB * p->mB;
+    const float t7 = p->zH * p->mH;
+    const float t12 = p->rR * p->mR;
+    const float t19 = p->rF * p->mF;
+    const float t22 = p->IHxx + (p->IFxx + (p->rF * t19));
+    const float M_11 = p->IRxx + ((p->zB * t3) + (p->zH * t7) + ((p->rR * t12) + (p->IBxx + t22)));
     float sin_lam = 0.0F;
     float cos_lam = 0.0F;
     carvallo_sin_cos_f32(p->lam, &sin_lam, &cos_lam);
-    const float t33 = p->w + p->c;
-    const float t34 = t33 - p->xH;
-    const float t35 = p->mH * t34;
-    const float Jxz_delta = (t10 * p->c) - (p->zH * t35) - p->IHxz;
-    const float hx_delta = (Jxz_delta * cos_lam) - (Jxx_delta * sin_lam);
-    const float t44 = cos_lam / p->w;
-    const float yaw_by_delta = p->c * t44;
-    const float Sz_delta = t6 - t10;
-    const float Jxz_all = Jxz_delta + (t21 * p->xB) + (t33 * Sz_delta) - p->IBxz;
-    const float M_12 = hx_delta + (yaw_by_delta * Jxz_all);
-    const float t59 = p->mF * p->c;
-    const float t62 = p->IFxx + p->IHzz;
-    const float hz_delta = (cos_lam * ((t34 * t35) + (p->c * t59) + t62)) - (sin_lam * Jxz_delta);
-    const float py_delta = (sin_lam * Sz_delta) + (cos_lam * (t35 + t59));
-    const float M_yaw_delta = hz_delta - (t33 * py_delta);
-    const float t74 = p->mB * p->xB;
-    const float t76 = p->mH * p->xH;
-    const float t78 = p->mF * p->w;
-    const float t85 = yaw_by_delta * (p->IRxx + t62 + p->IBzz + (p->xB * t74) + (p->xH * t76) +
-        (p->w * t78));
-    const float P_delta_yaw = M_yaw_delta + t85;
-    const float M_22 = (yaw_by_delta * (M_yaw_delta + P_delta_yaw)) + (cos_lam * hz_delta) -
-        (sin_lam * hx_delta);
+    const float t31 = cos_lam / p->w;
+    const float yaw_by_delta = p->c * t31;
+    const float t36 = (t3 * p->xB) - p->IBxz;
+    const float wz_delta2_delta = cos_lam + yaw_by_delta;
+    const float t46 = (p->zH * sin_lam) + ((cos_lam * (p->c + p->w)) - (p->xH * wz_delta2_delta));
+    const float t52 = (wz_delta2_delta * p->IHxz) + (sin_lam * t22);
+    const float t53 = p->mH * t46;
+    const float t59 = (sin_lam * p->IHxz) + ((p->IFxx + p->IHzz) * wz_delta2_delta);
+    const float ay_all1_delta = p->mB * p->xB;
+    const float t68 = yaw_by_delta * (p->IBzz + (p->IRxx + (p->xB * ay_all1_delta)));
+    const float M_22 = (t46 * t53) + (wz_delta2_delta * t59) + ((sin_lam * t52) + (yaw_by_delta *
+        t68));
+    const float t74 = t7 + (t3 - t12);
     const float h_spin_R = p->IFyy / p->rF;
     const float h_wheels_all = h_spin_R + (p->IRyy / p->rR);
-    const float Sz_all = t21 + Sz_delta - t17;
-    const float t100 = h_wheels_all - Sz_all;
-    const float t103 = cos_lam * h_spin_R;
-    const float C1_12 = (yaw_by_delta * t100) + t103 - (t44 * Jxz_all);
-    const float t110 = yaw_by_delta * (t74 + t76 + t78);
-    const float P_delta_lateral = py_delta - t110;
-    const float C1_22 = (yaw_by_delta * P_delta_lateral) - (t44 * P_delta_yaw);
-    const float K0_22 = sin_lam * P_delta_lateral;
-    const float K2_22 = t44 * ((sin_lam * h_spin_R) - P_delta_lateral);
-    const float C1_21 = -(t103 + (yaw_by_delta * h_wheels_all));
-    const float K0_12 = t110 - py_delta;
-    const float K2_12 = -(t44 * t100);
+    const float t80 = t74 - h_wheels_all;
+    const float t87 = t19 * wz_delta2_delta;
+    const float t88 = t87 - (t31 * ((p->c * t80) + (t36 + ((t7 * p->xH) - p->IHxz))));
+    const float t89 = cos_lam * h_spin_R;
+    const float C1_12 = t88 + t89;
+    const float t97 = t53 - (yaw_by_delta * ay_all1_delta);
+    const float C1_22 = (((p->xH * t53) - t68 - t59 + (p->c * t97)) * t31) - (sin_lam * t87);
+    const float K0_11 = t74 - t19;
+    const float t104 = t19 * sin_lam;
+    const float t105 = t97 - t104;
+    const float K0_22 = sin_lam * t105;
+    const float K2_12 = t31 * (t80 - t19);
+    const float K2_22 = t31 * ((sin_lam * h_spin_R) - t105);
+    const float M_12 = (yaw_by_delta * t36) - (t7 * t46) - t52;
+    const float C1_21 = -(t89 + (yaw_by_delta * h_wheels_all));
+    const float K0_12 = t104 - t97;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -1102,7 +1068,7 @@ void rear_steered_f32_matrices(const rear_steered_f32_t *p, rear_steered_f32_mat
     matrices->c1[0][1] = C1_12;
     matrices->c1[1][0] = C1_21;
     matrices->c1[1][1] = C1_22;
-    matrices->k0[0][0] = Sz_all;
+    matrices->k0[0][0] = K0_11;
     matrices->k0[0][1] = K0_12;
     matrices->k0[1][0] = K0_12;
     matrices->k0[1][1] = K0_22;
@@ -1245,232 +1211,210 @@ void rear_steered_f32_kinematics(const rear_steered_f32_t *p, rear_steered_f32_k
 void rear_steered_f32_derivatives(const rear_steered_f32_t *p,
     rear_steered_f32_matrices_t *matrices, rear_steered_f32_derivatives_t *derivatives)
 {
+    const float t2 = p->zH * p->mH;
+    const float M_11_mB = p->zB * p->zB;
     const float M_11_mF = p->rF * p->rF;
-    const float Jxx_delta_mH = p->zH * p->zH;
-    const float Jxx_delta = p->IHxx + (p->mF * M_11_mF) + p->IFxx + (p->mH * Jxx_delta_mH);
-    const float t17 = p->zB * p->mB;
+    const float t15 = p->IHxx + p->IFxx + (p->mF * M_11_mF);
     const float M_11_mR = p->rR * p->rR;
-    const float M_11 = p->IBxx + Jxx_delta + p->IRxx + (p->zB * t17) + (p->mR * M_11_mR);
+    const float M_11 = (p->zH * t2) + (p->mB * M_11_mB) + t15 + p->IRxx + p->IBxx + (p->mR *
+        M_11_mR);
     float sin_lam = 0.0F;
     float cos_lam = 0.0F;
     carvallo_sin_cos_f32(p->lam, &sin_lam, &cos_lam);
-    const float t31 = p->mF * p->c;
-    const float t34 = p->mH * p->zH;
-    const float t36 = p->c + p->w;
-    const float t38 = t36 - p->xH;
-    const float t41 = (p->rF * t31) - p->IHxz - (t34 * t38);
-    const float t43 = t41 * cos_lam;
-    const float t44 = (Jxx_delta * sin_lam) - t43;
-    const float t45 = p->mF * p->rF;
-    const float Sz_delta = t34 - t45;
-    const float t53 = t41 + (t36 * Sz_delta) + (t17 * p->xB) - p->IBxz;
-    const float t54 = 1.0F / p->w;
-    const float t55 = p->c * t54;
-    const float yaw_by_delta = cos_lam * t55;
-    const float M_12 = (t53 * yaw_by_delta) - t44;
-    const float t60 = sin_lam * t41;
-    const float t63 = p->IFxx + p->IHzz;
-    const float t64 = p->mH * t38;
-    const float t67 = (p->c * t31) + t63 + (t38 * t64);
-    const float hz_delta = (cos_lam * t67) - t60;
-    const float t71 = t31 + t64;
-    const float py_delta = (sin_lam * Sz_delta) + (cos_lam * t71);
-    const float M_yaw_delta = hz_delta - (t36 * py_delta);
-    const float t77 = p->mH * p->xH;
-    const float t79 = p->mF * p->w;
-    const float t81 = p->mB * p->xB;
-    const float t87 = p->IRxx + t63 + p->IBzz + (p->xH * t77) + (p->w * t79) + (p->xB * t81);
-    const float t88 = yaw_by_delta * t87;
-    const float P_delta_yaw = M_yaw_delta + t88;
-    const float t92 = hz_delta + (t55 * (M_yaw_delta + P_delta_yaw));
-    const float M_22 = (sin_lam * t44) + (cos_lam * t92);
-    const float t97 = 1.0F / p->rF;
-    const float h_spin_R = p->IFyy * t97;
-    const float t100 = 1.0F / p->rR;
-    const float t101 = p->IRyy * t100;
-    const float h_wheels_all = h_spin_R + t101;
-    const float t103 = p->mR * p->rR;
-    const float K0_11 = t17 + Sz_delta - t103;
-    const float t106 = h_wheels_all - K0_11;
-    const float t109 = t54 * ((p->c * t106) - t53);
-    const float t110 = h_spin_R + t109;
-    const float C1_12 = cos_lam * t110;
-    const float t112 = cos_lam * h_spin_R;
-    const float C1_12_IBxz = cos_lam * t54;
-    const float t114 = h_wheels_all * C1_12_IBxz;
-    const float t118 = t77 + t79 + t81;
-    const float M_22_yaw_by_delta = t54 * t118;
-    const float py_delta_mF = p->c * cos_lam;
-    const float t121 = M_22_yaw_by_delta * py_delta_mF;
-    const float P_delta_lateral = py_delta - t121;
-    const float t124 = P_delta_yaw - (p->c * P_delta_lateral);
-    const float K0_22 = sin_lam * P_delta_lateral;
-    const float C1_12_c = t106 * C1_12_IBxz;
-    const float t128 = sin_lam * h_spin_R;
-    const float t129 = P_delta_lateral - t128;
-    const float t130 = C1_12_IBxz * t129;
-    const float M_12_Jxz_delta = cos_lam + yaw_by_delta;
-    const float M_12_xH = t34 * M_12_Jxz_delta;
-    const float t134 = cos_lam * Sz_delta;
-    const float M_12_c = (t53 * C1_12_IBxz) - t134;
-    const float t138 = yaw_by_delta + yaw_by_delta;
-    const float t139 = C1_12_IBxz * t138;
-    const float t140 = t79 * t139;
-    const float t142 = P_delta_yaw * (C1_12_IBxz + C1_12_IBxz);
-    const float t146 = t38 * cos_lam;
-    const float M_22_hz_delta = yaw_by_delta + M_12_Jxz_delta;
-    const float t148 = t146 * M_22_hz_delta;
-    const float C1_22_py_delta = t36 * C1_12_IBxz;
-    const float t150 = py_delta_mF * C1_22_py_delta;
-    const float t151 = sin_lam * M_12_Jxz_delta;
-    const float M_22_IHxz = t151 + t151;
-    const float t154 = t148 + (p->zH * M_22_IHxz);
-    const float t158 = p->mH * (t148 + t154 - t150 - t150);
-    const float t160 = (py_delta * t138) - t158;
-    const float M_22_w = (p->c * (t140 - (t54 * t142))) - t160;
-    const float P_delta_yaw_mB = t45 - t109;
-    const float C1_12_w = C1_12_IBxz * P_delta_yaw_mB;
-    const float C1_21_w = t55 * t114;
-    const float t165 = p->mF - M_22_yaw_by_delta;
-    const float hz_delta_mF = p->mH - (t55 * t165);
-    const float t169 = p->xH * cos_lam;
-    const float t170 = p->zH * sin_lam;
-    const float py_delta_mH = t146 + t170;
-    const float t173 = p->mH * (py_delta_mH - t169);
-    const float t174 = py_delta - t173;
-    const float t175 = t88 + t124;
-    const float P_delta_yaw_xB = t54 * t175;
-    const float C1_22_w = (C1_12_IBxz * ((py_delta_mF * hz_delta_mF) + t174 + P_delta_yaw_xB)) -
-        t140;
-    const float P_delta_lateral_w = cos_lam * hz_delta_mF;
-    const float K0_22_w = sin_lam * P_delta_lateral_w;
-    const float K2_12_w = t54 * C1_12_c;
-    const float hz_delta_mH = cos_lam * P_delta_lateral_w;
-    const float K2_22_w = t54 * (t130 - hz_delta_mH);
-    const float t187 = M_12_Jxz_delta - C1_22_py_delta;
-    const float t190 = t31 * cos_lam * (yaw_by_delta + t187);
-    const float M_22_c = t142 + t190 + t190 - t160 - (t45 * M_22_IHxz);
-    const float t197 = p->rF * sin_lam;
-    const float t198 = py_delta_mF - t197;
-    const float t201 = p->mH + t165;
-    const float P_delta_yaw_mF = P_delta_lateral + t174 + (p->mF * ((p->w * cos_lam) - t198)) +
-        (py_delta_mF * t201) - (t87 * C1_12_IBxz);
-    const float C1_22_c = C1_12_IBxz * P_delta_yaw_mF;
-    const float t209 = cos_lam * t201;
-    const float K0_22_c = sin_lam * t209;
-    const float t211 = C1_12_IBxz * t209;
-    const float t213 = t60 + (Jxx_delta * cos_lam);
-    const float t214 = sin_lam * t54;
-    const float t215 = p->c * t214;
-    const float t217 = t213 + (t53 * t215);
-    const float py_delta_lam = t134 - (sin_lam * t71);
-    const float t224 = t36 * py_delta_lam;
-    const float P_delta_yaw_xH = cos_lam * t44;
-    const float t228 = t43 + (sin_lam * t67);
-    const float t231 = P_delta_yaw_xH - (sin_lam * (t92 + (t55 * t88) - t213)) - (t138 * t224);
-    const float M_22_lam = t231 - (M_22_hz_delta * t228);
-    const float t233 = sin_lam * t110;
-    const float C1_21_lam = t128 + (h_wheels_all * t215);
-    const float P_delta_lateral_lam = py_delta_lam + (t118 * t215);
-    const float C1_22_lam = (t175 * t214) + (C1_12_IBxz * (t224 + t228 + (p->c *
-        P_delta_lateral_lam)));
-    const float K0_22_lam = (cos_lam * P_delta_lateral) + (sin_lam * P_delta_lateral_lam);
-    const float K2_12_lam = t106 * t214;
-    const float K2_22_lam = (t129 * t214) + (C1_12_IBxz * (t112 - P_delta_lateral_lam));
-    const float M_11_rR = t103 + t103;
-    const float t254 = p->mR - (t100 * t101);
-    const float C1_12_rR = yaw_by_delta * t254;
-    const float t256 = t100 * C1_12_IBxz;
-    const float C1_12_IRyy = p->c * t256;
-    const float C1_21_rR = t101 * C1_12_IRyy;
-    const float t259 = C1_12_IBxz * t254;
-    const float t260 = p->rR * C1_12_IBxz;
-    const float C1_12_mR = p->c * t260;
-    const float t263 = yaw_by_delta * C1_12_IBxz;
-    const float M_22_IRxx = p->c * t263;
-    const float M_12_xB = t17 * yaw_by_delta;
-    const float K0_12_mB = p->xB * yaw_by_delta;
-    const float M_12_zB = p->mB * K0_12_mB;
-    const float M_22_xB = t138 * M_12_zB;
+    const float t33 = 1.0F / p->w;
+    const float C1_12_IBxz = cos_lam * t33;
+    const float yaw_by_delta = p->c * C1_12_IBxz;
+    const float wz_delta2_delta = cos_lam + yaw_by_delta;
+    const float t39 = (t15 * sin_lam) + (wz_delta2_delta * p->IHxz);
+    const float t41 = p->mB * p->zB;
+    const float t44 = p->IBxz - (t41 * p->xB);
+    const float t46 = p->zH * sin_lam;
+    const float t49 = p->c + p->w - p->xH;
+    const float t51 = t46 + (cos_lam * t49);
+    const float t52 = C1_12_IBxz * p->xH;
+    const float t53 = p->c * t52;
+    const float t54 = t51 - t53;
+    const float ay_all1_delta = p->mB * p->xB;
+    const float t62 = p->IRxx + (p->xB * ay_all1_delta) + p->IBzz;
+    const float t63 = yaw_by_delta * t62;
+    const float t66 = sin_lam * p->IHxz;
+    const float t68 = p->IFxx + p->IHzz;
+    const float t70 = t66 + (wz_delta2_delta * t68);
+    const float t72 = p->mH * t54;
+    const float M_22 = (yaw_by_delta * t63) + (sin_lam * t39) + (wz_delta2_delta * t70) + (t54 *
+        t72);
+    const float t78 = p->mF * p->rF;
+    const float t79 = cos_lam * t78;
+    const float t81 = 1.0F / p->rF;
+    const float h_spin_R = p->IFyy * t81;
+    const float t83 = cos_lam * h_spin_R;
+    const float t84 = p->mR * p->rR;
+    const float t86 = t2 + t41 - t84;
+    const float t88 = 1.0F / p->rR;
+    const float t89 = p->IRyy * t88;
+    const float h_wheels_all = h_spin_R + t89;
+    const float t94 = p->IHxz + t44;
+    const float t95 = (t2 * p->xH) - t94;
+    const float t96 = (p->c * (h_wheels_all - t86)) - t95;
+    const float t98 = yaw_by_delta * t78;
+    const float t99 = (C1_12_IBxz * t96) + t98;
+    const float C1_12 = t79 + t83 + t99;
+    const float t102 = C1_12_IBxz * h_wheels_all;
+    const float t103 = p->c * t102;
+    const float t105 = p->c + p->xH;
     const float K2_12_zB = p->mB * C1_12_IBxz;
-    const float t270 = p->zB * K2_12_zB;
-    const float t271 = p->c + p->xB;
-    const float K2_22_xB = yaw_by_delta * K2_12_zB;
-    const float t274 = (p->xB + t271) * K2_22_xB;
+    const float t109 = p->xB * K2_12_zB;
+    const float M_12_zB = p->c * t109;
+    const float t111 = (C1_12_IBxz * t62) + M_12_zB;
+    const float t112 = p->c * t111;
+    const float t114 = t70 + t112 - (t72 * t105);
+    const float t115 = C1_12_IBxz * t114;
+    const float t116 = sin_lam * wz_delta2_delta;
+    const float t120 = M_12_zB - t72;
+    const float K0_12_rF = p->mF * sin_lam;
+    const float t122 = p->rF * K0_12_rF;
+    const float K0_12 = t120 + t122;
+    const float t125 = h_wheels_all + (t78 - t86);
+    const float C1_12_c = C1_12_IBxz * t125;
+    const float t127 = sin_lam * h_spin_R;
+    const float t128 = K0_12 + t127;
+    const float K2_22 = C1_12_IBxz * t128;
+    const float t130 = t2 * cos_lam;
+    const float t131 = t33 * yaw_by_delta;
+    const float t133 = t130 + (t95 * t131);
+    const float t135 = cos_lam + (p->xH * t131);
+    const float t136 = t72 + t72;
+    const float t138 = t63 + t70;
+    const float M_22_yaw_by_delta = t138 + t138;
+    const float M_22_w = (t135 * t136) - (t131 * M_22_yaw_by_delta);
+    const float t142 = t33 * t99;
+    const float C1_21_w = t33 * t103;
+    const float t144 = yaw_by_delta + t52;
+    const float t145 = p->mH * t144;
+    const float t149 = t122 + (C1_12_IBxz * t68);
+    const float t150 = t111 + t149;
+    const float C1_22_w = (t135 * t145) + (t33 * t115) + (t131 * t150);
+    const float t156 = (p->mH * t135) + (t33 * M_12_zB);
+    const float K0_22_w = sin_lam * t156;
+    const float K2_12_w = t33 * C1_12_c;
+    const float t159 = t33 * t128;
+    const float t161 = C1_12_IBxz * (t156 + t159);
+    const float M_12_c = (C1_12_IBxz * t95) - t130;
+    const float t164 = cos_lam - t52;
+    const float M_22_c = (t136 * t164) + (C1_12_IBxz * M_22_yaw_by_delta);
+    const float t168 = p->mH * t164;
+    const float t172 = C1_12_IBxz * (t120 + t150 - (t105 * t168));
+    const float K0_12_c = t109 - t168;
+    const float t174 = sin_lam * K0_12_c;
+    const float K2_22_c = C1_12_IBxz * K0_12_c;
+    const float t177 = sin_lam * t33;
+    const float t178 = p->c * t177;
+    const float t182 = (p->zH * cos_lam) + (p->xH * t178) - (sin_lam * t49);
+    const float t183 = p->mH * t182;
+    const float M_12_lam = t66 + (t94 * t178) - (p->zH * t183) - (t15 * cos_lam);
+    const float t192 = sin_lam + t178;
+    const float t197 = (cos_lam * t39) + (t72 * t182) - (t63 * t178) - (t70 * t192);
+    const float M_22_lam = t197 + t197;
+    const float t202 = t127 + (t78 * t192) + (t96 * t177);
+    const float C1_21_lam = t127 + (h_wheels_all * t178);
+    const float C1_22_lam = (t177 * (t112 + t114)) + (t149 * t192) + (t145 * t182) - (cos_lam *
+        (t79 + t98 + (C1_12_IBxz * p->IHxz)));
+    const float t216 = ay_all1_delta * t178;
+    const float t217 = t79 - t183;
+    const float t218 = t216 - t217;
+    const float K0_22_lam = (sin_lam * t218) - (cos_lam * K0_12);
+    const float K2_12_lam = t125 * t177;
+    const float K2_22_lam = (C1_12_IBxz * (t83 - t218)) - (sin_lam * t159);
+    const float M_11_rR = t84 + t84;
+    const float t228 = t88 * t89;
+    const float t230 = C1_12_IBxz * (p->mR - t228);
+    const float C1_12_rR = p->c * t230;
+    const float C1_21_rR = yaw_by_delta * t228;
+    const float t233 = p->rR * C1_12_IBxz;
+    const float C1_12_mR = p->c * t233;
+    const float t236 = C1_12_IBxz * yaw_by_delta;
+    const float M_22_IRxx = p->c * t236;
+    const float t238 = C1_12_IBxz * t88;
+    const float C1_12_IRyy = p->c * t238;
+    const float t240 = C1_12_IBxz * t41;
+    const float M_12_xB = p->c * t240;
+    const float K0_12_mB = yaw_by_delta * p->xB;
     const float K0_12_xB = p->mB * yaw_by_delta;
-    const float t276 = sin_lam * K0_12_xB;
-    const float M_11_zB = t17 + t17;
-    const float t278 = K2_12_zB * t271;
-    const float M_11_mB = p->zB * p->zB;
+    const float t244 = K0_12_mB * K0_12_xB;
+    const float M_22_xB = t244 + t244;
+    const float K2_22_mB = p->xB * t236;
+    const float t247 = p->c + p->xB;
+    const float t248 = t236 * t247;
+    const float t250 = p->mB * (K2_22_mB + t248);
+    const float t251 = sin_lam * K0_12_xB;
+    const float K2_22_xB = yaw_by_delta * K2_12_zB;
+    const float M_11_zB = t41 + t41;
+    const float t254 = t109 + K0_12_xB;
     const float M_12_mB = p->zB * K0_12_mB;
     const float M_22_mB = K0_12_mB * K0_12_mB;
     const float K2_12_mB = p->zB * C1_12_IBxz;
-    const float t283 = t271 * K2_12_mB;
-    const float K2_22_mB = p->xB * t263;
-    const float t285 = t271 * K2_22_mB;
-    const float t286 = sin_lam * K0_12_mB;
-    const float t287 = t77 * t139;
-    const float M_22_xH = (p->c * t287) - t158;
-    const float t290 = t34 * C1_12_IBxz;
-    const float K0_12_xH = p->mH * M_12_Jxz_delta;
-    const float C1_22_xH = (C1_12_IBxz * (t173 - (p->c * K0_12_xH))) - t287;
-    const float t296 = p->mH * t151;
+    const float t258 = t247 * K2_12_mB;
+    const float t259 = p->xB * t248;
+    const float t260 = sin_lam * K0_12_mB;
+    const float K0_12_xH = p->mH * wz_delta2_delta;
+    const float M_12_xH = p->zH * K0_12_xH;
+    const float t263 = wz_delta2_delta * t136;
     const float K2_12_zH = p->mH * C1_12_IBxz;
-    const float K2_22_xH = M_12_Jxz_delta * K2_12_zH;
-    const float Jxx_delta_zH = t34 + t34;
-    const float t300 = t55 * t169;
-    const float K0_12_mH = t300 - py_delta_mH;
-    const float t303 = p->mH * (t170 - K0_12_mH);
-    const float py_delta_zH = p->mH * sin_lam;
-    const float t306 = (K0_12_mH + K0_12_mH) * py_delta_zH;
-    const float t308 = yaw_by_delta + (t54 * t169);
-    const float t309 = p->mH * t308;
-    const float C1_22_zH = sin_lam * t309;
-    const float M_22_Jxx_delta = sin_lam * sin_lam;
-    const float K0_22_zH = p->mH * M_22_Jxx_delta;
-    const float t313 = sin_lam * K2_12_zH;
-    const float M_12_mH = p->zH * K0_12_mH;
-    const float t318 = t36 * yaw_by_delta * py_delta_mH;
-    const float M_22_mH = (t170 * t170) + (t300 * t300) + (t38 * t154) - t318 - t318;
-    const float t324 = p->zH * t308;
-    const float t325 = K0_12_mH * t308;
-    const float t326 = sin_lam * K0_12_mH;
+    const float t265 = p->zH * K2_12_zH;
+    const float t268 = C1_12_IBxz * ((t105 * K0_12_xH) - t72);
+    const float t269 = p->mH * t116;
+    const float K2_22_xH = C1_12_IBxz * K0_12_xH;
+    const float M_11_zH = t2 + t2;
+    const float t273 = t72 + (p->mH * t46);
+    const float M_22_zH = sin_lam * t136;
+    const float t275 = p->mH * sin_lam;
+    const float C1_22_zH = t144 * t275;
+    const float K0_22_zH = sin_lam * t275;
+    const float t278 = C1_12_IBxz * t275;
+    const float M_11_mH = p->zH * p->zH;
+    const float t280 = p->zH * t54;
+    const float M_22_mH = t54 * t54;
+    const float t282 = p->zH * t144;
+    const float t283 = C1_12_IBxz * t54;
+    const float C1_22_mH = t105 * t283;
+    const float K0_22_mH = sin_lam * t54;
     const float K2_12_mH = p->zH * C1_12_IBxz;
-    const float K2_22_mH = C1_12_IBxz * K0_12_mH;
-    const float M_22_IHzz = M_22_IRxx + (cos_lam * M_22_hz_delta);
-    const float t331 = C1_12_IBxz * M_12_Jxz_delta;
-    const float C1_22_Jxz_delta = sin_lam * C1_12_IBxz;
-    const float M_11_rF = t45 + t45;
-    const float t335 = (p->c * t187) - t197;
-    const float t337 = p->mF * (t197 - t335);
-    const float t338 = p->w * yaw_by_delta;
-    const float t339 = t198 - t338;
-    const float K0_12_rF = p->mF * sin_lam;
-    const float t342 = (t335 + t339) * K0_12_rF;
-    const float C1_12_IFyy = t97 * M_12_Jxz_delta;
-    const float C1_21_rF = h_spin_R * C1_12_IFyy;
-    const float C1_12_rF = (p->mF * C1_22_py_delta) - C1_21_rF;
-    const float t347 = C1_22_py_delta * K0_12_rF;
-    const float t348 = sin_lam * K0_12_rF;
-    const float t351 = C1_12_IBxz * (p->mF - (t97 * h_spin_R));
-    const float K2_22_rF = sin_lam * t351;
-    const float M_12_mF = p->rF * t335;
-    const float M_22_mF = (t198 * t335) - (t338 * t339);
-    const float C1_12_mF = p->rF * C1_22_py_delta;
-    const float C1_22_mF = C1_22_py_delta * t339;
-    const float K0_22_mF = sin_lam * t339;
-    const float t360 = p->rF * C1_12_IBxz;
-    const float t361 = C1_12_IBxz * t339;
-    const float M_22_IFxx = M_22_Jxx_delta + M_22_IHzz;
-    const float t363 = t97 * C1_12_IBxz;
-    const float K2_22_IFyy = t97 * C1_22_Jxz_delta;
-    const float C1_21 = -(t112 + (p->c * t114));
-    const float C1_22 = -(C1_12_IBxz * t124);
-    const float K0_12 = t121 - py_delta;
+    const float M_22_IHxx = sin_lam * sin_lam;
+    const float M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+    const float t289 = C1_12_IBxz * wz_delta2_delta;
+    const float M_22_IHxz = t116 + t116;
+    const float K2_22_h_spin_R = cos_lam * t177;
+    const float M_11_rF = t78 + t78;
+    const float t293 = t122 + t122;
+    const float M_22_rF = sin_lam * t293;
+    const float t295 = t81 * h_spin_R;
+    const float t296 = p->mF - t295;
+    const float C1_12_rF = wz_delta2_delta * t296;
+    const float C1_21_rF = wz_delta2_delta * t295;
+    const float t299 = wz_delta2_delta * K0_12_rF;
+    const float t300 = p->mF * M_22_IHxx;
+    const float t301 = C1_12_IBxz * t296;
+    const float K2_22_rF = K2_22_h_spin_R * t296;
+    const float t303 = M_11_mF * sin_lam;
+    const float K0_12_mF = p->rF * sin_lam;
+    const float t305 = sin_lam * K0_12_mF;
+    const float M_22_mF = p->rF * t305;
+    const float C1_12_mF = p->rF * wz_delta2_delta;
+    const float t308 = wz_delta2_delta * K0_12_mF;
+    const float t309 = p->rF * C1_12_IBxz;
+    const float K2_22_mF = sin_lam * t309;
+    const float M_22_IFxx = M_22_IHxx + M_22_IHzz;
+    const float C1_12_IFyy = wz_delta2_delta * t81;
+    const float t313 = C1_12_IBxz * t81;
+    const float K2_22_IFyy = t81 * K2_22_h_spin_R;
+    const float M_12 = -(t39 + (yaw_by_delta * t44) + (t2 * t54));
+    const float C1_21 = -(t83 + t103);
+    const float C1_22 = -(t115 + (t78 * t116));
+    const float K0_11 = t86 - t78;
+    const float K0_22 = -(sin_lam * K0_12);
     const float K2_12 = -C1_12_c;
-    const float K2_22 = -t130;
-    const float M_12_w = -(M_12_xH + (t55 * M_12_c));
-    const float K0_12_mF = t338 - t198;
+    const float K0_12_lam = t217 - t216;
+    const float K0_12_mH = t53 - t51;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -1487,29 +1431,29 @@ void rear_steered_f32_derivatives(const rear_steered_f32_t *p,
     matrices->k2[0][1] = K2_12;
     matrices->k2[1][0] = 0.0F;
     matrices->k2[1][1] = K2_22;
-    derivatives->values[0] = M_12_w;
+    derivatives->values[0] = t133;
     derivatives->values[1] = M_22_w;
-    derivatives->values[2] = C1_12_w;
+    derivatives->values[2] = t142;
     derivatives->values[3] = C1_21_w;
     derivatives->values[4] = C1_22_w;
-    derivatives->values[5] = P_delta_lateral_w;
+    derivatives->values[5] = t156;
     derivatives->values[6] = K0_22_w;
     derivatives->values[7] = K2_12_w;
-    derivatives->values[8] = K2_22_w;
+    derivatives->values[8] = t161;
     derivatives->values[9] = M_12_c;
     derivatives->values[10] = M_22_c;
     derivatives->values[11] = C1_12_c;
-    derivatives->values[12] = t114;
-    derivatives->values[13] = C1_22_c;
-    derivatives->values[14] = t209;
-    derivatives->values[15] = K0_22_c;
-    derivatives->values[16] = t211;
-    derivatives->values[17] = t217;
+    derivatives->values[12] = t102;
+    derivatives->values[13] = t172;
+    derivatives->values[14] = K0_12_c;
+    derivatives->values[15] = t174;
+    derivatives->values[16] = K2_22_c;
+    derivatives->values[17] = M_12_lam;
     derivatives->values[18] = M_22_lam;
-    derivatives->values[19] = t233;
+    derivatives->values[19] = t202;
     derivatives->values[20] = C1_21_lam;
     derivatives->values[21] = C1_22_lam;
-    derivatives->values[22] = P_delta_lateral_lam;
+    derivatives->values[22] = K0_12_lam;
     derivatives->values[23] = K0_22_lam;
     derivatives->values[24] = K2_12_lam;
     derivatives->values[25] = K2_22_lam;
@@ -1517,98 +1461,98 @@ void rear_steered_f32_derivatives(const rear_steered_f32_t *p,
     derivatives->values[27] = C1_12_rR;
     derivatives->values[28] = C1_21_rR;
     derivatives->values[29] = p->mR;
-    derivatives->values[30] = t259;
+    derivatives->values[30] = t230;
     derivatives->values[31] = M_11_mR;
     derivatives->values[32] = C1_12_mR;
     derivatives->values[33] = p->rR;
-    derivatives->values[34] = t260;
+    derivatives->values[34] = t233;
     derivatives->values[35] = 1.0F;
     derivatives->values[36] = M_22_IRxx;
-    derivatives->values[37] = t263;
+    derivatives->values[37] = t236;
     derivatives->values[38] = C1_12_IRyy;
-    derivatives->values[39] = t256;
+    derivatives->values[39] = t238;
     derivatives->values[40] = M_12_xB;
     derivatives->values[41] = M_22_xB;
-    derivatives->values[42] = t270;
-    derivatives->values[43] = t274;
+    derivatives->values[42] = t240;
+    derivatives->values[43] = t250;
     derivatives->values[44] = K0_12_xB;
-    derivatives->values[45] = t276;
+    derivatives->values[45] = t251;
     derivatives->values[46] = K2_22_xB;
     derivatives->values[47] = M_11_zB;
     derivatives->values[48] = M_12_zB;
-    derivatives->values[49] = t278;
+    derivatives->values[49] = t254;
     derivatives->values[50] = p->mB;
     derivatives->values[51] = K2_12_zB;
     derivatives->values[52] = M_11_mB;
     derivatives->values[53] = M_12_mB;
     derivatives->values[54] = M_22_mB;
-    derivatives->values[55] = t283;
-    derivatives->values[56] = t285;
+    derivatives->values[55] = t258;
+    derivatives->values[56] = t259;
     derivatives->values[57] = p->zB;
     derivatives->values[58] = K0_12_mB;
-    derivatives->values[59] = t286;
+    derivatives->values[59] = t260;
     derivatives->values[60] = K2_12_mB;
     derivatives->values[61] = K2_22_mB;
     derivatives->values[62] = yaw_by_delta;
     derivatives->values[63] = C1_12_IBxz;
     derivatives->values[64] = M_12_xH;
-    derivatives->values[65] = M_22_xH;
-    derivatives->values[66] = t290;
-    derivatives->values[67] = C1_22_xH;
+    derivatives->values[65] = t263;
+    derivatives->values[66] = t265;
+    derivatives->values[67] = t268;
     derivatives->values[68] = K0_12_xH;
-    derivatives->values[69] = t296;
+    derivatives->values[69] = t269;
     derivatives->values[70] = K2_22_xH;
-    derivatives->values[71] = Jxx_delta_zH;
-    derivatives->values[72] = t303;
-    derivatives->values[73] = t306;
-    derivatives->values[74] = t309;
+    derivatives->values[71] = M_11_zH;
+    derivatives->values[72] = t273;
+    derivatives->values[73] = M_22_zH;
+    derivatives->values[74] = t145;
     derivatives->values[75] = C1_22_zH;
     derivatives->values[76] = p->mH;
-    derivatives->values[77] = py_delta_zH;
+    derivatives->values[77] = t275;
     derivatives->values[78] = K0_22_zH;
     derivatives->values[79] = K2_12_zH;
-    derivatives->values[80] = t313;
-    derivatives->values[81] = Jxx_delta_mH;
-    derivatives->values[82] = M_12_mH;
+    derivatives->values[80] = t278;
+    derivatives->values[81] = M_11_mH;
+    derivatives->values[82] = t280;
     derivatives->values[83] = M_22_mH;
-    derivatives->values[84] = t324;
-    derivatives->values[85] = t325;
+    derivatives->values[84] = t282;
+    derivatives->values[85] = C1_22_mH;
     derivatives->values[86] = p->zH;
     derivatives->values[87] = K0_12_mH;
-    derivatives->values[88] = t326;
+    derivatives->values[88] = K0_22_mH;
     derivatives->values[89] = K2_12_mH;
-    derivatives->values[90] = K2_22_mH;
+    derivatives->values[90] = t283;
     derivatives->values[91] = sin_lam;
-    derivatives->values[92] = M_22_Jxx_delta;
+    derivatives->values[92] = M_22_IHxx;
     derivatives->values[93] = M_22_IHzz;
-    derivatives->values[94] = t331;
-    derivatives->values[95] = M_12_Jxz_delta;
+    derivatives->values[94] = t289;
+    derivatives->values[95] = wz_delta2_delta;
     derivatives->values[96] = M_22_IHxz;
-    derivatives->values[97] = C1_22_Jxz_delta;
+    derivatives->values[97] = K2_22_h_spin_R;
     derivatives->values[98] = M_11_rF;
-    derivatives->values[99] = t337;
-    derivatives->values[100] = t342;
+    derivatives->values[99] = t293;
+    derivatives->values[100] = M_22_rF;
     derivatives->values[101] = C1_12_rF;
     derivatives->values[102] = C1_21_rF;
-    derivatives->values[103] = t347;
+    derivatives->values[103] = t299;
     derivatives->values[104] = p->mF;
     derivatives->values[105] = K0_12_rF;
-    derivatives->values[106] = t348;
-    derivatives->values[107] = t351;
+    derivatives->values[106] = t300;
+    derivatives->values[107] = t301;
     derivatives->values[108] = K2_22_rF;
     derivatives->values[109] = M_11_mF;
-    derivatives->values[110] = M_12_mF;
+    derivatives->values[110] = t303;
     derivatives->values[111] = M_22_mF;
     derivatives->values[112] = C1_12_mF;
-    derivatives->values[113] = C1_22_mF;
+    derivatives->values[113] = t308;
     derivatives->values[114] = p->rF;
     derivatives->values[115] = K0_12_mF;
-    derivatives->values[116] = K0_22_mF;
-    derivatives->values[117] = t360;
-    derivatives->values[118] = t361;
+    derivatives->values[116] = t305;
+    derivatives->values[117] = t309;
+    derivatives->values[118] = K2_22_mF;
     derivatives->values[119] = M_22_IFxx;
     derivatives->values[120] = C1_12_IFyy;
-    derivatives->values[121] = t363;
+    derivatives->values[121] = t313;
     derivatives->values[122] = K2_22_IFyy;
 }
 

@@ -224,7 +224,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 46 additions, 46 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 99 operations.
+ * 42 additions, 43 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 91 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -341,7 +341,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 129 additions, 208 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 347 operations.
+ * 105 additions, 183 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 298 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -456,7 +456,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 46 additions, 46 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 99 operations.
+ * 42 additions, 43 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 91 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -573,7 +573,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 129 additions, 208 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 347 operations.
+ * 105 additions, 183 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 298 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

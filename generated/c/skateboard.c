@@ -74,18 +74,18 @@ const carvallo_partial_t skateboard_partials[SKATEBOARD_PARTIALS] = {
     {CARVALLO_MATRIX_C1, 0U, 0U, 3U, 2U, false},
     {CARVALLO_MATRIX_KC, 0U, 0U, 3U, 3U, false},
     {CARVALLO_MATRIX_K2, 0U, 0U, 3U, 4U, false},
-    {CARVALLO_MATRIX_C1, 0U, 0U, 4U, 5U, true},
+    {CARVALLO_MATRIX_C1, 0U, 0U, 4U, 5U, false},
     {CARVALLO_MATRIX_KC, 0U, 0U, 4U, 6U, false},
     {CARVALLO_MATRIX_K2, 0U, 0U, 4U, 7U, false},
     {CARVALLO_MATRIX_KC, 0U, 0U, 5U, 8U, false},
     {CARVALLO_MATRIX_KC, 0U, 0U, 6U, 9U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 7U, 10U, false},
-    {CARVALLO_MATRIX_C1, 0U, 0U, 7U, 11U, true},
+    {CARVALLO_MATRIX_C1, 0U, 0U, 7U, 11U, false},
     {CARVALLO_MATRIX_K0, 0U, 0U, 7U, 12U, true},
     {CARVALLO_MATRIX_K2, 0U, 0U, 7U, 13U, false},
     {CARVALLO_MATRIX_C1, 0U, 0U, 8U, 14U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 9U, 15U, false},
-    {CARVALLO_MATRIX_C1, 0U, 0U, 9U, 16U, true},
+    {CARVALLO_MATRIX_C1, 0U, 0U, 9U, 16U, false},
     {CARVALLO_MATRIX_K0, 0U, 0U, 9U, 17U, true},
     {CARVALLO_MATRIX_K2, 0U, 0U, 9U, 18U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 10U, 19U, false},
@@ -158,17 +158,17 @@ void skateboard_f64_matrices(const skateboard_f64_t *p, skateboard_f64_matrices_
     double lateral_per_v_deltaR = 0.0;
     double cos_lamR = 0.0;
     carvallo_sin_cos_f64(p->lamR, &lateral_per_v_deltaR, &cos_lamR);
-    const double t9 = 1.0 / cos_lamR;
-    const double t11 = t9 * lateral_per_v_deltaR;
+    const double t8 = 1.0 / cos_lamR;
+    const double t10 = t8 * lateral_per_v_deltaR;
     double sin_lamF = 0.0;
     double cos_lamF = 0.0;
     carvallo_sin_cos_f64(p->lamF, &sin_lamF, &cos_lamF);
-    const double t14 = 1.0 / cos_lamF;
-    const double t18 = (t11 + (t14 * sin_lamF)) / p->L;
-    const double P_gamma_yaw = P_gamma_lateral * p->x;
-    const double C1_11 = (t18 * (p->Ixz + P_gamma_yaw)) - (P_gamma_lateral * t11);
-    const double Kc_11 = (t14 * (t14 * p->kF)) + (p->kR * (t9 * t9));
-    const double K2_11 = P_gamma_lateral * t18;
+    const double t15 = 1.0 / cos_lamF;
+    const double t19 = (t10 + (t15 * sin_lamF)) / p->L;
+    const double P_gamma_yaw = p->kR * (t8 * t8);
+    const double Kc_11 = (t15 * (t15 * p->kF)) + P_gamma_yaw;
+    const double K2_11 = P_gamma_lateral * t19;
+    const double C1_11 = (p->Ixz * t19) - (P_gamma_lateral * (t10 - (p->x * t19)));
     const double K0_11 = -P_gamma_lateral;
     matrices->m[0][0] = M_11;
     matrices->c1[0][0] = C1_11;
@@ -337,45 +337,46 @@ void skateboard_f64_derivatives(const skateboard_f64_t *p, skateboard_f64_matric
 {
     const double P_gamma_lateral = p->h * p->m;
     const double M_11 = p->Ixx + (p->h * P_gamma_lateral);
+    const double t8 = 1.0 / p->L;
     double lateral_per_v_deltaR = 0.0;
     double cos_lamR = 0.0;
     carvallo_sin_cos_f64(p->lamR, &lateral_per_v_deltaR, &cos_lamR);
-    const double t8 = 1.0 / cos_lamR;
-    const double t10 = t8 * lateral_per_v_deltaR;
-    const double t12 = 1.0 / p->L;
-    const double t16 = p->Ixz + (P_gamma_lateral * p->x);
-    const double t17 = t12 * t16;
-    const double t18 = P_gamma_lateral - t17;
+    const double t11 = 1.0 / cos_lamR;
+    const double t13 = t11 * lateral_per_v_deltaR;
     double sin_lamF = 0.0;
     double cos_lamF = 0.0;
     carvallo_sin_cos_f64(p->lamF, &sin_lamF, &cos_lamF);
-    const double t22 = 1.0 / cos_lamF;
-    const double t24 = t22 * sin_lamF;
-    const double C1_11 = (t17 * t24) - (t10 * t18);
-    const double Kc_11_kF = t22 * t22;
-    const double t29 = p->kF * Kc_11_kF;
-    const double Kc_11_kR = t8 * t8;
-    const double t32 = p->kR * Kc_11_kR;
-    const double Kc_11 = t29 + t32;
-    const double C1_11_Ixz = t12 * (t10 + t24);
-    const double K2_11_m = p->h * C1_11_Ixz;
-    const double K2_11 = p->m * K2_11_m;
-    const double t38 = t17 * C1_11_Ixz;
-    const double t39 = t12 * K2_11;
-    const double t42 = t12 + (t12 * t24 * t24);
-    const double C1_11_lamF = t16 * t42;
-    const double Kc_11_lamF = t29 * (t24 + t24);
-    const double K2_11_lamF = P_gamma_lateral * t42;
-    const double t49 = (t10 * t10) + 1.0;
-    const double t50 = t18 * t49;
-    const double t51 = t10 * t32;
-    const double Kc_11_lamR = t51 + t51;
-    const double K2_11_lamR = P_gamma_lateral * t12 * t49;
+    const double t17 = 1.0 / cos_lamF;
+    const double t19 = t17 * sin_lamF;
+    const double t20 = t8 * t19;
+    const double C1_11_Ixz = (t8 * t13) + t20;
+    const double t25 = (C1_11_Ixz * p->x) - t13;
+    const double C1_11_m = p->h * t25;
+    const double C1_11 = (p->Ixz * C1_11_Ixz) + (p->m * C1_11_m);
+    const double Kc_11_kR = t11 * t11;
+    const double P_gamma_yaw = p->kR * Kc_11_kR;
+    const double Kc_11_kF = t17 * t17;
+    const double t34 = p->kF * Kc_11_kF;
+    const double Kc_11 = P_gamma_yaw + t34;
+    const double K2_11 = P_gamma_lateral * C1_11_Ixz;
+    const double t38 = p->Ixz + (P_gamma_lateral * p->x);
+    const double t39 = t8 * t38;
+    const double t40 = C1_11_Ixz * t39;
+    const double t41 = t8 * K2_11;
+    const double t43 = t8 + (t19 * t20);
+    const double C1_11_lamF = t38 * t43;
+    const double t45 = t19 * t34;
+    const double Kc_11_lamF = t45 + t45;
+    const double K2_11_lamF = P_gamma_lateral * t43;
+    const double t51 = 1.0 + (t13 * t13);
+    const double C1_11_lamR = (t39 - P_gamma_lateral) * t51;
+    const double t53 = t13 * P_gamma_yaw;
+    const double Kc_11_lamR = t53 + t53;
+    const double K2_11_lamR = P_gamma_lateral * t8 * t51;
     const double M_11_m = p->h * p->h;
-    const double t57 = t10 - (p->x * C1_11_Ixz);
-    const double t58 = p->h * t57;
+    const double K2_11_m = p->h * C1_11_Ixz;
     const double M_11_h = P_gamma_lateral + P_gamma_lateral;
-    const double t60 = p->m * t57;
+    const double C1_11_h = p->m * t25;
     const double K2_11_h = p->m * C1_11_Ixz;
     const double K0_11 = -P_gamma_lateral;
     matrices->m[0][0] = M_11;
@@ -383,23 +384,23 @@ void skateboard_f64_derivatives(const skateboard_f64_t *p, skateboard_f64_matric
     matrices->kc[0][0] = Kc_11;
     matrices->k0[0][0] = K0_11;
     matrices->k2[0][0] = K2_11;
-    derivatives->values[0] = t38;
-    derivatives->values[1] = t39;
+    derivatives->values[0] = t40;
+    derivatives->values[1] = t41;
     derivatives->values[2] = C1_11_lamF;
     derivatives->values[3] = Kc_11_lamF;
     derivatives->values[4] = K2_11_lamF;
-    derivatives->values[5] = t50;
+    derivatives->values[5] = C1_11_lamR;
     derivatives->values[6] = Kc_11_lamR;
     derivatives->values[7] = K2_11_lamR;
     derivatives->values[8] = Kc_11_kF;
     derivatives->values[9] = Kc_11_kR;
     derivatives->values[10] = M_11_m;
-    derivatives->values[11] = t58;
+    derivatives->values[11] = C1_11_m;
     derivatives->values[12] = p->h;
     derivatives->values[13] = K2_11_m;
     derivatives->values[14] = K2_11;
     derivatives->values[15] = M_11_h;
-    derivatives->values[16] = t60;
+    derivatives->values[16] = C1_11_h;
     derivatives->values[17] = p->m;
     derivatives->values[18] = K2_11_h;
     derivatives->values[19] = 1.0;
@@ -513,17 +514,17 @@ void skateboard_f32_matrices(const skateboard_f32_t *p, skateboard_f32_matrices_
     float lateral_per_v_deltaR = 0.0F;
     float cos_lamR = 0.0F;
     carvallo_sin_cos_f32(p->lamR, &lateral_per_v_deltaR, &cos_lamR);
-    const float t9 = 1.0F / cos_lamR;
-    const float t11 = t9 * lateral_per_v_deltaR;
+    const float t8 = 1.0F / cos_lamR;
+    const float t10 = t8 * lateral_per_v_deltaR;
     float sin_lamF = 0.0F;
     float cos_lamF = 0.0F;
     carvallo_sin_cos_f32(p->lamF, &sin_lamF, &cos_lamF);
-    const float t14 = 1.0F / cos_lamF;
-    const float t18 = (t11 + (t14 * sin_lamF)) / p->L;
-    const float P_gamma_yaw = P_gamma_lateral * p->x;
-    const float C1_11 = (t18 * (p->Ixz + P_gamma_yaw)) - (P_gamma_lateral * t11);
-    const float Kc_11 = (t14 * (t14 * p->kF)) + (p->kR * (t9 * t9));
-    const float K2_11 = P_gamma_lateral * t18;
+    const float t15 = 1.0F / cos_lamF;
+    const float t19 = (t10 + (t15 * sin_lamF)) / p->L;
+    const float P_gamma_yaw = p->kR * (t8 * t8);
+    const float Kc_11 = (t15 * (t15 * p->kF)) + P_gamma_yaw;
+    const float K2_11 = P_gamma_lateral * t19;
+    const float C1_11 = (p->Ixz * t19) - (P_gamma_lateral * (t10 - (p->x * t19)));
     const float K0_11 = -P_gamma_lateral;
     matrices->m[0][0] = M_11;
     matrices->c1[0][0] = C1_11;
@@ -692,45 +693,46 @@ void skateboard_f32_derivatives(const skateboard_f32_t *p, skateboard_f32_matric
 {
     const float P_gamma_lateral = p->h * p->m;
     const float M_11 = p->Ixx + (p->h * P_gamma_lateral);
+    const float t8 = 1.0F / p->L;
     float lateral_per_v_deltaR = 0.0F;
     float cos_lamR = 0.0F;
     carvallo_sin_cos_f32(p->lamR, &lateral_per_v_deltaR, &cos_lamR);
-    const float t8 = 1.0F / cos_lamR;
-    const float t10 = t8 * lateral_per_v_deltaR;
-    const float t12 = 1.0F / p->L;
-    const float t16 = p->Ixz + (P_gamma_lateral * p->x);
-    const float t17 = t12 * t16;
-    const float t18 = P_gamma_lateral - t17;
+    const float t11 = 1.0F / cos_lamR;
+    const float t13 = t11 * lateral_per_v_deltaR;
     float sin_lamF = 0.0F;
     float cos_lamF = 0.0F;
     carvallo_sin_cos_f32(p->lamF, &sin_lamF, &cos_lamF);
-    const float t22 = 1.0F / cos_lamF;
-    const float t24 = t22 * sin_lamF;
-    const float C1_11 = (t17 * t24) - (t10 * t18);
-    const float Kc_11_kF = t22 * t22;
-    const float t29 = p->kF * Kc_11_kF;
-    const float Kc_11_kR = t8 * t8;
-    const float t32 = p->kR * Kc_11_kR;
-    const float Kc_11 = t29 + t32;
-    const float C1_11_Ixz = t12 * (t10 + t24);
-    const float K2_11_m = p->h * C1_11_Ixz;
-    const float K2_11 = p->m * K2_11_m;
-    const float t38 = t17 * C1_11_Ixz;
-    const float t39 = t12 * K2_11;
-    const float t42 = t12 + (t12 * t24 * t24);
-    const float C1_11_lamF = t16 * t42;
-    const float Kc_11_lamF = t29 * (t24 + t24);
-    const float K2_11_lamF = P_gamma_lateral * t42;
-    const float t49 = (t10 * t10) + 1.0F;
-    const float t50 = t18 * t49;
-    const float t51 = t10 * t32;
-    const float Kc_11_lamR = t51 + t51;
-    const float K2_11_lamR = P_gamma_lateral * t12 * t49;
+    const float t17 = 1.0F / cos_lamF;
+    const float t19 = t17 * sin_lamF;
+    const float t20 = t8 * t19;
+    const float C1_11_Ixz = (t8 * t13) + t20;
+    const float t25 = (C1_11_Ixz * p->x) - t13;
+    const float C1_11_m = p->h * t25;
+    const float C1_11 = (p->Ixz * C1_11_Ixz) + (p->m * C1_11_m);
+    const float Kc_11_kR = t11 * t11;
+    const float P_gamma_yaw = p->kR * Kc_11_kR;
+    const float Kc_11_kF = t17 * t17;
+    const float t34 = p->kF * Kc_11_kF;
+    const float Kc_11 = P_gamma_yaw + t34;
+    const float K2_11 = P_gamma_lateral * C1_11_Ixz;
+    const float t38 = p->Ixz + (P_gamma_lateral * p->x);
+    const float t39 = t8 * t38;
+    const float t40 = C1_11_Ixz * t39;
+    const float t41 = t8 * K2_11;
+    const float t43 = t8 + (t19 * t20);
+    const float C1_11_lamF = t38 * t43;
+    const float t45 = t19 * t34;
+    const float Kc_11_lamF = t45 + t45;
+    const float K2_11_lamF = P_gamma_lateral * t43;
+    const float t51 = 1.0F + (t13 * t13);
+    const float C1_11_lamR = (t39 - P_gamma_lateral) * t51;
+    const float t53 = t13 * P_gamma_yaw;
+    const float Kc_11_lamR = t53 + t53;
+    const float K2_11_lamR = P_gamma_lateral * t8 * t51;
     const float M_11_m = p->h * p->h;
-    const float t57 = t10 - (p->x * C1_11_Ixz);
-    const float t58 = p->h * t57;
+    const float K2_11_m = p->h * C1_11_Ixz;
     const float M_11_h = P_gamma_lateral + P_gamma_lateral;
-    const float t60 = p->m * t57;
+    const float C1_11_h = p->m * t25;
     const float K2_11_h = p->m * C1_11_Ixz;
     const float K0_11 = -P_gamma_lateral;
     matrices->m[0][0] = M_11;
@@ -738,23 +740,23 @@ void skateboard_f32_derivatives(const skateboard_f32_t *p, skateboard_f32_matric
     matrices->kc[0][0] = Kc_11;
     matrices->k0[0][0] = K0_11;
     matrices->k2[0][0] = K2_11;
-    derivatives->values[0] = t38;
-    derivatives->values[1] = t39;
+    derivatives->values[0] = t40;
+    derivatives->values[1] = t41;
     derivatives->values[2] = C1_11_lamF;
     derivatives->values[3] = Kc_11_lamF;
     derivatives->values[4] = K2_11_lamF;
-    derivatives->values[5] = t50;
+    derivatives->values[5] = C1_11_lamR;
     derivatives->values[6] = Kc_11_lamR;
     derivatives->values[7] = K2_11_lamR;
     derivatives->values[8] = Kc_11_kF;
     derivatives->values[9] = Kc_11_kR;
     derivatives->values[10] = M_11_m;
-    derivatives->values[11] = t58;
+    derivatives->values[11] = C1_11_m;
     derivatives->values[12] = p->h;
     derivatives->values[13] = K2_11_m;
     derivatives->values[14] = K2_11;
     derivatives->values[15] = M_11_h;
-    derivatives->values[16] = t60;
+    derivatives->values[16] = C1_11_h;
     derivatives->values[17] = p->m;
     derivatives->values[18] = K2_11_h;
     derivatives->values[19] = 1.0F;

@@ -225,24 +225,25 @@ carvallo_system_error_t typical_section_f64_state_space(const typical_section_f6
 void typical_section_f64_derivatives(const typical_section_f64_t *p,
     typical_section_f64_matrices_t *matrices, typical_section_f64_derivatives_t *derivatives)
 {
-    const double t4 = p->e - p->a;
-    const double M_12_b = p->m * t4;
-    const double imbalance = p->b * M_12_b;
+    const double t3 = p->e - p->a;
+    const double M_12_m = t3 * p->b;
+    const double imbalance = p->m * M_12_m;
     const double t14 = 3.141592653589793 + 3.141592653589793;
-    const double t15 = p->rho * t14;
-    const double lift_b = p->s * t15;
-    const double lift = p->b * lift_b;
+    const double lift_rho = p->b * p->s * t14;
+    const double lift = p->rho * lift_rho;
     const double t19 = p->a + 0.5;
     const double arm = p->b * t19;
-    const double lift_s = p->b * t15;
-    const double t22 = arm * lift_s;
-    const double M_12_m = p->b * t4;
-    const double t27 = t19 * (lift + lift);
+    const double t21 = p->rho * t14;
+    const double lift_s = p->b * t21;
+    const double t23 = arm * lift_s;
+    const double M_12_b = p->m * t3;
+    const double lift_b = p->s * t21;
+    const double t28 = lift * t19;
+    const double t29 = t28 + t28;
     const double M_12_e = p->m * p->b;
-    const double t29 = p->b * lift;
-    const double lift_rho = p->b * p->s * t14;
-    const double t32 = arm * lift_rho;
-    const double K2_22 = -(p->s * t22);
+    const double t31 = p->b * lift;
+    const double t32 = lift_rho * arm;
+    const double K2_22 = -(p->s * t23);
     matrices->m[0][0] = p->m;
     matrices->m[0][1] = imbalance;
     matrices->m[1][0] = imbalance;
@@ -259,11 +260,11 @@ void typical_section_f64_derivatives(const typical_section_f64_t *p,
     derivatives->values[1] = M_12_m;
     derivatives->values[2] = M_12_b;
     derivatives->values[3] = lift_b;
-    derivatives->values[4] = t27;
+    derivatives->values[4] = t29;
     derivatives->values[5] = lift_s;
-    derivatives->values[6] = t22;
+    derivatives->values[6] = t23;
     derivatives->values[7] = M_12_e;
-    derivatives->values[8] = t29;
+    derivatives->values[8] = t31;
     derivatives->values[9] = lift_rho;
     derivatives->values[10] = t32;
 }
@@ -451,24 +452,25 @@ carvallo_system_error_t typical_section_f32_state_space(const typical_section_f3
 void typical_section_f32_derivatives(const typical_section_f32_t *p,
     typical_section_f32_matrices_t *matrices, typical_section_f32_derivatives_t *derivatives)
 {
-    const float t4 = p->e - p->a;
-    const float M_12_b = p->m * t4;
-    const float imbalance = p->b * M_12_b;
+    const float t3 = p->e - p->a;
+    const float M_12_m = t3 * p->b;
+    const float imbalance = p->m * M_12_m;
     const float t14 = 3.1415927F + 3.1415927F;
-    const float t15 = p->rho * t14;
-    const float lift_b = p->s * t15;
-    const float lift = p->b * lift_b;
+    const float lift_rho = p->b * p->s * t14;
+    const float lift = p->rho * lift_rho;
     const float t19 = p->a + 0.5F;
     const float arm = p->b * t19;
-    const float lift_s = p->b * t15;
-    const float t22 = arm * lift_s;
-    const float M_12_m = p->b * t4;
-    const float t27 = t19 * (lift + lift);
+    const float t21 = p->rho * t14;
+    const float lift_s = p->b * t21;
+    const float t23 = arm * lift_s;
+    const float M_12_b = p->m * t3;
+    const float lift_b = p->s * t21;
+    const float t28 = lift * t19;
+    const float t29 = t28 + t28;
     const float M_12_e = p->m * p->b;
-    const float t29 = p->b * lift;
-    const float lift_rho = p->b * p->s * t14;
-    const float t32 = arm * lift_rho;
-    const float K2_22 = -(p->s * t22);
+    const float t31 = p->b * lift;
+    const float t32 = lift_rho * arm;
+    const float K2_22 = -(p->s * t23);
     matrices->m[0][0] = p->m;
     matrices->m[0][1] = imbalance;
     matrices->m[1][0] = imbalance;
@@ -485,11 +487,11 @@ void typical_section_f32_derivatives(const typical_section_f32_t *p,
     derivatives->values[1] = M_12_m;
     derivatives->values[2] = M_12_b;
     derivatives->values[3] = lift_b;
-    derivatives->values[4] = t27;
+    derivatives->values[4] = t29;
     derivatives->values[5] = lift_s;
-    derivatives->values[6] = t22;
+    derivatives->values[6] = t23;
     derivatives->values[7] = M_12_e;
-    derivatives->values[8] = t29;
+    derivatives->values[8] = t31;
     derivatives->values[9] = lift_rho;
     derivatives->values[10] = t32;
 }

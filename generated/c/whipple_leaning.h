@@ -353,7 +353,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 58 additions, 59 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 126 operations.
+ * 54 additions, 55 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 116 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -470,7 +470,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 146 additions, 247 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 402 operations.
+ * 116 additions, 225 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 351 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -770,7 +770,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 58 additions, 59 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 126 operations.
+ * 54 additions, 55 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 116 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -887,7 +887,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 146 additions, 247 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 402 operations.
+ * 116 additions, 225 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 351 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

@@ -315,7 +315,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 47 additions, 44 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 98 operations.
+ * 40 additions, 43 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 89 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -432,7 +432,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 142 additions, 199 multiplications, 3 divisions, 6 negations and 2 trigonometric functions: 352 operations.
+ * 96 additions, 181 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 285 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -707,7 +707,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 47 additions, 44 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 98 operations.
+ * 40 additions, 43 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 89 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -824,7 +824,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 142 additions, 199 multiplications, 3 divisions, 6 negations and 2 trigonometric functions: 352 operations.
+ * 96 additions, 181 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 285 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

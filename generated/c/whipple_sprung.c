@@ -108,16 +108,16 @@ const carvallo_partial_t whipple_sprung_partials[WHIPPLE_SPRUNG_PARTIALS] = {
     {CARVALLO_MATRIX_M, 0U, 1U, 0U, 0U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 0U, 0U, false},
     {CARVALLO_MATRIX_M, 1U, 1U, 0U, 1U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 2U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 2U, true},
     {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 3U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 4U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 4U, true},
     {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 5U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 5U, false},
     {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 6U, false},
     {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 7U, true},
     {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 8U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 1U, 9U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 1U, 9U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 1U, 9U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 1U, 9U, false},
     {CARVALLO_MATRIX_M, 1U, 1U, 1U, 10U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 11U, false},
     {CARVALLO_MATRIX_C1, 1U, 0U, 1U, 12U, true},
@@ -126,12 +126,12 @@ const carvallo_partial_t whipple_sprung_partials[WHIPPLE_SPRUNG_PARTIALS] = {
     {CARVALLO_MATRIX_K0, 1U, 0U, 1U, 14U, false},
     {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 15U, false},
     {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 16U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 17U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 17U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 18U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 19U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 17U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 17U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 18U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 19U, true},
     {CARVALLO_MATRIX_C1, 1U, 0U, 2U, 20U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 21U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 21U, false},
     {CARVALLO_MATRIX_K0, 0U, 1U, 2U, 22U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 2U, 22U, false},
     {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 23U, false},
@@ -187,7 +187,7 @@ const carvallo_partial_t whipple_sprung_partials[WHIPPLE_SPRUNG_PARTIALS] = {
     {CARVALLO_MATRIX_C1, 0U, 1U, 14U, 63U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 15U, 64U, true},
     {CARVALLO_MATRIX_M, 1U, 0U, 15U, 64U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 65U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 65U, true},
     {CARVALLO_MATRIX_C1, 0U, 1U, 15U, 66U, true},
     {CARVALLO_MATRIX_C1, 1U, 1U, 15U, 67U, false},
     {CARVALLO_MATRIX_K0, 0U, 1U, 15U, 68U, true},
@@ -197,7 +197,7 @@ const carvallo_partial_t whipple_sprung_partials[WHIPPLE_SPRUNG_PARTIALS] = {
     {CARVALLO_MATRIX_M, 0U, 0U, 16U, 71U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 16U, 72U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 16U, 72U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 73U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 73U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 74U, true},
     {CARVALLO_MATRIX_C1, 1U, 1U, 16U, 75U, true},
     {CARVALLO_MATRIX_K0, 0U, 0U, 16U, 76U, false},
@@ -207,17 +207,17 @@ const carvallo_partial_t whipple_sprung_partials[WHIPPLE_SPRUNG_PARTIALS] = {
     {CARVALLO_MATRIX_K2, 0U, 1U, 16U, 79U, true},
     {CARVALLO_MATRIX_K2, 1U, 1U, 16U, 80U, true},
     {CARVALLO_MATRIX_M, 0U, 0U, 17U, 81U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 82U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 82U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 82U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 82U, false},
     {CARVALLO_MATRIX_M, 1U, 1U, 17U, 83U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 84U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 85U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 85U, true},
     {CARVALLO_MATRIX_K0, 0U, 0U, 17U, 86U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 87U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 87U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 88U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 87U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 87U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 88U, false},
     {CARVALLO_MATRIX_K2, 0U, 1U, 17U, 89U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 90U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 90U, true},
     {CARVALLO_MATRIX_M, 0U, 0U, 18U, 35U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 18U, 91U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 18U, 91U, false},
@@ -240,8 +240,8 @@ const carvallo_partial_t whipple_sprung_partials[WHIPPLE_SPRUNG_PARTIALS] = {
     {CARVALLO_MATRIX_K0, 0U, 1U, 22U, 105U, true},
     {CARVALLO_MATRIX_K0, 1U, 0U, 22U, 105U, true},
     {CARVALLO_MATRIX_K0, 1U, 1U, 22U, 106U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 107U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 108U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 107U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 108U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 23U, 109U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 23U, 110U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 23U, 110U, false},
@@ -249,8 +249,8 @@ const carvallo_partial_t whipple_sprung_partials[WHIPPLE_SPRUNG_PARTIALS] = {
     {CARVALLO_MATRIX_C1, 0U, 1U, 23U, 112U, false},
     {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 113U, false},
     {CARVALLO_MATRIX_K0, 0U, 0U, 23U, 114U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 115U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 115U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 115U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 115U, true},
     {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 116U, true},
     {CARVALLO_MATRIX_K2, 0U, 1U, 23U, 117U, false},
     {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 118U, false},
@@ -397,53 +397,47 @@ whipple_sprung_validity_t whipple_sprung_f64_validate(const whipple_sprung_f64_t
 
 void whipple_sprung_f64_matrices(const whipple_sprung_f64_t *p, whipple_sprung_f64_matrices_t *matrices)
 {
-    const double t6 = p->zH * p->mH;
-    const double t10 = p->rF * p->mF;
-    const double Jxx_delta = p->IHxx + p->IFxx + (p->zH * t6) + (p->rF * t10);
-    const double t17 = p->rR * p->mR;
-    const double t21 = p->zB * p->mB;
-    const double M_11 = p->IRxx + p->IBxx + Jxx_delta + (p->rR * t17) + (p->zB * t21);
-    double sin_lam = 0.0;
+    const double t2 = p->rR * p->mR;
+    const double t7 = p->zH * p->mH;
+    const double t13 = p->zB * p->mB;
+    const double t18 = p->rF * p->mF;
+    const double t23 = (p->rF * t18) + (p->IHxx + p->IFxx);
+    const double M_11 = (p->rR * t2) + (p->IBxx + (p->zH * t7)) + ((p->zB * t13) + (p->IRxx + t23));
+    double wx_delta2_delta = 0.0;
     double cos_lam = 0.0;
-    carvallo_sin_cos_f64(p->lam, &sin_lam, &cos_lam);
-    const double t35 = p->c + p->w;
-    const double t36 = p->xH - t35;
-    const double t37 = p->mH * t36;
-    const double Jxz_delta = p->IHxz - (t10 * p->c) - (p->zH * t37);
-    const double hx_delta = (Jxx_delta * sin_lam) + (Jxz_delta * cos_lam);
+    carvallo_sin_cos_f64(p->lam, &wx_delta2_delta, &cos_lam);
     const double yaw_per_v_delta = cos_lam / p->w;
     const double yaw_by_delta = p->c * yaw_per_v_delta;
-    const double Sz_delta = t6 - t10;
-    const double Jxz_all = Jxz_delta + p->IBxz - (t21 * p->xB) - (t35 * Sz_delta);
-    const double M_12 = hx_delta + (yaw_by_delta * Jxz_all);
-    const double t58 = p->mF * p->c;
-    const double t61 = p->IFxx + p->IHzz;
-    const double hz_delta = (sin_lam * Jxz_delta) + (cos_lam * ((t36 * t37) + (p->c * t58) + t61));
-    const double Sx_delta = t37 - t58;
-    const double py_delta = (cos_lam * Sx_delta) - (sin_lam * Sz_delta);
-    const double M_yaw_delta = hz_delta + (t35 * py_delta);
-    const double t73 = p->mB * p->xB;
-    const double t75 = p->mH * p->xH;
-    const double t77 = p->mF * p->w;
-    const double t84 = yaw_by_delta * (p->IRxx + t61 + p->IBzz + (p->xB * t73) + (p->xH * t75) +
-        (p->w * t77));
-    const double P_delta_yaw = M_yaw_delta + t84;
-    const double M_22 = (yaw_by_delta * (M_yaw_delta + P_delta_yaw)) + (sin_lam * hx_delta) +
-        (cos_lam * hz_delta);
+    const double t35 = p->mB * p->xB;
+    const double t37 = p->IBxz - (p->zB * t35);
+    const double wz_delta2_delta = cos_lam + yaw_by_delta;
+    const double t41 = p->IHxz * wz_delta2_delta;
+    const double ay_all1_delta = t23 * wx_delta2_delta;
+    const double t44 = t41 + ay_all1_delta;
+    const double t52 = (p->zH * wx_delta2_delta) - ((p->xH * wz_delta2_delta) - (cos_lam * (p->c +
+        p->w)));
+    const double t53 = p->mH * t52;
+    const double M_12 = (yaw_by_delta * t37) + t44 + (p->zH * t53);
+    const double h_wheels_all = wx_delta2_delta * (t41 + t44);
+    const double t60 = wz_delta2_delta * (p->IFxx + p->IHzz);
+    const double t67 = yaw_by_delta * (p->IRxx + ((p->xB * t35) + p->IBzz));
+    const double M_22 = h_wheels_all + (wz_delta2_delta * t60) + ((t67 * yaw_by_delta) + (t52 *
+        t53));
+    const double t77 = t13 + t7 - t2;
     const double h_spin_F = p->IFyy / p->rF;
-    const double h_wheels_all = h_spin_F + (p->IRyy / p->rR);
-    const double Sz_all = t21 + Sz_delta - t17;
-    const double t101 = h_wheels_all - Sz_all;
-    const double t104 = cos_lam * h_spin_F;
-    const double C1_12 = (yaw_by_delta * t101) + (yaw_per_v_delta * Jxz_all) + t104;
-    const double Sx_all = t73 + t75 + t77;
-    const double P_delta_lateral = py_delta + (yaw_by_delta * Sx_all);
-    const double C1_22 = (yaw_by_delta * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
-    const double K2_12 = yaw_per_v_delta * t101;
-    const double K2_22 = yaw_per_v_delta * (P_delta_lateral + (sin_lam * h_spin_F));
-    const double C1_21 = -(t104 + (yaw_by_delta * h_wheels_all));
-    const double K0_12 = -P_delta_lateral;
-    const double K0_22 = -(sin_lam * P_delta_lateral);
+    const double h_spin_R = p->IRyy / p->rR;
+    const double t87 = (wz_delta2_delta * h_spin_F) + (yaw_by_delta * h_spin_R);
+    const double t90 = (t18 * wz_delta2_delta) + (yaw_per_v_delta * p->IHxz);
+    const double t96 = t53 - (yaw_by_delta * t35);
+    const double K0_11 = t77 - t18;
+    const double K0_12 = t96 - (t18 * wx_delta2_delta);
+    const double K0_22 = wx_delta2_delta * K0_12;
+    const double K2_12 = yaw_per_v_delta * (h_spin_F - (K0_11 - h_spin_R));
+    const double K2_22 = yaw_per_v_delta * ((wx_delta2_delta * h_spin_F) - K0_12);
+    const double C1_12 = t87 + t90 - (yaw_per_v_delta * ((t7 * p->xH) - t37 + (p->c * t77)));
+    const double C1_21 = -t87;
+    const double C1_22 = (wx_delta2_delta * t90) - (yaw_per_v_delta * ((p->c * t96) - (t67 + (t60 -
+        (p->xH * t53)))));
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -460,7 +454,7 @@ void whipple_sprung_f64_matrices(const whipple_sprung_f64_t *p, whipple_sprung_f
     matrices->kc[0][1] = 0.0;
     matrices->kc[1][0] = 0.0;
     matrices->kc[1][1] = p->k;
-    matrices->k0[0][0] = Sz_all;
+    matrices->k0[0][0] = K0_11;
     matrices->k0[0][1] = K0_12;
     matrices->k0[1][0] = K0_12;
     matrices->k0[1][1] = K0_22;
@@ -604,226 +598,201 @@ void whipple_sprung_f64_kinematics(const whipple_sprung_f64_t *p, whipple_sprung
 void whipple_sprung_f64_derivatives(const whipple_sprung_f64_t *p,
     whipple_sprung_f64_matrices_t *matrices, whipple_sprung_f64_derivatives_t *derivatives)
 {
-    const double M_11_mB = p->zB * p->zB;
-    const double hx_delta_rF = p->mB * M_11_mB;
-    const double t7 = p->zH * p->mH;
-    const double t13 = p->rF * p->mF;
-    const double Jxx_delta = (p->zH * t7) + p->IHxx + p->IFxx + (p->rF * t13);
+    const double t2 = p->zH * p->mH;
+    const double t8 = p->rF * p->mF;
+    const double t13 = (p->rF * t8) + p->IHxx + p->IFxx;
     const double M_11_mR = p->rR * p->rR;
-    const double M_11 = p->IRxx + hx_delta_rF + Jxx_delta + p->IBxx + (p->mR * M_11_mR);
-    double sin_lam = 0.0;
-    double cos_lam = 0.0;
-    carvallo_sin_cos_f64(p->lam, &sin_lam, &cos_lam);
-    const double t31 = 1.0 / p->w;
-    const double t32 = p->c * t31;
-    const double yaw_by_delta = cos_lam * t32;
-    const double t34 = t13 * p->c;
-    const double t37 = p->c + p->w;
-    const double t38 = p->xH - t37;
-    const double t39 = p->mH * t38;
-    const double t42 = t34 + (p->zH * t39) - p->IHxz;
-    const double t44 = p->mB * p->xB;
-    const double Sz_delta = t7 - t13;
-    const double t51 = t42 + (p->zB * t44) + (t37 * Sz_delta) - p->IBxz;
-    const double t52 = yaw_by_delta * t51;
-    const double t55 = cos_lam * t42;
-    const double hx_delta = (Jxx_delta * sin_lam) - t55;
-    const double M_12 = hx_delta - t52;
-    const double t58 = t42 * sin_lam;
-    const double t61 = p->IFxx + p->IHzz;
-    const double t62 = p->mF * p->c;
-    const double t65 = (t38 * t39) + t61 + (p->c * t62);
-    const double t67 = t58 - (cos_lam * t65);
-    const double t68 = p->mF * cos_lam;
-    const double t69 = p->c * t68;
-    const double t71 = t69 - (t13 * sin_lam);
-    const double t73 = p->zH * sin_lam;
-    const double t74 = (cos_lam * t38) - t73;
-    const double t75 = p->mH * t74;
-    const double t76 = t75 - t71;
-    const double t78 = t67 - (t37 * t76);
-    const double yaw_per_v_delta = cos_lam * t31;
-    const double t81 = p->mH * p->xH;
-    const double t83 = p->mF * p->w;
-    const double t91 = yaw_per_v_delta * (p->IRxx + t61 + (p->xB * t44) + (p->xH * t81) + (p->w *
-        t83) + p->IBzz);
-    const double t92 = p->c * t91;
-    const double t93 = t78 - t92;
-    const double M_22 = (sin_lam * hx_delta) - (cos_lam * (t67 + (t32 * (t78 + t93))));
-    const double t103 = 1.0 / p->rF;
-    const double h_spin_F = p->IFyy * t103;
-    const double t105 = cos_lam * h_spin_F;
-    const double t107 = 1.0 / p->rR;
-    const double t108 = p->IRyy * t107;
-    const double h_wheels_all = h_spin_F + t108;
-    const double t110 = p->mR * p->rR;
-    const double t111 = p->mB * p->zB;
-    const double K0_11 = Sz_delta + t111 - t110;
-    const double t114 = h_wheels_all - K0_11;
-    const double t116 = t51 - (p->c * t114);
-    const double t117 = yaw_per_v_delta * t116;
-    const double C1_12 = t105 - t117;
-    const double t120 = h_spin_F + (t32 * h_wheels_all);
-    const double Sx_all = t44 + t81 + t83;
-    const double t124 = yaw_by_delta * Sx_all;
-    const double t125 = t76 + t124;
-    const double t127 = t93 - (p->c * t125);
-    const double K2_12 = yaw_per_v_delta * t114;
-    const double t132 = sin_lam * h_spin_F;
-    const double t133 = t125 + t132;
-    const double K2_22 = yaw_per_v_delta * t133;
-    const double C1_12_h_spin_F = cos_lam + yaw_by_delta;
-    const double P_delta_lateral_xH = p->mH * C1_12_h_spin_F;
-    const double t138 = p->zH * P_delta_lateral_xH;
-    const double t139 = (yaw_by_delta * Sz_delta) - t138;
-    const double hx_delta_mH = t31 * t52;
-    const double M_12_w = hx_delta_mH - t139;
-    const double t142 = t75 + t75;
-    const double t143 = cos_lam * t142;
-    const double t144 = yaw_by_delta + yaw_by_delta;
-    const double t145 = t31 * t93;
-    const double P_delta_lateral_yaw_per_v_delta = p->w * yaw_per_v_delta;
-    const double t147 = t62 * P_delta_lateral_yaw_per_v_delta;
-    const double t148 = p->mH * cos_lam;
-    const double t149 = p->xH * t148;
-    const double t151 = t147 - t71 - t149;
-    const double hz_delta_mF = t145 + t151;
-    const double M_22_w = (t144 * hz_delta_mF) - t143;
-    const double t155 = t13 * cos_lam;
-    const double C1_12_w = t31 * (t117 + t155);
-    const double t158 = yaw_per_v_delta * h_wheels_all;
-    const double C1_21_w = t32 * t158;
-    const double K0_12_w = t148 - (t31 * (t69 - t124));
-    const double t165 = t31 * (t92 - t127);
-    const double C1_22_w = yaw_per_v_delta * (t147 + t151 - (p->c * K0_12_w) - t165);
-    const double K0_22_w = sin_lam * K0_12_w;
-    const double t171 = t31 * K2_12;
-    const double t172 = t31 * t133;
-    const double t174 = yaw_per_v_delta * (K0_12_w + t172);
-    const double t178 = t139 + t155 + (yaw_per_v_delta * (t34 + t51));
-    const double t179 = t145 + t145;
-    const double t183 = t37 * t68;
-    const double t185 = t69 - t149 - t183;
-    const double M_22_c = (t144 * t185) - (cos_lam * (t76 + t76 + t179));
-    const double K0_12_c = t68 + t148 - (yaw_per_v_delta * Sx_all);
-    const double C1_22_c = yaw_per_v_delta * (t91 + t125 + t185 - (p->c * K0_12_c));
-    const double K0_22_c = sin_lam * K0_12_c;
-    const double t197 = yaw_per_v_delta * K0_12_c;
-    const double hx_delta_lam = t58 + (Jxx_delta * cos_lam);
-    const double t200 = t31 * sin_lam;
-    const double t201 = p->c * t200;
-    const double P_delta_yaw_mH = t51 * t201;
-    const double M_12_lam = hx_delta_lam + P_delta_yaw_mH;
-    const double t205 = t55 + (sin_lam * t65);
-    const double t209 = (cos_lam * Sz_delta) - (sin_lam * (t62 - t39));
-    const double t211 = t205 + (t37 * t209);
-    const double M_22_lam = (sin_lam * (t67 + hx_delta_lam + (p->c * t179))) + (cos_lam *
-        (hx_delta - t205)) - (t144 * t211);
-    const double C1_12_lam = (t116 * t200) - t132;
-    const double C1_21_lam = sin_lam * t120;
-    const double K0_12_lam = t209 + (Sx_all * t201);
-    const double t230 = (yaw_per_v_delta * (t211 + (p->c * K0_12_lam))) + (sin_lam * t165);
-    const double K0_22_lam = (sin_lam * K0_12_lam) - (cos_lam * t125);
-    const double t234 = t114 * t200;
-    const double K2_22_lam = (yaw_per_v_delta * (t105 - K0_12_lam)) - (sin_lam * t172);
-    const double M_11_rR = t110 + t110;
-    const double t241 = p->mR - (t107 * t108);
-    const double C1_12_rR = yaw_by_delta * t241;
-    const double K2_12_IRyy = yaw_per_v_delta * t107;
-    const double C1_12_IRyy = p->c * K2_12_IRyy;
-    const double C1_21_rR = t108 * C1_12_IRyy;
-    const double K2_12_rR = yaw_per_v_delta * t241;
+    const double t20 = p->zB * p->mB;
+    const double M_11 = (p->zH * t2) + p->IRxx + p->IBxx + t13 + (p->mR * M_11_mR) + (p->zB * t20);
+    double wx_delta2_delta = 0.0;
+    double wx_delta2_delta_lam = 0.0;
+    carvallo_sin_cos_f64(p->lam, &wx_delta2_delta, &wx_delta2_delta_lam);
+    const double t34 = 1.0 / p->w;
+    const double t35 = p->c * t34;
+    const double t39 = p->xH + (p->xH * t35) - p->c - p->w;
+    const double K0_12_mH = (p->zH * wx_delta2_delta) - (wx_delta2_delta_lam * t39);
+    const double M_12_mH = p->zH * K0_12_mH;
+    const double yaw_by_delta = wx_delta2_delta_lam * t35;
+    const double wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
+    const double t49 = (t13 * wx_delta2_delta) + (p->IHxz * wz_delta2_delta);
+    const double t53 = p->IBxz - (t20 * p->xB);
+    const double M_12 = (p->mH * M_12_mH) + t49 + (yaw_by_delta * t53);
+    const double t58 = p->IFxx + p->IHzz;
+    const double t60 = wx_delta2_delta * p->IHxz;
+    const double t61 = (wz_delta2_delta * t58) + t60;
+    const double t63 = p->mB * p->xB;
+    const double C1_12_yaw_by_delta = p->xB * t63;
+    const double t66 = p->IRxx + p->IBzz + C1_12_yaw_by_delta;
+    const double t68 = t61 + (yaw_by_delta * t66);
+    const double t70 = t61 + (t35 * t68);
+    const double t73 = p->mH * K0_12_mH;
+    const double M_22 = (wx_delta2_delta_lam * t70) + (wx_delta2_delta * t49) + (K0_12_mH * t73);
+    const double t80 = 1.0 / p->rF;
+    const double h_spin_F = p->IFyy * t80;
+    const double t82 = wx_delta2_delta_lam * h_spin_F;
+    const double yaw_per_v_delta = wx_delta2_delta_lam * t34;
+    const double t85 = 1.0 / p->rR;
+    const double h_spin_R = p->IRyy * t85;
+    const double t87 = h_spin_F + h_spin_R;
+    const double t88 = yaw_per_v_delta * t87;
+    const double C1_12_yaw_per_v_delta = p->c * t88;
+    const double t90 = t82 + C1_12_yaw_per_v_delta;
+    const double t91 = p->IHxz + t53;
+    const double t93 = p->mR * p->rR;
+    const double K0_11 = t20 - (t8 + t93 - t2);
+    const double t99 = t91 - (p->c * K0_11) - (t2 * p->xH);
+    const double t100 = yaw_per_v_delta * t99;
+    const double t101 = t8 * wx_delta2_delta_lam;
+    const double C1_12 = t90 + t100 + t101;
+    const double t104 = p->rF * wx_delta2_delta;
+    const double t105 = p->mF * t104;
+    const double t107 = yaw_by_delta * t63;
+    const double t108 = t107 - t73;
+    const double t111 = t68 - (p->xH * t73);
+    const double C1_22 = (wz_delta2_delta * t105) + (yaw_by_delta * t108) + (yaw_per_v_delta *
+        t111);
+    const double t116 = t105 + t108;
+    const double K2_12_yaw_per_v_delta = t87 - K0_11;
+    const double K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
+    const double t120 = wx_delta2_delta * h_spin_F;
+    const double K2_22_yaw_per_v_delta = t116 + t120;
+    const double K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
+    const double t123 = yaw_per_v_delta * t91;
+    const double t125 = p->xH * yaw_per_v_delta;
+    const double t127 = wx_delta2_delta_lam + (t35 * t125);
+    const double M_22_yaw_by_delta = t2 * t127;
+    const double M_12_w = M_22_yaw_by_delta - (t35 * t123);
+    const double t130 = t73 + t73;
+    const double t132 = t68 * yaw_per_v_delta;
+    const double t133 = t132 + t132;
+    const double M_22_w = (t127 * t130) - (t35 * t133);
+    const double t137 = t34 * (C1_12_yaw_per_v_delta + t100);
+    const double C1_21_w = t35 * t88;
+    const double t139 = p->xH + p->c;
+    const double t140 = p->mH * t127;
+    const double t142 = t58 * yaw_per_v_delta;
+    const double C1_22_yaw_per_v_delta = t107 + t116 + t142 + (t66 * yaw_per_v_delta);
+    const double t149 = t34 * (t111 + (p->c * C1_22_yaw_per_v_delta));
+    const double t151 = yaw_per_v_delta * ((t139 * t140) + t149);
+    const double t152 = t63 * yaw_per_v_delta;
+    const double K0_12_w = t140 + (t35 * t152);
+    const double K0_22_w = wx_delta2_delta * K0_12_w;
+    const double t156 = t34 * K2_12;
+    const double t159 = t34 * (K2_22 + (wx_delta2_delta_lam * K0_12_w));
+    const double t160 = wx_delta2_delta_lam - t125;
+    const double M_12_c = t123 + (t2 * t160);
+    const double M_22_c = t133 + (t130 * t160);
+    const double t165 = p->mH * t160;
+    const double C1_22_c = yaw_per_v_delta * (C1_22_yaw_per_v_delta - (t139 * t165));
+    const double K0_12_c = t165 - t152;
+    const double K0_22_c = wx_delta2_delta * K0_12_c;
+    const double t171 = yaw_per_v_delta * K0_12_c;
+    const double C1_22_wz_delta2_delta = t13 * wx_delta2_delta_lam;
+    const double t173 = wx_delta2_delta * t34;
+    const double t174 = p->c * t173;
+    const double t177 = p->zH * wx_delta2_delta_lam;
+    const double t178 = (wx_delta2_delta * t39) + t177;
+    const double t182 = t60 + (t91 * t174) - C1_22_wz_delta2_delta - (t2 * t178);
+    const double t187 = (wx_delta2_delta * t70) - (wx_delta2_delta_lam * t49) - (t73 * t178);
+    const double t188 = t187 + t187;
+    const double C1_21_lam = t120 + (t87 * t174);
+    const double t193 = t105 + (t99 * t173) + C1_21_lam;
+    const double t194 = wx_delta2_delta_lam * yaw_per_v_delta;
+    const double t200 = p->mH * t178;
+    const double t201 = yaw_by_delta + t125;
+    const double C1_22_lam = (p->IHxz * t194) + (wz_delta2_delta * t101) - (wx_delta2_delta *
+        (t105 + t142 + t149)) - (t200 * t201);
+    const double K0_12_lam = t200 + (t63 * t174) - t101;
+    const double K0_22_lam = (wx_delta2_delta * K0_12_lam) - (wx_delta2_delta_lam * t116);
+    const double t212 = K2_12_yaw_per_v_delta * t173;
+    const double K2_22_lam = (yaw_per_v_delta * (t82 - K0_12_lam)) - (K2_22_yaw_per_v_delta * t173);
+    const double M_11_rR = t93 + t93;
+    const double K2_12_rR = yaw_per_v_delta * (p->mR - (t85 * h_spin_R));
+    const double C1_12_rR = p->c * K2_12_rR;
+    const double C1_12_IRyy = yaw_by_delta * t85;
+    const double C1_21_rR = h_spin_R * C1_12_IRyy;
+    const double C1_12_mR = p->rR * yaw_by_delta;
     const double K2_12_mR = p->rR * yaw_per_v_delta;
-    const double C1_12_mR = p->c * K2_12_mR;
+    const double M_22_IRxx = yaw_by_delta * yaw_by_delta;
     const double C1_22_IRxx = yaw_by_delta * yaw_per_v_delta;
-    const double M_22_IRxx = p->c * C1_22_IRxx;
-    const double t252 = yaw_by_delta * t111;
-    const double P_delta_lateral_mB = yaw_by_delta * p->xB;
-    const double t254 = p->mB * P_delta_lateral_mB;
-    const double M_22_xB = t144 * t254;
-    const double t256 = p->zB * yaw_per_v_delta;
-    const double t257 = p->mB * t256;
-    const double K2_22_xB = p->mB * C1_22_IRxx;
-    const double P_delta_yaw_mB = p->c + p->xB;
-    const double C1_22_xB = K2_22_xB * (p->xB + P_delta_yaw_mB);
-    const double P_delta_lateral_xB = p->mB * yaw_by_delta;
-    const double t263 = sin_lam * P_delta_lateral_xB;
-    const double M_11_zB = t111 + t111;
-    const double t265 = p->mB * yaw_per_v_delta;
-    const double t266 = P_delta_yaw_mB * t265;
-    const double t267 = p->zB * P_delta_lateral_mB;
-    const double M_22_mB = P_delta_lateral_mB * P_delta_lateral_mB;
-    const double t269 = t256 * P_delta_yaw_mB;
-    const double K2_22_mB = yaw_per_v_delta * P_delta_lateral_mB;
-    const double C1_22_mB = P_delta_yaw_mB * K2_22_mB;
-    const double t272 = sin_lam * P_delta_lateral_mB;
-    const double t273 = t75 + t149;
-    const double t274 = t81 * t144;
-    const double t275 = t273 + t274;
-    const double M_22_xH = t143 + (yaw_by_delta * (t273 + t275));
-    const double t279 = t7 * yaw_per_v_delta;
-    const double C1_22_xH = yaw_per_v_delta * (t275 + (p->c * P_delta_lateral_xH));
-    const double K0_12_zH = p->mH * sin_lam;
-    const double t284 = C1_12_h_spin_F * K0_12_zH;
-    const double C1_22_IHzz = yaw_per_v_delta * C1_12_h_spin_F;
+    const double K2_12_IRyy = yaw_per_v_delta * t85;
+    const double t230 = p->mB * yaw_per_v_delta;
+    const double t231 = p->c * t230;
+    const double t232 = p->zB * t231;
+    const double t233 = yaw_by_delta * p->xB;
+    const double t234 = t231 * t233;
+    const double M_22_xB = t234 + t234;
+    const double t236 = p->zB * yaw_per_v_delta;
+    const double t237 = p->mB * t236;
+    const double t238 = t152 + t231;
+    const double C1_22_xB = yaw_by_delta * (t152 + t238);
+    const double t241 = wx_delta2_delta * t231;
+    const double K2_22_xB = yaw_by_delta * t230;
+    const double M_11_zB = t20 + t20;
+    const double M_11_mB = p->zB * p->zB;
+    const double t245 = p->zB * t233;
+    const double M_22_mB = t233 * t233;
+    const double t247 = p->c + p->xB;
+    const double t248 = t236 * t247;
+    const double K2_22_mB = yaw_per_v_delta * t233;
+    const double C1_22_mB = t247 * K2_22_mB;
+    const double t251 = wx_delta2_delta * t233;
+    const double t252 = t2 * wz_delta2_delta;
+    const double t253 = p->mH * wz_delta2_delta;
+    const double t254 = K0_12_mH * t253;
+    const double t255 = t254 + t254;
+    const double t256 = t2 * yaw_per_v_delta;
+    const double C1_22_IHzz = t194 + C1_22_IRxx;
+    const double t259 = K0_12_mH * yaw_per_v_delta;
+    const double C1_22_xH = p->mH * ((t139 * C1_22_IHzz) - t259);
+    const double t262 = wx_delta2_delta * t253;
     const double K2_22_xH = p->mH * C1_22_IHzz;
-    const double Jxx_delta_zH = t7 + t7;
-    const double t289 = t74 + (yaw_by_delta * p->xH);
-    const double M_12_zH = p->mH * (t73 - t289);
-    const double t293 = sin_lam * (t142 + t274);
-    const double t294 = p->c + p->xH;
-    const double t295 = t31 * t148;
-    const double t296 = t294 * t295;
-    const double t297 = sin_lam * t295;
-    const double t298 = t294 * t297;
-    const double K0_22_zH = sin_lam * K0_12_zH;
-    const double Jxx_delta_mH = p->zH * p->zH;
-    const double t301 = p->zH * t289;
-    const double M_22_mH = t289 * t289;
-    const double t303 = p->zH * yaw_per_v_delta;
-    const double t304 = t294 * t303;
-    const double K2_22_mH = yaw_per_v_delta * t289;
-    const double C1_22_mH = t294 * K2_22_mH;
-    const double t307 = sin_lam * t289;
-    const double M_22_IHxx = sin_lam * sin_lam;
-    const double t309 = yaw_by_delta + C1_12_h_spin_F;
-    const double M_22_yaw_per_v_delta = cos_lam * t309;
-    const double M_22_IHzz = M_22_IRxx + M_22_yaw_per_v_delta;
-    const double M_22_IHxz = sin_lam * (cos_lam + t309);
-    const double K2_22_h_spin_F = sin_lam * yaw_per_v_delta;
-    const double t315 = p->mF + p->mF;
-    const double M_11_rF = p->rF * t315;
-    const double t317 = p->rF * sin_lam;
-    const double t319 = p->c * (cos_lam - P_delta_lateral_yaw_per_v_delta);
-    const double P_delta_lateral_mF = t317 - t319;
-    const double M_12_rF = p->mF * (t317 + P_delta_lateral_mF);
-    const double t323 = sin_lam * P_delta_lateral_mF;
-    const double M_22_rF = t315 * t323;
-    const double C1_12_IFyy = t103 * C1_12_h_spin_F;
+    const double M_11_zH = t2 + t2;
+    const double M_12_zH = t73 + (t2 * wx_delta2_delta);
+    const double t267 = wx_delta2_delta + wx_delta2_delta;
+    const double M_22_zH = t73 * t267;
+    const double t269 = p->mH * yaw_per_v_delta;
+    const double t270 = t139 * t269;
+    const double K2_22_h_spin_F = wx_delta2_delta * yaw_per_v_delta;
+    const double t272 = p->mH * K2_22_h_spin_F;
+    const double t273 = t139 * t272;
+    const double K0_12_zH = p->mH * wx_delta2_delta;
+    const double K0_22_zH = wx_delta2_delta * K0_12_zH;
+    const double M_11_mH = p->zH * p->zH;
+    const double M_22_mH = K0_12_mH * K0_12_mH;
+    const double t278 = p->zH * t201;
+    const double t279 = K0_12_mH * t201;
+    const double K0_22_mH = wx_delta2_delta * K0_12_mH;
+    const double t281 = t34 * t177;
+    const double M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+    const double M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+    const double M_22_IHxz = wz_delta2_delta * t267;
+    const double M_11_rF = t8 + t8;
+    const double M_12_rF = t105 + t105;
+    const double M_22_rF = t105 * t267;
+    const double t289 = p->mF - (t80 * h_spin_F);
+    const double C1_12_rF = wz_delta2_delta * t289;
+    const double C1_12_IFyy = wz_delta2_delta * t80;
     const double C1_21_rF = h_spin_F * C1_12_IFyy;
-    const double t327 = t31 * t183;
-    const double C1_12_rF = t327 - C1_21_rF;
-    const double C1_22_rF = sin_lam * t327;
-    const double P_delta_lateral_rF = p->mF * sin_lam;
-    const double t331 = p->mF * M_22_IHxx;
-    const double t333 = (t103 * t105) - t68;
-    const double t334 = t31 * t333;
-    const double t335 = t200 * t333;
+    const double t293 = p->mF * wx_delta2_delta;
+    const double C1_22_rF = wz_delta2_delta * t293;
+    const double t295 = wx_delta2_delta * t293;
+    const double K2_12_rF = yaw_per_v_delta * t289;
+    const double K2_22_rF = wx_delta2_delta * K2_12_rF;
     const double M_11_mF = p->rF * p->rF;
-    const double M_12_mF = p->rF * P_delta_lateral_mF;
-    const double M_22_mF = P_delta_lateral_mF * P_delta_lateral_mF;
+    const double M_12_mF = p->rF * t104;
+    const double t300 = wx_delta2_delta * t104;
+    const double M_22_mF = p->rF * t300;
+    const double C1_12_mF = p->rF * wz_delta2_delta;
+    const double C1_22_mF = wz_delta2_delta * t104;
     const double K2_12_mF = p->rF * yaw_per_v_delta;
-    const double C1_12_mF = t37 * K2_12_mF;
-    const double K2_22_mF = yaw_per_v_delta * P_delta_lateral_mF;
-    const double C1_22_mF = t37 * K2_22_mF;
+    const double K2_22_mF = wx_delta2_delta * K2_12_mF;
     const double M_22_IFxx = M_22_IHxx + M_22_IHzz;
-    const double K2_12_IFyy = yaw_per_v_delta * t103;
-    const double K2_22_IFyy = t103 * K2_22_h_spin_F;
-    const double C1_21 = -(cos_lam * t120);
-    const double C1_22 = -(yaw_per_v_delta * t127);
-    const double K0_12 = -t125;
-    const double K0_22 = -(sin_lam * t125);
-    const double K0_12_mF = t319 - t317;
+    const double K2_12_IFyy = t80 * yaw_per_v_delta;
+    const double K2_22_IFyy = t80 * K2_22_h_spin_F;
+    const double C1_21 = -t90;
+    const double K0_12 = -t116;
+    const double K0_22 = -(wx_delta2_delta * t116);
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -850,29 +819,29 @@ void whipple_sprung_f64_derivatives(const whipple_sprung_f64_t *p,
     matrices->k2[1][1] = K2_22;
     derivatives->values[0] = M_12_w;
     derivatives->values[1] = M_22_w;
-    derivatives->values[2] = C1_12_w;
+    derivatives->values[2] = t137;
     derivatives->values[3] = C1_21_w;
-    derivatives->values[4] = C1_22_w;
+    derivatives->values[4] = t151;
     derivatives->values[5] = K0_12_w;
     derivatives->values[6] = K0_22_w;
-    derivatives->values[7] = t171;
-    derivatives->values[8] = t174;
-    derivatives->values[9] = t178;
+    derivatives->values[7] = t156;
+    derivatives->values[8] = t159;
+    derivatives->values[9] = M_12_c;
     derivatives->values[10] = M_22_c;
     derivatives->values[11] = K2_12;
-    derivatives->values[12] = t158;
+    derivatives->values[12] = t88;
     derivatives->values[13] = C1_22_c;
     derivatives->values[14] = K0_12_c;
     derivatives->values[15] = K0_22_c;
-    derivatives->values[16] = t197;
-    derivatives->values[17] = M_12_lam;
-    derivatives->values[18] = M_22_lam;
-    derivatives->values[19] = C1_12_lam;
+    derivatives->values[16] = t171;
+    derivatives->values[17] = t182;
+    derivatives->values[18] = t188;
+    derivatives->values[19] = t193;
     derivatives->values[20] = C1_21_lam;
-    derivatives->values[21] = t230;
+    derivatives->values[21] = C1_22_lam;
     derivatives->values[22] = K0_12_lam;
     derivatives->values[23] = K0_22_lam;
-    derivatives->values[24] = t234;
+    derivatives->values[24] = t212;
     derivatives->values[25] = K2_22_lam;
     derivatives->values[26] = M_11_rR;
     derivatives->values[27] = C1_12_rR;
@@ -888,62 +857,62 @@ void whipple_sprung_f64_derivatives(const whipple_sprung_f64_t *p,
     derivatives->values[37] = C1_22_IRxx;
     derivatives->values[38] = C1_12_IRyy;
     derivatives->values[39] = K2_12_IRyy;
-    derivatives->values[40] = t252;
+    derivatives->values[40] = t232;
     derivatives->values[41] = M_22_xB;
-    derivatives->values[42] = t257;
+    derivatives->values[42] = t237;
     derivatives->values[43] = C1_22_xB;
-    derivatives->values[44] = P_delta_lateral_xB;
-    derivatives->values[45] = t263;
+    derivatives->values[44] = t231;
+    derivatives->values[45] = t241;
     derivatives->values[46] = K2_22_xB;
     derivatives->values[47] = M_11_zB;
-    derivatives->values[48] = t254;
-    derivatives->values[49] = t266;
+    derivatives->values[48] = t107;
+    derivatives->values[49] = t238;
     derivatives->values[50] = p->mB;
-    derivatives->values[51] = t265;
+    derivatives->values[51] = t230;
     derivatives->values[52] = M_11_mB;
-    derivatives->values[53] = t267;
+    derivatives->values[53] = t245;
     derivatives->values[54] = M_22_mB;
-    derivatives->values[55] = t269;
+    derivatives->values[55] = t248;
     derivatives->values[56] = C1_22_mB;
     derivatives->values[57] = p->zB;
-    derivatives->values[58] = P_delta_lateral_mB;
-    derivatives->values[59] = t272;
-    derivatives->values[60] = t256;
+    derivatives->values[58] = t233;
+    derivatives->values[59] = t251;
+    derivatives->values[60] = t236;
     derivatives->values[61] = K2_22_mB;
     derivatives->values[62] = yaw_by_delta;
     derivatives->values[63] = yaw_per_v_delta;
-    derivatives->values[64] = t138;
-    derivatives->values[65] = M_22_xH;
-    derivatives->values[66] = t279;
+    derivatives->values[64] = t252;
+    derivatives->values[65] = t255;
+    derivatives->values[66] = t256;
     derivatives->values[67] = C1_22_xH;
-    derivatives->values[68] = P_delta_lateral_xH;
-    derivatives->values[69] = t284;
+    derivatives->values[68] = t253;
+    derivatives->values[69] = t262;
     derivatives->values[70] = K2_22_xH;
-    derivatives->values[71] = Jxx_delta_zH;
+    derivatives->values[71] = M_11_zH;
     derivatives->values[72] = M_12_zH;
-    derivatives->values[73] = t293;
-    derivatives->values[74] = t296;
-    derivatives->values[75] = t298;
+    derivatives->values[73] = M_22_zH;
+    derivatives->values[74] = t270;
+    derivatives->values[75] = t273;
     derivatives->values[76] = p->mH;
     derivatives->values[77] = K0_12_zH;
     derivatives->values[78] = K0_22_zH;
-    derivatives->values[79] = t295;
-    derivatives->values[80] = t297;
-    derivatives->values[81] = Jxx_delta_mH;
-    derivatives->values[82] = t301;
+    derivatives->values[79] = t269;
+    derivatives->values[80] = t272;
+    derivatives->values[81] = M_11_mH;
+    derivatives->values[82] = M_12_mH;
     derivatives->values[83] = M_22_mH;
-    derivatives->values[84] = t304;
-    derivatives->values[85] = C1_22_mH;
+    derivatives->values[84] = t278;
+    derivatives->values[85] = t279;
     derivatives->values[86] = p->zH;
-    derivatives->values[87] = t289;
-    derivatives->values[88] = t307;
-    derivatives->values[89] = t303;
-    derivatives->values[90] = K2_22_mH;
-    derivatives->values[91] = sin_lam;
+    derivatives->values[87] = K0_12_mH;
+    derivatives->values[88] = K0_22_mH;
+    derivatives->values[89] = t281;
+    derivatives->values[90] = t259;
+    derivatives->values[91] = wx_delta2_delta;
     derivatives->values[92] = M_22_IHxx;
     derivatives->values[93] = M_22_IHzz;
     derivatives->values[94] = C1_22_IHzz;
-    derivatives->values[95] = C1_12_h_spin_F;
+    derivatives->values[95] = wz_delta2_delta;
     derivatives->values[96] = M_22_IHxz;
     derivatives->values[97] = K2_22_h_spin_F;
     derivatives->values[98] = M_11_rF;
@@ -953,18 +922,18 @@ void whipple_sprung_f64_derivatives(const whipple_sprung_f64_t *p,
     derivatives->values[102] = C1_21_rF;
     derivatives->values[103] = C1_22_rF;
     derivatives->values[104] = p->mF;
-    derivatives->values[105] = P_delta_lateral_rF;
-    derivatives->values[106] = t331;
-    derivatives->values[107] = t334;
-    derivatives->values[108] = t335;
+    derivatives->values[105] = t293;
+    derivatives->values[106] = t295;
+    derivatives->values[107] = K2_12_rF;
+    derivatives->values[108] = K2_22_rF;
     derivatives->values[109] = M_11_mF;
     derivatives->values[110] = M_12_mF;
     derivatives->values[111] = M_22_mF;
     derivatives->values[112] = C1_12_mF;
     derivatives->values[113] = C1_22_mF;
     derivatives->values[114] = p->rF;
-    derivatives->values[115] = K0_12_mF;
-    derivatives->values[116] = t323;
+    derivatives->values[115] = t104;
+    derivatives->values[116] = t300;
     derivatives->values[117] = K2_12_mF;
     derivatives->values[118] = K2_22_mF;
     derivatives->values[119] = M_22_IFxx;
@@ -1148,53 +1117,47 @@ whipple_sprung_validity_t whipple_sprung_f32_validate(const whipple_sprung_f32_t
 
 void whipple_sprung_f32_matrices(const whipple_sprung_f32_t *p, whipple_sprung_f32_matrices_t *matrices)
 {
-    const float t6 = p->zH * p->mH;
-    const float t10 = p->rF * p->mF;
-    const float Jxx_delta = p->IHxx + p->IFxx + (p->zH * t6) + (p->rF * t10);
-    const float t17 = p->rR * p->mR;
-    const float t21 = p->zB * p->mB;
-    const float M_11 = p->IRxx + p->IBxx + Jxx_delta + (p->rR * t17) + (p->zB * t21);
-    float sin_lam = 0.0F;
+    const float t2 = p->rR * p->mR;
+    const float t7 = p->zH * p->mH;
+    const float t13 = p->zB * p->mB;
+    const float t18 = p->rF * p->mF;
+    const float t23 = (p->rF * t18) + (p->IHxx + p->IFxx);
+    const float M_11 = (p->rR * t2) + (p->IBxx + (p->zH * t7)) + ((p->zB * t13) + (p->IRxx + t23));
+    float wx_delta2_delta = 0.0F;
     float cos_lam = 0.0F;
-    carvallo_sin_cos_f32(p->lam, &sin_lam, &cos_lam);
-    const float t35 = p->c + p->w;
-    const float t36 = p->xH - t35;
-    const float t37 = p->mH * t36;
-    const float Jxz_delta = p->IHxz - (t10 * p->c) - (p->zH * t37);
-    const float hx_delta = (Jxx_delta * sin_lam) + (Jxz_delta * cos_lam);
+    carvallo_sin_cos_f32(p->lam, &wx_delta2_delta, &cos_lam);
     const float yaw_per_v_delta = cos_lam / p->w;
     const float yaw_by_delta = p->c * yaw_per_v_delta;
-    const float Sz_delta = t6 - t10;
-    const float Jxz_all = Jxz_delta + p->IBxz - (t21 * p->xB) - (t35 * Sz_delta);
-    const float M_12 = hx_delta + (yaw_by_delta * Jxz_all);
-    const float t58 = p->mF * p->c;
-    const float t61 = p->IFxx + p->IHzz;
-    const float hz_delta = (sin_lam * Jxz_delta) + (cos_lam * ((t36 * t37) + (p->c * t58) + t61));
-    const float Sx_delta = t37 - t58;
-    const float py_delta = (cos_lam * Sx_delta) - (sin_lam * Sz_delta);
-    const float M_yaw_delta = hz_delta + (t35 * py_delta);
-    const float t73 = p->mB * p->xB;
-    const float t75 = p->mH * p->xH;
-    const float t77 = p->mF * p->w;
-    const float t84 = yaw_by_delta * (p->IRxx + t61 + p->IBzz + (p->xB * t73) + (p->xH * t75) +
-        (p->w * t77));
-    const float P_delta_yaw = M_yaw_delta + t84;
-    const float M_22 = (yaw_by_delta * (M_yaw_delta + P_delta_yaw)) + (sin_lam * hx_delta) +
-        (cos_lam * hz_delta);
+    const float t35 = p->mB * p->xB;
+    const float t37 = p->IBxz - (p->zB * t35);
+    const float wz_delta2_delta = cos_lam + yaw_by_delta;
+    const float t41 = p->IHxz * wz_delta2_delta;
+    const float ay_all1_delta = t23 * wx_delta2_delta;
+    const float t44 = t41 + ay_all1_delta;
+    const float t52 = (p->zH * wx_delta2_delta) - ((p->xH * wz_delta2_delta) - (cos_lam * (p->c +
+        p->w)));
+    const float t53 = p->mH * t52;
+    const float M_12 = (yaw_by_delta * t37) + t44 + (p->zH * t53);
+    const float h_wheels_all = wx_delta2_delta * (t41 + t44);
+    const float t60 = wz_delta2_delta * (p->IFxx + p->IHzz);
+    const float t67 = yaw_by_delta * (p->IRxx + ((p->xB * t35) + p->IBzz));
+    const float M_22 = h_wheels_all + (wz_delta2_delta * t60) + ((t67 * yaw_by_delta) + (t52 *
+        t53));
+    const float t77 = t13 + t7 - t2;
     const float h_spin_F = p->IFyy / p->rF;
-    const float h_wheels_all = h_spin_F + (p->IRyy / p->rR);
-    const float Sz_all = t21 + Sz_delta - t17;
-    const float t101 = h_wheels_all - Sz_all;
-    const float t104 = cos_lam * h_spin_F;
-    const float C1_12 = (yaw_by_delta * t101) + (yaw_per_v_delta * Jxz_all) + t104;
-    const float Sx_all = t73 + t75 + t77;
-    const float P_delta_lateral = py_delta + (yaw_by_delta * Sx_all);
-    const float C1_22 = (yaw_by_delta * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
-    const float K2_12 = yaw_per_v_delta * t101;
-    const float K2_22 = yaw_per_v_delta * (P_delta_lateral + (sin_lam * h_spin_F));
-    const float C1_21 = -(t104 + (yaw_by_delta * h_wheels_all));
-    const float K0_12 = -P_delta_lateral;
-    const float K0_22 = -(sin_lam * P_delta_lateral);
+    const float h_spin_R = p->IRyy / p->rR;
+    const float t87 = (wz_delta2_delta * h_spin_F) + (yaw_by_delta * h_spin_R);
+    const float t90 = (t18 * wz_delta2_delta) + (yaw_per_v_delta * p->IHxz);
+    const float t96 = t53 - (yaw_by_delta * t35);
+    const float K0_11 = t77 - t18;
+    const float K0_12 = t96 - (t18 * wx_delta2_delta);
+    const float K0_22 = wx_delta2_delta * K0_12;
+    const float K2_12 = yaw_per_v_delta * (h_spin_F - (K0_11 - h_spin_R));
+    const float K2_22 = yaw_per_v_delta * ((wx_delta2_delta * h_spin_F) - K0_12);
+    const float C1_12 = t87 + t90 - (yaw_per_v_delta * ((t7 * p->xH) - t37 + (p->c * t77)));
+    const float C1_21 = -t87;
+    const float C1_22 = (wx_delta2_delta * t90) - (yaw_per_v_delta * ((p->c * t96) - (t67 + (t60 -
+        (p->xH * t53)))));
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -1211,7 +1174,7 @@ void whipple_sprung_f32_matrices(const whipple_sprung_f32_t *p, whipple_sprung_f
     matrices->kc[0][1] = 0.0F;
     matrices->kc[1][0] = 0.0F;
     matrices->kc[1][1] = p->k;
-    matrices->k0[0][0] = Sz_all;
+    matrices->k0[0][0] = K0_11;
     matrices->k0[0][1] = K0_12;
     matrices->k0[1][0] = K0_12;
     matrices->k0[1][1] = K0_22;
@@ -1355,226 +1318,200 @@ void whipple_sprung_f32_kinematics(const whipple_sprung_f32_t *p, whipple_sprung
 void whipple_sprung_f32_derivatives(const whipple_sprung_f32_t *p,
     whipple_sprung_f32_matrices_t *matrices, whipple_sprung_f32_derivatives_t *derivatives)
 {
-    const float M_11_mB = p->zB * p->zB;
-    const float hx_delta_rF = p->mB * M_11_mB;
-    const float t7 = p->zH * p->mH;
-    const float t13 = p->rF * p->mF;
-    const float Jxx_delta = (p->zH * t7) + p->IHxx + p->IFxx + (p->rF * t13);
+    const float t2 = p->zH * p->mH;
+    const float t8 = p->rF * p->mF;
+    const float t13 = (p->rF * t8) + p->IHxx + p->IFxx;
     const float M_11_mR = p->rR * p->rR;
-    const float M_11 = p->IRxx + hx_delta_rF + Jxx_delta + p->IBxx + (p->mR * M_11_mR);
-    float sin_lam = 0.0F;
-    float cos_lam = 0.0F;
-    carvallo_sin_cos_f32(p->lam, &sin_lam, &cos_lam);
-    const float t31 = 1.0F / p->w;
-    const float t32 = p->c * t31;
-    const float yaw_by_delta = cos_lam * t32;
-    const float t34 = t13 * p->c;
-    const float t37 = p->c + p->w;
-    const float t38 = p->xH - t37;
-    const float t39 = p->mH * t38;
-    const float t42 = t34 + (p->zH * t39) - p->IHxz;
-    const float t44 = p->mB * p->xB;
-    const float Sz_delta = t7 - t13;
-    const float t51 = t42 + (p->zB * t44) + (t37 * Sz_delta) - p->IBxz;
-    const float t52 = yaw_by_delta * t51;
-    const float t55 = cos_lam * t42;
-    const float hx_delta = (Jxx_delta * sin_lam) - t55;
-    const float M_12 = hx_delta - t52;
-    const float t58 = t42 * sin_lam;
-    const float t61 = p->IFxx + p->IHzz;
-    const float t62 = p->mF * p->c;
-    const float t65 = (t38 * t39) + t61 + (p->c * t62);
-    const float t67 = t58 - (cos_lam * t65);
-    const float t68 = p->mF * cos_lam;
-    const float t69 = p->c * t68;
-    const float t71 = t69 - (t13 * sin_lam);
-    const float t73 = p->zH * sin_lam;
-    const float t74 = (cos_lam * t38) - t73;
-    const float t75 = p->mH * t74;
-    const float t76 = t75 - t71;
-    const float t78 = t67 - (t37 * t76);
-    const float yaw_per_v_delta = cos_lam * t31;
-    const float t81 = p->mH * p->xH;
-    const float t83 = p->mF * p->w;
-    const float t91 = yaw_per_v_delta * (p->IRxx + t61 + (p->xB * t44) + (p->xH * t81) + (p->w *
-        t83) + p->IBzz);
-    const float t92 = p->c * t91;
-    const float t93 = t78 - t92;
-    const float M_22 = (sin_lam * hx_delta) - (cos_lam * (t67 + (t32 * (t78 + t93))));
-    const float t103 = 1.0F / p->rF;
-    const float h_spin_F = p->IFyy * t103;
-    const float t105 = cos_lam * h_spin_F;
-    const float t107 = 1.0F / p->rR;
-    const float t108 = p->IRyy * t107;
-    const float h_wheels_all = h_spin_F + t108;
-    const float t110 = p->mR * p->rR;
-    const float t111 = p->mB * p->zB;
-    const float K0_11 = Sz_delta + t111 - t110;
-    const float t114 = h_wheels_all - K0_11;
-    const float t116 = t51 - (p->c * t114);
-    const float t117 = yaw_per_v_delta * t116;
-    const float C1_12 = t105 - t117;
-    const float t120 = h_spin_F + (t32 * h_wheels_all);
-    const float Sx_all = t44 + t81 + t83;
-    const float t124 = yaw_by_delta * Sx_all;
-    const float t125 = t76 + t124;
-    const float t127 = t93 - (p->c * t125);
-    const float K2_12 = yaw_per_v_delta * t114;
-    const float t132 = sin_lam * h_spin_F;
-    const float t133 = t125 + t132;
-    const float K2_22 = yaw_per_v_delta * t133;
-    const float C1_12_h_spin_F = cos_lam + yaw_by_delta;
-    const float P_delta_lateral_xH = p->mH * C1_12_h_spin_F;
-    const float t138 = p->zH * P_delta_lateral_xH;
-    const float t139 = (yaw_by_delta * Sz_delta) - t138;
-    const float hx_delta_mH = t31 * t52;
-    const float M_12_w = hx_delta_mH - t139;
-    const float t142 = t75 + t75;
-    const float t143 = cos_lam * t142;
-    const float t144 = yaw_by_delta + yaw_by_delta;
-    const float t145 = t31 * t93;
-    const float P_delta_lateral_yaw_per_v_delta = p->w * yaw_per_v_delta;
-    const float t147 = t62 * P_delta_lateral_yaw_per_v_delta;
-    const float t148 = p->mH * cos_lam;
-    const float t149 = p->xH * t148;
-    const float t151 = t147 - t71 - t149;
-    const float hz_delta_mF = t145 + t151;
-    const float M_22_w = (t144 * hz_delta_mF) - t143;
-    const float t155 = t13 * cos_lam;
-    const float C1_12_w = t31 * (t117 + t155);
-    const float t158 = yaw_per_v_delta * h_wheels_all;
-    const float C1_21_w = t32 * t158;
-    const float K0_12_w = t148 - (t31 * (t69 - t124));
-    const float t165 = t31 * (t92 - t127);
-    const float C1_22_w = yaw_per_v_delta * (t147 + t151 - (p->c * K0_12_w) - t165);
-    const float K0_22_w = sin_lam * K0_12_w;
-    const float t171 = t31 * K2_12;
-    const float t172 = t31 * t133;
-    const float t174 = yaw_per_v_delta * (K0_12_w + t172);
-    const float t178 = t139 + t155 + (yaw_per_v_delta * (t34 + t51));
-    const float t179 = t145 + t145;
-    const float t183 = t37 * t68;
-    const float t185 = t69 - t149 - t183;
-    const float M_22_c = (t144 * t185) - (cos_lam * (t76 + t76 + t179));
-    const float K0_12_c = t68 + t148 - (yaw_per_v_delta * Sx_all);
-    const float C1_22_c = yaw_per_v_delta * (t91 + t125 + t185 - (p->c * K0_12_c));
-    const float K0_22_c = sin_lam * K0_12_c;
-    const float t197 = yaw_per_v_delta * K0_12_c;
-    const float hx_delta_lam = t58 + (Jxx_delta * cos_lam);
-    const float t200 = t31 * sin_lam;
-    const float t201 = p->c * t200;
-    const float P_delta_yaw_mH = t51 * t201;
-    const float M_12_lam = hx_delta_lam + P_delta_yaw_mH;
-    const float t205 = t55 + (sin_lam * t65);
-    const float t209 = (cos_lam * Sz_delta) - (sin_lam * (t62 - t39));
-    const float t211 = t205 + (t37 * t209);
-    const float M_22_lam = (sin_lam * (t67 + hx_delta_lam + (p->c * t179))) + (cos_lam * (hx_delta -
-        t205)) - (t144 * t211);
-    const float C1_12_lam = (t116 * t200) - t132;
-    const float C1_21_lam = sin_lam * t120;
-    const float K0_12_lam = t209 + (Sx_all * t201);
-    const float t230 = (yaw_per_v_delta * (t211 + (p->c * K0_12_lam))) + (sin_lam * t165);
-    const float K0_22_lam = (sin_lam * K0_12_lam) - (cos_lam * t125);
-    const float t234 = t114 * t200;
-    const float K2_22_lam = (yaw_per_v_delta * (t105 - K0_12_lam)) - (sin_lam * t172);
-    const float M_11_rR = t110 + t110;
-    const float t241 = p->mR - (t107 * t108);
-    const float C1_12_rR = yaw_by_delta * t241;
-    const float K2_12_IRyy = yaw_per_v_delta * t107;
-    const float C1_12_IRyy = p->c * K2_12_IRyy;
-    const float C1_21_rR = t108 * C1_12_IRyy;
-    const float K2_12_rR = yaw_per_v_delta * t241;
+    const float t20 = p->zB * p->mB;
+    const float M_11 = (p->zH * t2) + p->IRxx + p->IBxx + t13 + (p->mR * M_11_mR) + (p->zB * t20);
+    float wx_delta2_delta = 0.0F;
+    float wx_delta2_delta_lam = 0.0F;
+    carvallo_sin_cos_f32(p->lam, &wx_delta2_delta, &wx_delta2_delta_lam);
+    const float t34 = 1.0F / p->w;
+    const float t35 = p->c * t34;
+    const float t39 = p->xH + (p->xH * t35) - p->c - p->w;
+    const float K0_12_mH = (p->zH * wx_delta2_delta) - (wx_delta2_delta_lam * t39);
+    const float M_12_mH = p->zH * K0_12_mH;
+    const float yaw_by_delta = wx_delta2_delta_lam * t35;
+    const float wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
+    const float t49 = (t13 * wx_delta2_delta) + (p->IHxz * wz_delta2_delta);
+    const float t53 = p->IBxz - (t20 * p->xB);
+    const float M_12 = (p->mH * M_12_mH) + t49 + (yaw_by_delta * t53);
+    const float t58 = p->IFxx + p->IHzz;
+    const float t60 = wx_delta2_delta * p->IHxz;
+    const float t61 = (wz_delta2_delta * t58) + t60;
+    const float t63 = p->mB * p->xB;
+    const float C1_12_yaw_by_delta = p->xB * t63;
+    const float t66 = p->IRxx + p->IBzz + C1_12_yaw_by_delta;
+    const float t68 = t61 + (yaw_by_delta * t66);
+    const float t70 = t61 + (t35 * t68);
+    const float t73 = p->mH * K0_12_mH;
+    const float M_22 = (wx_delta2_delta_lam * t70) + (wx_delta2_delta * t49) + (K0_12_mH * t73);
+    const float t80 = 1.0F / p->rF;
+    const float h_spin_F = p->IFyy * t80;
+    const float t82 = wx_delta2_delta_lam * h_spin_F;
+    const float yaw_per_v_delta = wx_delta2_delta_lam * t34;
+    const float t85 = 1.0F / p->rR;
+    const float h_spin_R = p->IRyy * t85;
+    const float t87 = h_spin_F + h_spin_R;
+    const float t88 = yaw_per_v_delta * t87;
+    const float C1_12_yaw_per_v_delta = p->c * t88;
+    const float t90 = t82 + C1_12_yaw_per_v_delta;
+    const float t91 = p->IHxz + t53;
+    const float t93 = p->mR * p->rR;
+    const float K0_11 = t20 - (t8 + t93 - t2);
+    const float t99 = t91 - (p->c * K0_11) - (t2 * p->xH);
+    const float t100 = yaw_per_v_delta * t99;
+    const float t101 = t8 * wx_delta2_delta_lam;
+    const float C1_12 = t90 + t100 + t101;
+    const float t104 = p->rF * wx_delta2_delta;
+    const float t105 = p->mF * t104;
+    const float t107 = yaw_by_delta * t63;
+    const float t108 = t107 - t73;
+    const float t111 = t68 - (p->xH * t73);
+    const float C1_22 = (wz_delta2_delta * t105) + (yaw_by_delta * t108) + (yaw_per_v_delta * t111);
+    const float t116 = t105 + t108;
+    const float K2_12_yaw_per_v_delta = t87 - K0_11;
+    const float K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
+    const float t120 = wx_delta2_delta * h_spin_F;
+    const float K2_22_yaw_per_v_delta = t116 + t120;
+    const float K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
+    const float t123 = yaw_per_v_delta * t91;
+    const float t125 = p->xH * yaw_per_v_delta;
+    const float t127 = wx_delta2_delta_lam + (t35 * t125);
+    const float M_22_yaw_by_delta = t2 * t127;
+    const float M_12_w = M_22_yaw_by_delta - (t35 * t123);
+    const float t130 = t73 + t73;
+    const float t132 = t68 * yaw_per_v_delta;
+    const float t133 = t132 + t132;
+    const float M_22_w = (t127 * t130) - (t35 * t133);
+    const float t137 = t34 * (C1_12_yaw_per_v_delta + t100);
+    const float C1_21_w = t35 * t88;
+    const float t139 = p->xH + p->c;
+    const float t140 = p->mH * t127;
+    const float t142 = t58 * yaw_per_v_delta;
+    const float C1_22_yaw_per_v_delta = t107 + t116 + t142 + (t66 * yaw_per_v_delta);
+    const float t149 = t34 * (t111 + (p->c * C1_22_yaw_per_v_delta));
+    const float t151 = yaw_per_v_delta * ((t139 * t140) + t149);
+    const float t152 = t63 * yaw_per_v_delta;
+    const float K0_12_w = t140 + (t35 * t152);
+    const float K0_22_w = wx_delta2_delta * K0_12_w;
+    const float t156 = t34 * K2_12;
+    const float t159 = t34 * (K2_22 + (wx_delta2_delta_lam * K0_12_w));
+    const float t160 = wx_delta2_delta_lam - t125;
+    const float M_12_c = t123 + (t2 * t160);
+    const float M_22_c = t133 + (t130 * t160);
+    const float t165 = p->mH * t160;
+    const float C1_22_c = yaw_per_v_delta * (C1_22_yaw_per_v_delta - (t139 * t165));
+    const float K0_12_c = t165 - t152;
+    const float K0_22_c = wx_delta2_delta * K0_12_c;
+    const float t171 = yaw_per_v_delta * K0_12_c;
+    const float C1_22_wz_delta2_delta = t13 * wx_delta2_delta_lam;
+    const float t173 = wx_delta2_delta * t34;
+    const float t174 = p->c * t173;
+    const float t177 = p->zH * wx_delta2_delta_lam;
+    const float t178 = (wx_delta2_delta * t39) + t177;
+    const float t182 = t60 + (t91 * t174) - C1_22_wz_delta2_delta - (t2 * t178);
+    const float t187 = (wx_delta2_delta * t70) - (wx_delta2_delta_lam * t49) - (t73 * t178);
+    const float t188 = t187 + t187;
+    const float C1_21_lam = t120 + (t87 * t174);
+    const float t193 = t105 + (t99 * t173) + C1_21_lam;
+    const float t194 = wx_delta2_delta_lam * yaw_per_v_delta;
+    const float t200 = p->mH * t178;
+    const float t201 = yaw_by_delta + t125;
+    const float C1_22_lam = (p->IHxz * t194) + (wz_delta2_delta * t101) - (wx_delta2_delta * (t105 +
+        t142 + t149)) - (t200 * t201);
+    const float K0_12_lam = t200 + (t63 * t174) - t101;
+    const float K0_22_lam = (wx_delta2_delta * K0_12_lam) - (wx_delta2_delta_lam * t116);
+    const float t212 = K2_12_yaw_per_v_delta * t173;
+    const float K2_22_lam = (yaw_per_v_delta * (t82 - K0_12_lam)) - (K2_22_yaw_per_v_delta * t173);
+    const float M_11_rR = t93 + t93;
+    const float K2_12_rR = yaw_per_v_delta * (p->mR - (t85 * h_spin_R));
+    const float C1_12_rR = p->c * K2_12_rR;
+    const float C1_12_IRyy = yaw_by_delta * t85;
+    const float C1_21_rR = h_spin_R * C1_12_IRyy;
+    const float C1_12_mR = p->rR * yaw_by_delta;
     const float K2_12_mR = p->rR * yaw_per_v_delta;
-    const float C1_12_mR = p->c * K2_12_mR;
+    const float M_22_IRxx = yaw_by_delta * yaw_by_delta;
     const float C1_22_IRxx = yaw_by_delta * yaw_per_v_delta;
-    const float M_22_IRxx = p->c * C1_22_IRxx;
-    const float t252 = yaw_by_delta * t111;
-    const float P_delta_lateral_mB = yaw_by_delta * p->xB;
-    const float t254 = p->mB * P_delta_lateral_mB;
-    const float M_22_xB = t144 * t254;
-    const float t256 = p->zB * yaw_per_v_delta;
-    const float t257 = p->mB * t256;
-    const float K2_22_xB = p->mB * C1_22_IRxx;
-    const float P_delta_yaw_mB = p->c + p->xB;
-    const float C1_22_xB = K2_22_xB * (p->xB + P_delta_yaw_mB);
-    const float P_delta_lateral_xB = p->mB * yaw_by_delta;
-    const float t263 = sin_lam * P_delta_lateral_xB;
-    const float M_11_zB = t111 + t111;
-    const float t265 = p->mB * yaw_per_v_delta;
-    const float t266 = P_delta_yaw_mB * t265;
-    const float t267 = p->zB * P_delta_lateral_mB;
-    const float M_22_mB = P_delta_lateral_mB * P_delta_lateral_mB;
-    const float t269 = t256 * P_delta_yaw_mB;
-    const float K2_22_mB = yaw_per_v_delta * P_delta_lateral_mB;
-    const float C1_22_mB = P_delta_yaw_mB * K2_22_mB;
-    const float t272 = sin_lam * P_delta_lateral_mB;
-    const float t273 = t75 + t149;
-    const float t274 = t81 * t144;
-    const float t275 = t273 + t274;
-    const float M_22_xH = t143 + (yaw_by_delta * (t273 + t275));
-    const float t279 = t7 * yaw_per_v_delta;
-    const float C1_22_xH = yaw_per_v_delta * (t275 + (p->c * P_delta_lateral_xH));
-    const float K0_12_zH = p->mH * sin_lam;
-    const float t284 = C1_12_h_spin_F * K0_12_zH;
-    const float C1_22_IHzz = yaw_per_v_delta * C1_12_h_spin_F;
+    const float K2_12_IRyy = yaw_per_v_delta * t85;
+    const float t230 = p->mB * yaw_per_v_delta;
+    const float t231 = p->c * t230;
+    const float t232 = p->zB * t231;
+    const float t233 = yaw_by_delta * p->xB;
+    const float t234 = t231 * t233;
+    const float M_22_xB = t234 + t234;
+    const float t236 = p->zB * yaw_per_v_delta;
+    const float t237 = p->mB * t236;
+    const float t238 = t152 + t231;
+    const float C1_22_xB = yaw_by_delta * (t152 + t238);
+    const float t241 = wx_delta2_delta * t231;
+    const float K2_22_xB = yaw_by_delta * t230;
+    const float M_11_zB = t20 + t20;
+    const float M_11_mB = p->zB * p->zB;
+    const float t245 = p->zB * t233;
+    const float M_22_mB = t233 * t233;
+    const float t247 = p->c + p->xB;
+    const float t248 = t236 * t247;
+    const float K2_22_mB = yaw_per_v_delta * t233;
+    const float C1_22_mB = t247 * K2_22_mB;
+    const float t251 = wx_delta2_delta * t233;
+    const float t252 = t2 * wz_delta2_delta;
+    const float t253 = p->mH * wz_delta2_delta;
+    const float t254 = K0_12_mH * t253;
+    const float t255 = t254 + t254;
+    const float t256 = t2 * yaw_per_v_delta;
+    const float C1_22_IHzz = t194 + C1_22_IRxx;
+    const float t259 = K0_12_mH * yaw_per_v_delta;
+    const float C1_22_xH = p->mH * ((t139 * C1_22_IHzz) - t259);
+    const float t262 = wx_delta2_delta * t253;
     const float K2_22_xH = p->mH * C1_22_IHzz;
-    const float Jxx_delta_zH = t7 + t7;
-    const float t289 = t74 + (yaw_by_delta * p->xH);
-    const float M_12_zH = p->mH * (t73 - t289);
-    const float t293 = sin_lam * (t142 + t274);
-    const float t294 = p->c + p->xH;
-    const float t295 = t31 * t148;
-    const float t296 = t294 * t295;
-    const float t297 = sin_lam * t295;
-    const float t298 = t294 * t297;
-    const float K0_22_zH = sin_lam * K0_12_zH;
-    const float Jxx_delta_mH = p->zH * p->zH;
-    const float t301 = p->zH * t289;
-    const float M_22_mH = t289 * t289;
-    const float t303 = p->zH * yaw_per_v_delta;
-    const float t304 = t294 * t303;
-    const float K2_22_mH = yaw_per_v_delta * t289;
-    const float C1_22_mH = t294 * K2_22_mH;
-    const float t307 = sin_lam * t289;
-    const float M_22_IHxx = sin_lam * sin_lam;
-    const float t309 = yaw_by_delta + C1_12_h_spin_F;
-    const float M_22_yaw_per_v_delta = cos_lam * t309;
-    const float M_22_IHzz = M_22_IRxx + M_22_yaw_per_v_delta;
-    const float M_22_IHxz = sin_lam * (cos_lam + t309);
-    const float K2_22_h_spin_F = sin_lam * yaw_per_v_delta;
-    const float t315 = p->mF + p->mF;
-    const float M_11_rF = p->rF * t315;
-    const float t317 = p->rF * sin_lam;
-    const float t319 = p->c * (cos_lam - P_delta_lateral_yaw_per_v_delta);
-    const float P_delta_lateral_mF = t317 - t319;
-    const float M_12_rF = p->mF * (t317 + P_delta_lateral_mF);
-    const float t323 = sin_lam * P_delta_lateral_mF;
-    const float M_22_rF = t315 * t323;
-    const float C1_12_IFyy = t103 * C1_12_h_spin_F;
+    const float M_11_zH = t2 + t2;
+    const float M_12_zH = t73 + (t2 * wx_delta2_delta);
+    const float t267 = wx_delta2_delta + wx_delta2_delta;
+    const float M_22_zH = t73 * t267;
+    const float t269 = p->mH * yaw_per_v_delta;
+    const float t270 = t139 * t269;
+    const float K2_22_h_spin_F = wx_delta2_delta * yaw_per_v_delta;
+    const float t272 = p->mH * K2_22_h_spin_F;
+    const float t273 = t139 * t272;
+    const float K0_12_zH = p->mH * wx_delta2_delta;
+    const float K0_22_zH = wx_delta2_delta * K0_12_zH;
+    const float M_11_mH = p->zH * p->zH;
+    const float M_22_mH = K0_12_mH * K0_12_mH;
+    const float t278 = p->zH * t201;
+    const float t279 = K0_12_mH * t201;
+    const float K0_22_mH = wx_delta2_delta * K0_12_mH;
+    const float t281 = t34 * t177;
+    const float M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+    const float M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+    const float M_22_IHxz = wz_delta2_delta * t267;
+    const float M_11_rF = t8 + t8;
+    const float M_12_rF = t105 + t105;
+    const float M_22_rF = t105 * t267;
+    const float t289 = p->mF - (t80 * h_spin_F);
+    const float C1_12_rF = wz_delta2_delta * t289;
+    const float C1_12_IFyy = wz_delta2_delta * t80;
     const float C1_21_rF = h_spin_F * C1_12_IFyy;
-    const float t327 = t31 * t183;
-    const float C1_12_rF = t327 - C1_21_rF;
-    const float C1_22_rF = sin_lam * t327;
-    const float P_delta_lateral_rF = p->mF * sin_lam;
-    const float t331 = p->mF * M_22_IHxx;
-    const float t333 = (t103 * t105) - t68;
-    const float t334 = t31 * t333;
-    const float t335 = t200 * t333;
+    const float t293 = p->mF * wx_delta2_delta;
+    const float C1_22_rF = wz_delta2_delta * t293;
+    const float t295 = wx_delta2_delta * t293;
+    const float K2_12_rF = yaw_per_v_delta * t289;
+    const float K2_22_rF = wx_delta2_delta * K2_12_rF;
     const float M_11_mF = p->rF * p->rF;
-    const float M_12_mF = p->rF * P_delta_lateral_mF;
-    const float M_22_mF = P_delta_lateral_mF * P_delta_lateral_mF;
+    const float M_12_mF = p->rF * t104;
+    const float t300 = wx_delta2_delta * t104;
+    const float M_22_mF = p->rF * t300;
+    const float C1_12_mF = p->rF * wz_delta2_delta;
+    const float C1_22_mF = wz_delta2_delta * t104;
     const float K2_12_mF = p->rF * yaw_per_v_delta;
-    const float C1_12_mF = t37 * K2_12_mF;
-    const float K2_22_mF = yaw_per_v_delta * P_delta_lateral_mF;
-    const float C1_22_mF = t37 * K2_22_mF;
+    const float K2_22_mF = wx_delta2_delta * K2_12_mF;
     const float M_22_IFxx = M_22_IHxx + M_22_IHzz;
-    const float K2_12_IFyy = yaw_per_v_delta * t103;
-    const float K2_22_IFyy = t103 * K2_22_h_spin_F;
-    const float C1_21 = -(cos_lam * t120);
-    const float C1_22 = -(yaw_per_v_delta * t127);
-    const float K0_12 = -t125;
-    const float K0_22 = -(sin_lam * t125);
-    const float K0_12_mF = t319 - t317;
+    const float K2_12_IFyy = t80 * yaw_per_v_delta;
+    const float K2_22_IFyy = t80 * K2_22_h_spin_F;
+    const float C1_21 = -t90;
+    const float K0_12 = -t116;
+    const float K0_22 = -(wx_delta2_delta * t116);
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -1601,29 +1538,29 @@ void whipple_sprung_f32_derivatives(const whipple_sprung_f32_t *p,
     matrices->k2[1][1] = K2_22;
     derivatives->values[0] = M_12_w;
     derivatives->values[1] = M_22_w;
-    derivatives->values[2] = C1_12_w;
+    derivatives->values[2] = t137;
     derivatives->values[3] = C1_21_w;
-    derivatives->values[4] = C1_22_w;
+    derivatives->values[4] = t151;
     derivatives->values[5] = K0_12_w;
     derivatives->values[6] = K0_22_w;
-    derivatives->values[7] = t171;
-    derivatives->values[8] = t174;
-    derivatives->values[9] = t178;
+    derivatives->values[7] = t156;
+    derivatives->values[8] = t159;
+    derivatives->values[9] = M_12_c;
     derivatives->values[10] = M_22_c;
     derivatives->values[11] = K2_12;
-    derivatives->values[12] = t158;
+    derivatives->values[12] = t88;
     derivatives->values[13] = C1_22_c;
     derivatives->values[14] = K0_12_c;
     derivatives->values[15] = K0_22_c;
-    derivatives->values[16] = t197;
-    derivatives->values[17] = M_12_lam;
-    derivatives->values[18] = M_22_lam;
-    derivatives->values[19] = C1_12_lam;
+    derivatives->values[16] = t171;
+    derivatives->values[17] = t182;
+    derivatives->values[18] = t188;
+    derivatives->values[19] = t193;
     derivatives->values[20] = C1_21_lam;
-    derivatives->values[21] = t230;
+    derivatives->values[21] = C1_22_lam;
     derivatives->values[22] = K0_12_lam;
     derivatives->values[23] = K0_22_lam;
-    derivatives->values[24] = t234;
+    derivatives->values[24] = t212;
     derivatives->values[25] = K2_22_lam;
     derivatives->values[26] = M_11_rR;
     derivatives->values[27] = C1_12_rR;
@@ -1639,62 +1576,62 @@ void whipple_sprung_f32_derivatives(const whipple_sprung_f32_t *p,
     derivatives->values[37] = C1_22_IRxx;
     derivatives->values[38] = C1_12_IRyy;
     derivatives->values[39] = K2_12_IRyy;
-    derivatives->values[40] = t252;
+    derivatives->values[40] = t232;
     derivatives->values[41] = M_22_xB;
-    derivatives->values[42] = t257;
+    derivatives->values[42] = t237;
     derivatives->values[43] = C1_22_xB;
-    derivatives->values[44] = P_delta_lateral_xB;
-    derivatives->values[45] = t263;
+    derivatives->values[44] = t231;
+    derivatives->values[45] = t241;
     derivatives->values[46] = K2_22_xB;
     derivatives->values[47] = M_11_zB;
-    derivatives->values[48] = t254;
-    derivatives->values[49] = t266;
+    derivatives->values[48] = t107;
+    derivatives->values[49] = t238;
     derivatives->values[50] = p->mB;
-    derivatives->values[51] = t265;
+    derivatives->values[51] = t230;
     derivatives->values[52] = M_11_mB;
-    derivatives->values[53] = t267;
+    derivatives->values[53] = t245;
     derivatives->values[54] = M_22_mB;
-    derivatives->values[55] = t269;
+    derivatives->values[55] = t248;
     derivatives->values[56] = C1_22_mB;
     derivatives->values[57] = p->zB;
-    derivatives->values[58] = P_delta_lateral_mB;
-    derivatives->values[59] = t272;
-    derivatives->values[60] = t256;
+    derivatives->values[58] = t233;
+    derivatives->values[59] = t251;
+    derivatives->values[60] = t236;
     derivatives->values[61] = K2_22_mB;
     derivatives->values[62] = yaw_by_delta;
     derivatives->values[63] = yaw_per_v_delta;
-    derivatives->values[64] = t138;
-    derivatives->values[65] = M_22_xH;
-    derivatives->values[66] = t279;
+    derivatives->values[64] = t252;
+    derivatives->values[65] = t255;
+    derivatives->values[66] = t256;
     derivatives->values[67] = C1_22_xH;
-    derivatives->values[68] = P_delta_lateral_xH;
-    derivatives->values[69] = t284;
+    derivatives->values[68] = t253;
+    derivatives->values[69] = t262;
     derivatives->values[70] = K2_22_xH;
-    derivatives->values[71] = Jxx_delta_zH;
+    derivatives->values[71] = M_11_zH;
     derivatives->values[72] = M_12_zH;
-    derivatives->values[73] = t293;
-    derivatives->values[74] = t296;
-    derivatives->values[75] = t298;
+    derivatives->values[73] = M_22_zH;
+    derivatives->values[74] = t270;
+    derivatives->values[75] = t273;
     derivatives->values[76] = p->mH;
     derivatives->values[77] = K0_12_zH;
     derivatives->values[78] = K0_22_zH;
-    derivatives->values[79] = t295;
-    derivatives->values[80] = t297;
-    derivatives->values[81] = Jxx_delta_mH;
-    derivatives->values[82] = t301;
+    derivatives->values[79] = t269;
+    derivatives->values[80] = t272;
+    derivatives->values[81] = M_11_mH;
+    derivatives->values[82] = M_12_mH;
     derivatives->values[83] = M_22_mH;
-    derivatives->values[84] = t304;
-    derivatives->values[85] = C1_22_mH;
+    derivatives->values[84] = t278;
+    derivatives->values[85] = t279;
     derivatives->values[86] = p->zH;
-    derivatives->values[87] = t289;
-    derivatives->values[88] = t307;
-    derivatives->values[89] = t303;
-    derivatives->values[90] = K2_22_mH;
-    derivatives->values[91] = sin_lam;
+    derivatives->values[87] = K0_12_mH;
+    derivatives->values[88] = K0_22_mH;
+    derivatives->values[89] = t281;
+    derivatives->values[90] = t259;
+    derivatives->values[91] = wx_delta2_delta;
     derivatives->values[92] = M_22_IHxx;
     derivatives->values[93] = M_22_IHzz;
     derivatives->values[94] = C1_22_IHzz;
-    derivatives->values[95] = C1_12_h_spin_F;
+    derivatives->values[95] = wz_delta2_delta;
     derivatives->values[96] = M_22_IHxz;
     derivatives->values[97] = K2_22_h_spin_F;
     derivatives->values[98] = M_11_rF;
@@ -1704,18 +1641,18 @@ void whipple_sprung_f32_derivatives(const whipple_sprung_f32_t *p,
     derivatives->values[102] = C1_21_rF;
     derivatives->values[103] = C1_22_rF;
     derivatives->values[104] = p->mF;
-    derivatives->values[105] = P_delta_lateral_rF;
-    derivatives->values[106] = t331;
-    derivatives->values[107] = t334;
-    derivatives->values[108] = t335;
+    derivatives->values[105] = t293;
+    derivatives->values[106] = t295;
+    derivatives->values[107] = K2_12_rF;
+    derivatives->values[108] = K2_22_rF;
     derivatives->values[109] = M_11_mF;
     derivatives->values[110] = M_12_mF;
     derivatives->values[111] = M_22_mF;
     derivatives->values[112] = C1_12_mF;
     derivatives->values[113] = C1_22_mF;
     derivatives->values[114] = p->rF;
-    derivatives->values[115] = K0_12_mF;
-    derivatives->values[116] = t323;
+    derivatives->values[115] = t104;
+    derivatives->values[116] = t300;
     derivatives->values[117] = K2_12_mF;
     derivatives->values[118] = K2_22_mF;
     derivatives->values[119] = M_22_IFxx;

@@ -111,19 +111,19 @@ const char *whipple_tyres_validity_text(whipple_tyres_validity_t validity)
 const carvallo_partial_t whipple_tyres_partials[WHIPPLE_TYRES_PARTIALS] = {
     {CARVALLO_MATRIX_M, 0U, 1U, 0U, 0U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 1U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 1U, true},
     {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 2U, false},
     {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 3U, false},
     {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 4U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 0U, 5U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 0U, 5U, true},
     {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 6U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 6U, false},
     {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 7U, false},
     {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 8U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 9U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 9U, true},
     {CARVALLO_MATRIX_M, 0U, 1U, 1U, 10U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 1U, 10U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 11U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 11U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 12U, false},
     {CARVALLO_MATRIX_C1, 1U, 0U, 1U, 13U, true},
     {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 14U, false},
@@ -133,7 +133,7 @@ const carvallo_partial_t whipple_tyres_partials[WHIPPLE_TYRES_PARTIALS] = {
     {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 17U, true},
     {CARVALLO_MATRIX_M, 0U, 1U, 2U, 18U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 2U, 18U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 19U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 19U, true},
     {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 20U, true},
     {CARVALLO_MATRIX_C1, 1U, 0U, 2U, 21U, false},
     {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 22U, false},
@@ -141,7 +141,7 @@ const carvallo_partial_t whipple_tyres_partials[WHIPPLE_TYRES_PARTIALS] = {
     {CARVALLO_MATRIX_K0, 1U, 0U, 2U, 23U, false},
     {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 24U, false},
     {CARVALLO_MATRIX_K2, 0U, 1U, 2U, 25U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 26U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 26U, true},
     {CARVALLO_MATRIX_M, 0U, 0U, 4U, 27U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 4U, 28U, false},
     {CARVALLO_MATRIX_C1, 1U, 0U, 4U, 29U, false},
@@ -163,9 +163,9 @@ const carvallo_partial_t whipple_tyres_partials[WHIPPLE_TYRES_PARTIALS] = {
     {CARVALLO_MATRIX_C1, 0U, 1U, 8U, 43U, true},
     {CARVALLO_MATRIX_C1, 1U, 1U, 8U, 44U, false},
     {CARVALLO_MATRIX_K0, 0U, 0U, 8U, 45U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 8U, 46U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 8U, 46U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 8U, 47U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 8U, 46U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 8U, 46U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 8U, 47U, true},
     {CARVALLO_MATRIX_K2, 1U, 1U, 8U, 48U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 9U, 49U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 9U, 50U, true},
@@ -180,9 +180,9 @@ const carvallo_partial_t whipple_tyres_partials[WHIPPLE_TYRES_PARTIALS] = {
     {CARVALLO_MATRIX_C1, 0U, 1U, 10U, 57U, true},
     {CARVALLO_MATRIX_C1, 1U, 1U, 10U, 58U, false},
     {CARVALLO_MATRIX_K0, 0U, 0U, 10U, 59U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 10U, 60U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 10U, 60U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 10U, 61U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 10U, 60U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 10U, 60U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 10U, 61U, true},
     {CARVALLO_MATRIX_K2, 0U, 1U, 10U, 62U, true},
     {CARVALLO_MATRIX_K2, 1U, 1U, 10U, 63U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 11U, 36U, false},
@@ -193,7 +193,7 @@ const carvallo_partial_t whipple_tyres_partials[WHIPPLE_TYRES_PARTIALS] = {
     {CARVALLO_MATRIX_C1, 0U, 1U, 14U, 65U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 15U, 66U, true},
     {CARVALLO_MATRIX_M, 1U, 0U, 15U, 66U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 67U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 67U, true},
     {CARVALLO_MATRIX_C1, 0U, 1U, 15U, 68U, true},
     {CARVALLO_MATRIX_C1, 1U, 1U, 15U, 69U, false},
     {CARVALLO_MATRIX_K0, 0U, 0U, 15U, 70U, false},
@@ -204,7 +204,7 @@ const carvallo_partial_t whipple_tyres_partials[WHIPPLE_TYRES_PARTIALS] = {
     {CARVALLO_MATRIX_M, 0U, 0U, 16U, 74U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 16U, 75U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 16U, 75U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 76U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 76U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 77U, true},
     {CARVALLO_MATRIX_C1, 1U, 1U, 16U, 78U, true},
     {CARVALLO_MATRIX_K0, 0U, 0U, 16U, 79U, false},
@@ -214,17 +214,17 @@ const carvallo_partial_t whipple_tyres_partials[WHIPPLE_TYRES_PARTIALS] = {
     {CARVALLO_MATRIX_K2, 0U, 1U, 16U, 82U, true},
     {CARVALLO_MATRIX_K2, 1U, 1U, 16U, 83U, true},
     {CARVALLO_MATRIX_M, 0U, 0U, 17U, 84U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 85U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 85U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 85U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 85U, false},
     {CARVALLO_MATRIX_M, 1U, 1U, 17U, 86U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 87U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 88U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 88U, true},
     {CARVALLO_MATRIX_K0, 0U, 0U, 17U, 89U, false},
     {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 90U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 90U, false},
     {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 91U, false},
     {CARVALLO_MATRIX_K2, 0U, 1U, 17U, 92U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 93U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 93U, true},
     {CARVALLO_MATRIX_M, 0U, 0U, 18U, 36U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 18U, 94U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 18U, 94U, false},
@@ -250,14 +250,14 @@ const carvallo_partial_t whipple_tyres_partials[WHIPPLE_TYRES_PARTIALS] = {
     {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 110U, false},
     {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 111U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 23U, 112U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 113U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 113U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 23U, 114U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 113U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 113U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 23U, 114U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 23U, 115U, false},
     {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 116U, false},
     {CARVALLO_MATRIX_K0, 0U, 0U, 23U, 117U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 118U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 118U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 118U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 118U, true},
     {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 119U, true},
     {CARVALLO_MATRIX_K2, 0U, 1U, 23U, 120U, false},
     {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 121U, false},
@@ -462,56 +462,52 @@ whipple_tyres_validity_t whipple_tyres_f64_validate(const whipple_tyres_f64_t *p
 
 void whipple_tyres_f64_matrices(const whipple_tyres_f64_t *p, whipple_tyres_f64_matrices_t *matrices)
 {
-    const double t2 = p->rR * p->mR;
-    const double t7 = p->rF * p->mF;
-    const double t13 = p->zH * p->mH;
-    const double Jxx_delta = p->IHxx + (p->rF * t7) + (p->IFxx + (p->zH * t13));
-    const double t19 = p->zB * p->mB;
-    const double M_11 = (p->rR * t2) + (Jxx_delta + (p->zB * t19)) + (p->IRxx + p->IBxx);
-    double sin_lam = 0.0;
+    const double t2 = p->zB * p->mB;
+    const double t6 = p->rR * p->mR;
+    const double t11 = p->rF * p->mF;
+    const double t15 = p->IFxx + ((p->rF * t11) + p->IHxx);
+    const double t20 = p->zH * p->mH;
+    const double M_11 = (p->zB * t2) + ((p->rR * t6) + t15) + ((p->zH * t20) + (p->IRxx + p->IBxx));
+    const double t29 = 1.0 / p->w;
+    double wx_delta2_delta = 0.0;
     double cos_lam = 0.0;
-    carvallo_sin_cos_f64(p->lam, &sin_lam, &cos_lam);
-    const double t34 = p->c + p->w;
-    const double t35 = p->xH - t34;
-    const double t39 = p->IHxz - (t13 * t35) - (t7 * p->c);
-    const double hx_delta = (Jxx_delta * sin_lam) + (t39 * cos_lam);
-    const double Sz_delta = t13 - t7;
-    const double t50 = (t34 * Sz_delta) + (t19 * p->xB) - (t39 + p->IBxz);
-    const double t51 = 1.0 / p->w;
-    const double yaw_per_v_delta = cos_lam * t51;
+    carvallo_sin_cos_f64(p->lam, &wx_delta2_delta, &cos_lam);
+    const double yaw_per_v_delta = t29 * cos_lam;
     const double yaw_by_delta = p->c * yaw_per_v_delta;
-    const double M_12 = hx_delta - (t50 * yaw_by_delta);
-    const double t58 = p->IFxx + p->IHzz;
-    const double t59 = p->mF * p->c;
-    const double t62 = p->mH * t35;
-    const double t67 = ((t58 + (p->c * t59) + (t35 * t62)) * cos_lam) + (sin_lam * t39);
-    const double t71 = t62 - t59;
-    const double t73 = (sin_lam * Sz_delta) - (cos_lam * t71);
-    const double t75 = (t34 * t73) - t67;
-    const double t79 = p->mB * p->xB;
-    const double t88 = (p->IRxx + (p->mF * (p->w * p->w)) + (p->xB * t79) + ((p->xH * (p->mH *
-        p->xH)) + p->IBzz + t58)) * yaw_by_delta;
-    const double t89 = t75 - t88;
-    const double M_22 = (sin_lam * hx_delta) + (cos_lam * t67) - ((t75 + t89) * yaw_by_delta);
+    const double t37 = (t2 * p->xB) - p->IBxz;
+    const double wz_delta2_delta = cos_lam + yaw_by_delta;
+    const double t43 = p->IHxz * wz_delta2_delta;
+    const double t44 = (wx_delta2_delta * t15) + t43;
+    const double t47 = p->w + p->c;
+    const double t52 = (p->zH * wx_delta2_delta) - ((p->xH * wz_delta2_delta) - (cos_lam * t47));
+    const double t54 = p->mB * p->xB;
+    const double vy_spin_F4_delta = p->IRxx + (p->xB * t54);
+    const double t62 = wz_delta2_delta * (p->IFxx + p->IHzz);
+    const double t63 = (yaw_by_delta * (vy_spin_F4_delta + p->IBzz)) + t62;
+    const double t65 = p->mH * t52;
+    const double M_22 = (yaw_by_delta * t63) + ((t52 * t65) + ((cos_lam * t62) + (wx_delta2_delta *
+        (t43 + t44))));
+    const double t75 = p->IHxz + (t11 * t47);
+    const double t78 = t20 + (t2 - t6);
+    const double h_spin_R = p->IRyy / p->rR;
     const double h_spin_F = p->IFyy / p->rF;
-    const double t96 = cos_lam * h_spin_F;
-    const double t99 = h_spin_F + (p->IRyy / p->rR);
-    const double t101 = t2 - (t19 + Sz_delta);
-    const double t102 = t99 + t101;
-    const double h_wheels_all = yaw_per_v_delta * (t50 - (p->c * t102));
-    const double C1_12 = t96 - h_wheels_all;
-    const double m_delta = p->mH + p->mF;
-    const double Sx_all = t71 + ((t34 * m_delta) + t79);
-    const double t114 = t73 - (Sx_all * yaw_by_delta);
-    const double t120 = t51 * Sx_all;
-    const double t125 = p->rhoF * t120;
-    const double K0_11 = (p->rhoR * (p->mR + (p->mB + m_delta - t120))) - (t101 - t125);
-    const double K_phi_delta = (sin_lam * t125) + t114;
-    const double K0_22 = sin_lam * K_phi_delta;
-    const double K2_12 = yaw_per_v_delta * t102;
-    const double C1_21 = -((t99 * yaw_by_delta) + t96);
-    const double C1_22 = -(yaw_per_v_delta * (t89 + (p->c * t114)));
-    const double K2_22 = -(yaw_per_v_delta * (t114 - (sin_lam * h_spin_F)));
+    const double h_wheels_all = h_spin_R + h_spin_F;
+    const double t84 = h_wheels_all - t78;
+    const double t86 = p->mH * p->xH;
+    const double t91 = cos_lam * h_spin_F;
+    const double t95 = t65 - (yaw_by_delta * t54);
+    const double C1_22 = yaw_per_v_delta * ((wx_delta2_delta * t75) - ((p->c * t95) - t63 + (p->xH *
+        t65)));
+    const double t105 = t29 * (t86 + t54);
+    const double t113 = (p->rhoF * (p->mF + t105)) - t11;
+    const double K0_11 = t78 + (((p->mR + p->mB + (p->mH - t105)) * p->rhoR) + t113);
+    const double K0_12 = t95 + (wx_delta2_delta * t113);
+    const double K0_22 = wx_delta2_delta * K0_12;
+    const double K2_12 = yaw_per_v_delta * (t11 + t84);
+    const double K2_22 = yaw_per_v_delta * ((wx_delta2_delta * (t11 + h_spin_F)) - t95);
+    const double M_12 = (t20 * t52) - ((yaw_by_delta * t37) - t44);
+    const double C1_12 = t91 - ((t37 - t75 - ((p->c * t84) - (p->zH * t86))) * yaw_per_v_delta);
+    const double C1_21 = -(t91 + (yaw_by_delta * h_wheels_all));
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -521,8 +517,8 @@ void whipple_tyres_f64_matrices(const whipple_tyres_f64_t *p, whipple_tyres_f64_
     matrices->c1[1][0] = C1_21;
     matrices->c1[1][1] = C1_22;
     matrices->k0[0][0] = K0_11;
-    matrices->k0[0][1] = K_phi_delta;
-    matrices->k0[1][0] = K_phi_delta;
+    matrices->k0[0][1] = K0_12;
+    matrices->k0[1][0] = K0_12;
     matrices->k0[1][1] = K0_22;
     matrices->k2[0][0] = 0.0;
     matrices->k2[0][1] = K2_12;
@@ -662,252 +658,224 @@ void whipple_tyres_f64_kinematics(const whipple_tyres_f64_t *p, whipple_tyres_f6
 void whipple_tyres_f64_derivatives(const whipple_tyres_f64_t *p,
     whipple_tyres_f64_matrices_t *matrices, whipple_tyres_f64_derivatives_t *derivatives)
 {
-    const double t2 = p->rF * p->mF;
-    const double t8 = p->zH * p->mH;
-    const double Jxx_delta = (p->rF * t2) + p->IHxx + p->IFxx + (p->zH * t8);
-    const double t17 = p->rR * p->mR;
-    const double t21 = p->zB * p->mB;
-    const double M_11 = Jxx_delta + p->IRxx + p->IBxx + (p->rR * t17) + (p->zB * t21);
-    double sin_lam = 0.0;
-    double cos_lam = 0.0;
-    carvallo_sin_cos_f64(p->lam, &sin_lam, &cos_lam);
-    const double t35 = p->c + p->w;
-    const double t36 = p->xH - t35;
-    const double t37 = p->mH * t36;
-    const double t40 = p->IHxz - (t2 * p->c) - (p->zH * t37);
-    const double t42 = t40 * cos_lam;
-    const double hx_delta = (Jxx_delta * sin_lam) + t42;
-    const double Sz_delta = t8 - t2;
-    const double t51 = (t35 * Sz_delta) + (t21 * p->xB) - t40 - p->IBxz;
-    const double t52 = 1.0 / p->w;
-    const double yaw_per_v_delta = cos_lam * t52;
-    const double yaw_by_delta = p->c * yaw_per_v_delta;
-    const double M_12 = hx_delta - (t51 * yaw_by_delta);
-    const double t58 = sin_lam * t40;
-    const double t61 = p->IFxx + p->IHzz;
-    const double t62 = p->mF * p->c;
-    const double t65 = (t36 * t37) + t61 + (p->c * t62);
-    const double t67 = t58 + (cos_lam * t65);
-    const double t69 = t62 - t37;
-    const double t71 = (sin_lam * Sz_delta) + (cos_lam * t69);
-    const double t73 = (t35 * t71) - t67;
-    const double t74 = p->mF * p->w;
-    const double t79 = p->mB * p->xB;
-    const double t85 = p->IRxx + t61 + (p->w * t74) + (p->mH * p->xH * p->xH) + p->IBzz + (p->xB *
-        t79);
-    const double t87 = t73 - (yaw_by_delta * t85);
-    const double t89 = p->c * t52;
-    const double M_22 = (sin_lam * hx_delta) - (cos_lam * (((t73 + t87) * t89) - t67));
-    const double t96 = 1.0 / p->rF;
-    const double h_spin_F = p->IFyy * t96;
-    const double t98 = t51 * t52;
-    const double t100 = 1.0 / p->rR;
-    const double t101 = p->IRyy * t100;
-    const double t102 = h_spin_F + t101;
-    const double t104 = t21 + Sz_delta - t17;
-    const double t105 = t102 - t104;
-    const double t107 = (t89 * t105) - t98;
-    const double t108 = h_spin_F + t107;
-    const double C1_12 = cos_lam * t108;
-    const double C1_12_h_spin_F = cos_lam + yaw_by_delta;
-    const double C1_12_IFyy = t96 * C1_12_h_spin_F;
-    const double K2_12_IRyy = yaw_per_v_delta * t100;
-    const double C1_12_IRyy = p->c * K2_12_IRyy;
-    const double M_22_yaw_by_delta = p->IRyy * C1_12_IRyy;
-    const double m_delta = p->mF + p->mH;
-    const double Sx_all = t79 + (t35 * m_delta) - t69;
-    const double t121 = yaw_by_delta * Sx_all;
-    const double t122 = t71 - t121;
-    const double t124 = t87 + (p->c * t122);
-    const double K0_11_rhoF = t52 * Sx_all;
-    const double t128 = p->rhoF * K0_11_rhoF;
-    const double t130 = p->mF - K0_11_rhoF;
-    const double t131 = p->mH + t130;
-    const double K0_11_rhoR = p->mR + p->mB + t131;
-    const double K0_11 = t104 + t128 + (p->rhoR * K0_11_rhoR);
-    const double K_phi_delta = t122 + (sin_lam * t128);
-    const double K0_22 = sin_lam * K_phi_delta;
-    const double K2_12 = yaw_per_v_delta * t105;
-    const double t141 = sin_lam * h_spin_F;
-    const double t142 = t141 - t122;
-    const double K2_22 = yaw_per_v_delta * t142;
-    const double M_12_c = cos_lam * (Sz_delta - t98);
-    const double t147 = t8 * C1_12_h_spin_F;
-    const double M_12_w = t147 - (t89 * M_12_c);
-    const double t149 = yaw_by_delta + C1_12_h_spin_F;
-    const double t150 = t36 * cos_lam;
-    const double t151 = t149 * t150;
-    const double M_22_IHxz = sin_lam * (cos_lam + t149);
-    const double t156 = p->c * (cos_lam + cos_lam);
-    const double t157 = p->w * yaw_per_v_delta;
-    const double t158 = yaw_by_delta + t157;
-    const double t159 = t156 * t158;
-    const double t160 = t151 + t159;
-    const double t163 = p->mH * (t151 + t160 - (p->zH * M_22_IHxz));
-    const double t164 = t52 * t156;
-    const double t166 = t163 + (t71 * t164);
-    const double t167 = t74 * t164;
-    const double t168 = t52 * t87;
-    const double t169 = t168 + t168;
-    const double M_22_w = (yaw_by_delta * (t167 + t169)) - t166;
-    const double C1_12_w = yaw_per_v_delta * (t2 - t107);
-    const double t175 = yaw_per_v_delta * t102;
-    const double C1_21_w = t89 * t175;
-    const double t177 = p->zH * sin_lam;
-    const double t178 = t177 - t150;
-    const double t179 = p->xH * cos_lam;
-    const double t180 = t178 - t179;
-    const double t182 = t71 - (p->mH * t180);
-    const double C1_22_yaw_by_delta = yaw_per_v_delta * t85;
-    const double t184 = t121 + C1_22_yaw_by_delta;
-    const double t187 = t52 * ((p->c * t184) - t124);
-    const double t189 = p->mH * cos_lam;
-    const double t190 = (yaw_per_v_delta * t62) - t189;
-    const double C1_22_w = yaw_per_v_delta * (t167 + (p->c * t190) - t182 - t187);
-    const double t197 = t52 * (p->rhoF - p->rhoR);
-    const double K0_11_w = t130 * t197;
-    const double t199 = sin_lam * t52;
-    const double t200 = p->rhoF * t199;
-    const double t201 = t200 - yaw_by_delta;
-    const double K0_12_w = t189 + (t130 * t201);
-    const double K0_22_w = sin_lam * K0_12_w;
-    const double t205 = t52 * K2_12;
-    const double t207 = t52 * (t121 + t142);
-    const double K2_22_w = yaw_per_v_delta * (t190 - t207);
-    const double t210 = p->c * t158;
-    const double t211 = t210 + t210;
-    const double t212 = p->rF * sin_lam;
-    const double t218 = p->mF * (t156 - t212);
-    const double t221 = t166 + (cos_lam * (t169 + (p->mF * (t211 + t212)))) - (t149 * t218);
-    const double t222 = p->mF * t158;
-    const double K0_12_c = cos_lam * t131;
-    const double C1_22_c = (yaw_per_v_delta * (t184 + t218 - t71 - t182 - (p->c * K0_12_c))) -
-        (cos_lam * t222);
-    const double K0_22_c = sin_lam * K0_12_c;
-    const double t233 = yaw_per_v_delta * K0_12_c;
-    const double t234 = p->c * t199;
-    const double hx_delta_lam = (Jxx_delta * cos_lam) - t58;
-    const double M_12_lam = (t51 * t234) + hx_delta_lam;
-    const double t241 = (sin_lam * t69) - (cos_lam * Sz_delta);
-    const double t244 = (sin_lam * t65) - t42;
-    const double t252 = (t211 * t241) + (sin_lam * (hx_delta_lam + (p->c * t169) - t67)) +
-        (cos_lam * hx_delta);
-    const double M_22_lam = t252 - (t149 * t244);
-    const double t254 = sin_lam * t108;
-    const double C1_21_lam = t141 + (t102 * t234);
-    const double C1_22_lam = (t241 * (yaw_by_delta + t158)) - (sin_lam * t187) - (yaw_per_v_delta *
-        t244);
-    const double K_phi_delta_lam = (Sx_all * (t234 + (yaw_per_v_delta * p->rhoF))) - t241;
-    const double K0_22_lam = (sin_lam * K_phi_delta_lam) + (cos_lam * K_phi_delta);
-    const double t270 = t105 * t199;
-    const double K2_22_lam = (yaw_per_v_delta * (t241 + (cos_lam * h_spin_F))) - (sin_lam * t207);
-    const double M_11_rR = t17 + t17;
-    const double t277 = t100 * t101;
-    const double K2_12_rR = yaw_per_v_delta * (p->mR - t277);
-    const double C1_12_rR = p->c * K2_12_rR;
-    const double C1_21_rR = yaw_by_delta * t277;
+    const double t4 = p->rF * p->mF;
+    const double t7 = p->IFxx + p->IHxx + (p->rF * t4);
     const double M_11_mR = p->rR * p->rR;
-    const double K2_12_mR = p->rR * yaw_per_v_delta;
-    const double C1_12_mR = p->c * K2_12_mR;
-    const double K0_11_mR = p->rhoR - p->rR;
-    const double C1_22_IRxx = yaw_per_v_delta * yaw_by_delta;
-    const double M_22_IRxx = p->c * C1_22_IRxx;
-    const double t289 = t21 * yaw_per_v_delta;
-    const double t290 = p->c * t289;
-    const double t291 = yaw_by_delta * t79;
-    const double M_22_xB = t164 * t291;
-    const double t293 = p->c + p->xB;
-    const double K2_22_xB = p->mB * C1_22_IRxx;
-    const double C1_22_xB = (p->xB + t293) * K2_22_xB;
-    const double K0_11_xB = p->mB * t197;
-    const double K0_12_xB = p->mB * t201;
-    const double K0_22_xB = sin_lam * K0_12_xB;
-    const double M_11_zB = t21 + t21;
-    const double t301 = p->mB * yaw_per_v_delta;
-    const double t302 = t293 * t301;
-    const double M_11_mB = p->zB * p->zB;
-    const double t304 = p->xB * yaw_by_delta;
-    const double t305 = p->zB * t304;
-    const double M_22_mB = t304 * t304;
-    const double t307 = p->zB * yaw_per_v_delta;
-    const double t308 = t293 * t307;
-    const double K2_22_mB = yaw_per_v_delta * t304;
-    const double C1_22_mB = t293 * K2_22_mB;
-    const double K0_11_mB = p->zB + p->rhoR + (p->xB * t197);
-    const double K0_12_mB = p->xB * t201;
-    const double K0_22_mB = sin_lam * K0_12_mB;
-    const double t316 = t89 * t179;
-    const double M_22_xH = t163 + (p->mH * t164 * t316);
-    const double t320 = p->zH * yaw_per_v_delta;
-    const double t321 = p->mH * t320;
-    const double t322 = p->c * C1_12_h_spin_F;
-    const double t326 = t52 * t189;
-    const double C1_22_xH = (t316 + t316 + t322 - t180) * t326;
-    const double K0_11_xH = p->mH * t197;
-    const double t330 = p->mH * (cos_lam - t201);
-    const double t331 = sin_lam * t330;
-    const double K2_22_xH = C1_12_h_spin_F * t326;
-    const double Jxx_delta_zH = t8 + t8;
-    const double t335 = t210 + (t36 * C1_12_h_spin_F);
-    const double t336 = p->mH * t335;
-    const double t337 = sin_lam * Jxx_delta_zH;
-    const double t340 = sin_lam * (t336 + (t336 - t337));
-    const double t341 = t52 * t179;
-    const double t342 = yaw_by_delta + t341;
-    const double t343 = p->mH * t342;
-    const double t344 = sin_lam * t343;
-    const double K0_12_zH = p->mH * sin_lam;
-    const double K0_22_zH = sin_lam * K0_12_zH;
-    const double t347 = yaw_per_v_delta * K0_12_zH;
-    const double Jxx_delta_mH = p->zH * p->zH;
-    const double t349 = t335 - t177;
-    const double t350 = p->zH * t349;
-    const double M_22_mH = (t316 * t316) + (t36 * t160) - (t177 * (t335 + t349));
-    const double t357 = p->zH * t342;
-    const double C1_22_mH = (t341 * (t316 - t178)) + (yaw_by_delta * t349);
-    const double K0_11_mH = p->zH + p->rhoR + (p->xH * t197);
-    const double K0_12_mH = (p->xH * t200) - t349;
-    const double K0_22_mH = sin_lam * K0_12_mH;
-    const double K2_22_mH = yaw_per_v_delta * t349;
-    const double M_22_Jxx_delta = sin_lam * sin_lam;
-    const double t370 = cos_lam * t149;
-    const double M_22_IHzz = M_22_IRxx + t370;
-    const double C1_22_IHzz = yaw_per_v_delta * C1_12_h_spin_F;
-    const double K2_22_h_spin_F = sin_lam * yaw_per_v_delta;
-    const double M_11_rF = t2 + t2;
-    const double t375 = t322 - t210;
-    const double t376 = t375 - t212;
-    const double M_12_rF = p->mF * (t212 - t376);
-    const double t379 = t375 + t376;
-    const double t381 = p->mF * sin_lam;
-    const double M_22_rF = (t212 - t379) * t381;
-    const double t383 = t96 * h_spin_F;
-    const double C1_21_rF = C1_12_h_spin_F * t383;
-    const double C1_12_rF = t222 - C1_21_rF;
-    const double C1_22_rF = sin_lam * t222;
-    const double t387 = sin_lam * t381;
-    const double K2_12_rF = yaw_per_v_delta * (p->mF - t383);
-    const double K2_22_rF = sin_lam * K2_12_rF;
-    const double M_11_mF = p->rF * p->rF;
-    const double t392 = p->rF * t376;
-    const double t394 = t157 * t157;
-    const double t399 = (t212 * t379) + (p->c * (t159 - (p->c * (t370 + t394))));
+    const double M_11_mH = p->zH * p->zH;
+    const double t20 = p->zB * p->mB;
+    const double M_11 = t7 + p->IBxx + (p->mR * M_11_mR) + p->IRxx + (p->mH * M_11_mH) + (p->zB *
+        t20);
+    double wx_delta2_delta = 0.0;
+    double wx_delta2_delta_lam = 0.0;
+    carvallo_sin_cos_f64(p->lam, &wx_delta2_delta, &wx_delta2_delta_lam);
+    const double t31 = 1.0 / p->w;
+    const double yaw_per_v_delta = wx_delta2_delta_lam * t31;
+    const double yaw_by_delta = p->c * yaw_per_v_delta;
+    const double t37 = p->IBxz - (t20 * p->xB);
+    const double M_22_yaw_per_v_delta = yaw_by_delta * t37;
+    const double wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
+    const double t44 = p->mH * p->zH;
+    const double t45 = p->zH * wx_delta2_delta;
+    const double t47 = p->c + p->w;
+    const double t48 = p->c * t31;
+    const double t49 = p->xH * t48;
+    const double t51 = p->xH + t49 - t47;
+    const double t53 = t45 - (wx_delta2_delta_lam * t51);
+    const double t56 = (p->IHxz * wz_delta2_delta) + (t7 * wx_delta2_delta) + (t44 * t53);
+    const double M_12 = M_22_yaw_per_v_delta + t56;
+    const double t60 = p->IFxx + p->IHzz;
+    const double t63 = (wz_delta2_delta * t60) + (p->IHxz * wx_delta2_delta);
+    const double t65 = p->mB * p->xB;
+    const double t68 = p->IRxx + p->IBzz + (p->xB * t65);
+    const double t70 = t63 + (yaw_by_delta * t68);
+    const double t71 = t48 * t70;
+    const double t72 = p->mH * t53;
+    const double t75 = t63 + t71 - (t51 * t72);
+    const double M_22 = (wx_delta2_delta * t56) + (wx_delta2_delta_lam * t75);
+    const double t80 = 1.0 / p->rF;
+    const double h_spin_F = p->IFyy * t80;
+    const double t82 = p->mH * p->xH;
+    const double M_12_yaw_by_delta = t37 + p->IHxz;
+    const double t85 = (p->zH * t82) - M_12_yaw_by_delta;
+    const double t86 = t4 * t47;
+    const double t88 = 1.0 / p->rR;
+    const double t89 = p->IRyy * t88;
+    const double h_wheels_all = h_spin_F + t89;
+    const double t91 = p->mR * p->rR;
+    const double t93 = t91 - t20 - t44;
+    const double t94 = h_wheels_all + t93;
+    const double t98 = t31 * (t86 + (p->c * t94) - t85);
+    const double t99 = h_spin_F + t98;
+    const double C1_12 = wx_delta2_delta_lam * t99;
+    const double M_22_wz_delta2_delta = t48 * h_wheels_all;
+    const double t102 = h_spin_F + M_22_wz_delta2_delta;
+    const double t105 = p->c * t65;
+    const double t106 = yaw_per_v_delta * t105;
+    const double t107 = t106 - t72;
+    const double t112 = t70 + (wx_delta2_delta * t86) + (p->c * t107) - (p->xH * t72);
+    const double C1_22 = yaw_per_v_delta * t112;
+    const double t116 = t31 * (t65 + t82);
+    const double K0_11_rhoF = p->mF + t116;
+    const double t119 = t4 - (p->rhoF * K0_11_rhoF);
+    const double t121 = p->mH - t116;
+    const double K0_11_rhoR = p->mR + p->mB + t121;
+    const double K0_11 = (p->rhoR * K0_11_rhoR) - t93 - t119;
+    const double t128 = t107 + (wx_delta2_delta * t119);
+    const double K2_12_yaw_per_v_delta = t4 + t94;
+    const double K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
+    const double t132 = t4 + h_spin_F;
+    const double t134 = t107 + (wx_delta2_delta * t132);
+    const double K2_22 = yaw_per_v_delta * t134;
+    const double t136 = yaw_per_v_delta * t85;
+    const double t138 = wx_delta2_delta_lam * t44;
+    const double M_12_w = (t48 * t136) + t138;
+    const double t140 = p->mH * wx_delta2_delta_lam;
+    const double t141 = p->mH * yaw_per_v_delta;
+    const double t143 = t140 + (t49 * t141);
+    const double t146 = (yaw_per_v_delta * t71) - (t53 * t143);
+    const double t147 = t146 + t146;
+    const double C1_12_w = yaw_per_v_delta * (t4 - t98);
+    const double C1_21_w = yaw_per_v_delta * M_22_wz_delta2_delta;
     const double K2_12_mF = p->rF * yaw_per_v_delta;
-    const double C1_12_mF = t35 * K2_12_mF;
-    const double C1_22_mF = (sin_lam * C1_12_mF) - (p->c * ((cos_lam * t157) - t394));
-    const double K0_11_mF = p->rhoR + (p->w * t197) - p->rF;
-    const double t410 = p->w * t200;
-    const double t412 = sin_lam * (t212 - t410);
-    const double K2_22_mF = p->rF * K2_22_h_spin_F;
-    const double M_22_IFxx = M_22_Jxx_delta + M_22_IHzz;
-    const double K2_12_IFyy = yaw_per_v_delta * t96;
-    const double K2_22_IFyy = sin_lam * K2_12_IFyy;
-    const double K_phi_delta_rhoF = Sx_all * t199;
-    const double K0_22_rhoF = K0_11_rhoF * M_22_Jxx_delta;
-    const double C1_21 = -((p->IFyy * C1_12_IFyy) + M_22_yaw_by_delta);
-    const double C1_22 = -(yaw_per_v_delta * t124);
-    const double M_12_zH = t337 - t336;
-    const double K0_12_mF = t410 - t212;
+    const double K2_22_mF = wx_delta2_delta * K2_12_mF;
+    const double t153 = p->mF * K2_22_mF;
+    const double t154 = p->c + p->xH;
+    const double t156 = yaw_per_v_delta * t60;
+    const double C1_22_yaw_by_delta = t156 + (yaw_per_v_delta * (t68 + t105));
+    const double t162 = t31 * (t112 + (p->c * C1_22_yaw_by_delta));
+    const double C1_22_w = t153 - (yaw_per_v_delta * ((t143 * t154) + t162));
+    const double t167 = t31 * (p->rhoF - p->rhoR);
+    const double t168 = t116 * t167;
+    const double t169 = t31 * wx_delta2_delta;
+    const double t170 = p->rhoF * t169;
+    const double t171 = yaw_by_delta - t170;
+    const double K0_12_w = t140 + (t116 * t171);
+    const double K0_22_w = wx_delta2_delta * K0_12_w;
+    const double t175 = t31 * K2_12;
+    const double K2_22_yaw_per_v_delta = t106 + t134;
+    const double t177 = t31 * K2_22_yaw_per_v_delta;
+    const double t179 = yaw_per_v_delta * (t143 + t177);
+    const double M_12_c = t138 - t136;
+    const double t183 = t140 - (yaw_per_v_delta * t82);
+    const double t185 = (yaw_per_v_delta * t70) + (t53 * t183);
+    const double M_22_c = t185 + t185;
+    const double t187 = yaw_per_v_delta * h_wheels_all;
+    const double C1_22_c = t153 + (yaw_per_v_delta * (t107 + C1_22_yaw_by_delta - (t154 * t183)));
+    const double K0_12_c = wx_delta2_delta_lam * t121;
+    const double K0_22_c = wx_delta2_delta * K0_12_c;
+    const double t195 = wx_delta2_delta_lam * yaw_per_v_delta;
+    const double t196 = t121 * t195;
+    const double K0_12_zH = p->mH * wx_delta2_delta;
+    const double t203 = t138 + (t51 * K0_12_zH);
+    const double M_12_lam = (t7 * wx_delta2_delta_lam) + (p->zH * t203) - (wx_delta2_delta *
+        (p->IHxz + (t48 * M_12_yaw_by_delta)));
+    const double t209 = (wx_delta2_delta * t75) - (wx_delta2_delta_lam * t56);
+    const double t210 = t209 + t209;
+    const double t211 = wx_delta2_delta * t99;
+    const double C1_21_lam = wx_delta2_delta * t102;
+    const double t217 = yaw_per_v_delta * t203;
+    const double C1_22_lam = (t195 * (p->IHxz + t86)) - (wx_delta2_delta * (t156 + t162)) - (t154 *
+        t217);
+    const double K0_12_lam = t203 + (t105 * t169) - (wx_delta2_delta_lam * t119);
+    const double K0_22_lam = (wx_delta2_delta * K0_12_lam) - (wx_delta2_delta_lam * t128);
+    const double t228 = K2_12_yaw_per_v_delta * t169;
+    const double t232 = t217 + (wx_delta2_delta * t177) - (t132 * t195);
+    const double M_11_rR = t91 + t91;
+    const double t235 = p->mR - (t88 * t89);
+    const double C1_12_rR = yaw_by_delta * t235;
+    const double C1_12_IRyy = yaw_by_delta * t88;
+    const double C1_21_rR = t89 * C1_12_IRyy;
+    const double K2_12_rR = yaw_per_v_delta * t235;
+    const double C1_12_mR = p->rR * yaw_by_delta;
+    const double K0_11_mR = p->rhoR - p->rR;
+    const double K2_12_mR = p->rR * yaw_per_v_delta;
+    const double C1_22_vy_spin_F4_delta = yaw_per_v_delta * yaw_by_delta;
+    const double M_22_vy_spin_F4_delta = p->c * C1_22_vy_spin_F4_delta;
+    const double K2_12_IRyy = yaw_per_v_delta * t88;
+    const double t247 = t20 * yaw_by_delta;
+    const double t248 = yaw_by_delta * t106;
+    const double M_22_xB = t248 + t248;
+    const double t250 = p->zB * yaw_per_v_delta;
+    const double t251 = p->mB * t250;
+    const double t252 = p->c + p->xB;
+    const double t254 = p->mB * yaw_per_v_delta;
+    const double K2_22_xB = yaw_by_delta * t254;
+    const double C1_22_xB = (p->xB + t252) * K2_22_xB;
+    const double K0_11_xB = p->mB * t167;
+    const double t258 = p->mB * t171;
+    const double t259 = wx_delta2_delta * t258;
+    const double M_11_zB = t20 + t20;
+    const double t261 = t252 * t254;
+    const double M_11_mB = p->zB * p->zB;
+    const double t263 = yaw_by_delta * p->xB;
+    const double t264 = p->zB * t263;
+    const double M_22_mB = t263 * t263;
+    const double t266 = t250 * t252;
+    const double K2_22_mB = yaw_per_v_delta * t263;
+    const double C1_22_mB = t252 * K2_22_mB;
+    const double K0_11_mB = p->zB + p->rhoR + (p->xB * t167);
+    const double t272 = p->xB * t171;
+    const double t273 = wx_delta2_delta * t272;
+    const double t274 = wz_delta2_delta * t44;
+    const double t276 = wz_delta2_delta * (t72 + t72);
+    const double t277 = t31 * t138;
+    const double t278 = yaw_per_v_delta * t53;
+    const double K2_22_xH = wz_delta2_delta * t141;
+    const double C1_22_xH = (t154 * K2_22_xH) - (p->mH * t278);
+    const double K0_11_xH = p->mH * t167;
+    const double M_12_yaw_per_v_delta = wz_delta2_delta - t170;
+    const double t285 = p->mH * M_12_yaw_per_v_delta;
+    const double t286 = wx_delta2_delta * t285;
+    const double M_11_zH = t44 + t44;
+    const double M_12_zH = t72 + (p->mH * t45);
+    const double t290 = wx_delta2_delta + wx_delta2_delta;
+    const double M_22_zH = t72 * t290;
+    const double t292 = t141 * t154;
+    const double t293 = yaw_per_v_delta * K0_12_zH;
+    const double t294 = t154 * t293;
+    const double M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+    const double K0_22_zH = p->mH * M_22_IHxx;
+    const double M_12_mH = p->zH * t53;
+    const double M_22_mH = t53 * t53;
+    const double t299 = p->zH * yaw_per_v_delta;
+    const double t300 = t154 * t299;
+    const double t301 = t154 * t278;
+    const double K0_11_mH = p->zH + p->rhoR + (p->xH * t167);
+    const double K0_12_mH = t53 + (p->xH * t170);
+    const double K0_22_mH = wx_delta2_delta * K0_12_mH;
+    const double M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+    const double C1_22_IHzz = t195 + C1_22_vy_spin_F4_delta;
+    const double M_22_IHxz = wz_delta2_delta * t290;
+    const double K2_22_h_spin_F = wx_delta2_delta_lam * t169;
+    const double M_11_rF = t4 + t4;
+    const double M_12_rF = wx_delta2_delta * M_11_rF;
+    const double M_22_rF = wx_delta2_delta * M_12_rF;
+    const double t315 = p->mF * yaw_per_v_delta;
+    const double t316 = t47 * t315;
+    const double C1_12_IFyy = wz_delta2_delta * t80;
+    const double C1_21_rF = h_spin_F * C1_12_IFyy;
+    const double C1_12_rF = t316 - C1_21_rF;
+    const double C1_22_rF = wx_delta2_delta * t316;
+    const double t321 = p->mF * wx_delta2_delta;
+    const double t322 = p->mF * M_22_IHxx;
+    const double K2_12_IFyy = yaw_per_v_delta * t80;
+    const double K2_12_rF = t315 - (h_spin_F * K2_12_IFyy);
+    const double K2_22_rF = wx_delta2_delta * K2_12_rF;
+    const double M_11_mF = p->rF * p->rF;
+    const double M_12_mF = wx_delta2_delta * M_11_mF;
+    const double M_22_mF = M_22_IHxx * M_11_mF;
+    const double C1_12_mF = t47 * K2_12_mF;
+    const double C1_22_mF = wx_delta2_delta * C1_12_mF;
+    const double t333 = wx_delta2_delta * (p->rF - p->rhoF);
+    const double t334 = wx_delta2_delta * t333;
+    const double M_22_IFxx = M_22_IHxx + M_22_IHzz;
+    const double K2_22_IFyy = t80 * K2_22_h_spin_F;
+    const double K0_12_rhoF = wx_delta2_delta * K0_11_rhoF;
+    const double K0_22_rhoF = wx_delta2_delta * K0_12_rhoF;
+    const double C1_21 = -(wx_delta2_delta_lam * t102);
+    const double K0_12 = -t128;
+    const double K0_22 = -(wx_delta2_delta * t128);
+    const double K0_11_mF = p->rhoF - p->rF;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -917,40 +885,40 @@ void whipple_tyres_f64_derivatives(const whipple_tyres_f64_t *p,
     matrices->c1[1][0] = C1_21;
     matrices->c1[1][1] = C1_22;
     matrices->k0[0][0] = K0_11;
-    matrices->k0[0][1] = K_phi_delta;
-    matrices->k0[1][0] = K_phi_delta;
+    matrices->k0[0][1] = K0_12;
+    matrices->k0[1][0] = K0_12;
     matrices->k0[1][1] = K0_22;
     matrices->k2[0][0] = 0.0;
     matrices->k2[0][1] = K2_12;
     matrices->k2[1][0] = 0.0;
     matrices->k2[1][1] = K2_22;
     derivatives->values[0] = M_12_w;
-    derivatives->values[1] = M_22_w;
+    derivatives->values[1] = t147;
     derivatives->values[2] = C1_12_w;
     derivatives->values[3] = C1_21_w;
     derivatives->values[4] = C1_22_w;
-    derivatives->values[5] = K0_11_w;
+    derivatives->values[5] = t168;
     derivatives->values[6] = K0_12_w;
     derivatives->values[7] = K0_22_w;
-    derivatives->values[8] = t205;
-    derivatives->values[9] = K2_22_w;
+    derivatives->values[8] = t175;
+    derivatives->values[9] = t179;
     derivatives->values[10] = M_12_c;
-    derivatives->values[11] = t221;
+    derivatives->values[11] = M_22_c;
     derivatives->values[12] = K2_12;
-    derivatives->values[13] = t175;
+    derivatives->values[13] = t187;
     derivatives->values[14] = C1_22_c;
     derivatives->values[15] = K0_12_c;
     derivatives->values[16] = K0_22_c;
-    derivatives->values[17] = t233;
+    derivatives->values[17] = t196;
     derivatives->values[18] = M_12_lam;
-    derivatives->values[19] = M_22_lam;
-    derivatives->values[20] = t254;
+    derivatives->values[19] = t210;
+    derivatives->values[20] = t211;
     derivatives->values[21] = C1_21_lam;
     derivatives->values[22] = C1_22_lam;
-    derivatives->values[23] = K_phi_delta_lam;
+    derivatives->values[23] = K0_12_lam;
     derivatives->values[24] = K0_22_lam;
-    derivatives->values[25] = t270;
-    derivatives->values[26] = K2_22_lam;
+    derivatives->values[25] = t228;
+    derivatives->values[26] = t232;
     derivatives->values[27] = M_11_rR;
     derivatives->values[28] = C1_12_rR;
     derivatives->values[29] = C1_21_rR;
@@ -961,68 +929,68 @@ void whipple_tyres_f64_derivatives(const whipple_tyres_f64_t *p,
     derivatives->values[34] = K0_11_mR;
     derivatives->values[35] = K2_12_mR;
     derivatives->values[36] = 1.0;
-    derivatives->values[37] = M_22_IRxx;
-    derivatives->values[38] = C1_22_IRxx;
+    derivatives->values[37] = M_22_vy_spin_F4_delta;
+    derivatives->values[38] = C1_22_vy_spin_F4_delta;
     derivatives->values[39] = C1_12_IRyy;
     derivatives->values[40] = K2_12_IRyy;
-    derivatives->values[41] = t290;
+    derivatives->values[41] = t247;
     derivatives->values[42] = M_22_xB;
-    derivatives->values[43] = t289;
+    derivatives->values[43] = t251;
     derivatives->values[44] = C1_22_xB;
     derivatives->values[45] = K0_11_xB;
-    derivatives->values[46] = K0_12_xB;
-    derivatives->values[47] = K0_22_xB;
+    derivatives->values[46] = t258;
+    derivatives->values[47] = t259;
     derivatives->values[48] = K2_22_xB;
     derivatives->values[49] = M_11_zB;
-    derivatives->values[50] = t291;
-    derivatives->values[51] = t302;
+    derivatives->values[50] = t106;
+    derivatives->values[51] = t261;
     derivatives->values[52] = p->mB;
-    derivatives->values[53] = t301;
+    derivatives->values[53] = t254;
     derivatives->values[54] = M_11_mB;
-    derivatives->values[55] = t305;
+    derivatives->values[55] = t264;
     derivatives->values[56] = M_22_mB;
-    derivatives->values[57] = t308;
+    derivatives->values[57] = t266;
     derivatives->values[58] = C1_22_mB;
     derivatives->values[59] = K0_11_mB;
-    derivatives->values[60] = K0_12_mB;
-    derivatives->values[61] = K0_22_mB;
-    derivatives->values[62] = t307;
+    derivatives->values[60] = t272;
+    derivatives->values[61] = t273;
+    derivatives->values[62] = t250;
     derivatives->values[63] = K2_22_mB;
     derivatives->values[64] = yaw_by_delta;
     derivatives->values[65] = yaw_per_v_delta;
-    derivatives->values[66] = t147;
-    derivatives->values[67] = M_22_xH;
-    derivatives->values[68] = t321;
+    derivatives->values[66] = t274;
+    derivatives->values[67] = t276;
+    derivatives->values[68] = t277;
     derivatives->values[69] = C1_22_xH;
     derivatives->values[70] = K0_11_xH;
-    derivatives->values[71] = t330;
-    derivatives->values[72] = t331;
+    derivatives->values[71] = t285;
+    derivatives->values[72] = t286;
     derivatives->values[73] = K2_22_xH;
-    derivatives->values[74] = Jxx_delta_zH;
+    derivatives->values[74] = M_11_zH;
     derivatives->values[75] = M_12_zH;
-    derivatives->values[76] = t340;
-    derivatives->values[77] = t343;
-    derivatives->values[78] = t344;
+    derivatives->values[76] = M_22_zH;
+    derivatives->values[77] = t292;
+    derivatives->values[78] = t294;
     derivatives->values[79] = p->mH;
     derivatives->values[80] = K0_12_zH;
     derivatives->values[81] = K0_22_zH;
-    derivatives->values[82] = t326;
-    derivatives->values[83] = t347;
-    derivatives->values[84] = Jxx_delta_mH;
-    derivatives->values[85] = t350;
+    derivatives->values[82] = t141;
+    derivatives->values[83] = t293;
+    derivatives->values[84] = M_11_mH;
+    derivatives->values[85] = M_12_mH;
     derivatives->values[86] = M_22_mH;
-    derivatives->values[87] = t357;
-    derivatives->values[88] = C1_22_mH;
+    derivatives->values[87] = t300;
+    derivatives->values[88] = t301;
     derivatives->values[89] = K0_11_mH;
     derivatives->values[90] = K0_12_mH;
     derivatives->values[91] = K0_22_mH;
-    derivatives->values[92] = t320;
-    derivatives->values[93] = K2_22_mH;
-    derivatives->values[94] = sin_lam;
-    derivatives->values[95] = M_22_Jxx_delta;
+    derivatives->values[92] = t299;
+    derivatives->values[93] = t278;
+    derivatives->values[94] = wx_delta2_delta;
+    derivatives->values[95] = M_22_IHxx;
     derivatives->values[96] = M_22_IHzz;
     derivatives->values[97] = C1_22_IHzz;
-    derivatives->values[98] = C1_12_h_spin_F;
+    derivatives->values[98] = wz_delta2_delta;
     derivatives->values[99] = M_22_IHxz;
     derivatives->values[100] = K2_22_h_spin_F;
     derivatives->values[101] = M_11_rF;
@@ -1032,18 +1000,18 @@ void whipple_tyres_f64_derivatives(const whipple_tyres_f64_t *p,
     derivatives->values[105] = C1_21_rF;
     derivatives->values[106] = C1_22_rF;
     derivatives->values[107] = p->mF;
-    derivatives->values[108] = t381;
-    derivatives->values[109] = t387;
+    derivatives->values[108] = t321;
+    derivatives->values[109] = t322;
     derivatives->values[110] = K2_12_rF;
     derivatives->values[111] = K2_22_rF;
     derivatives->values[112] = M_11_mF;
-    derivatives->values[113] = t392;
-    derivatives->values[114] = t399;
+    derivatives->values[113] = M_12_mF;
+    derivatives->values[114] = M_22_mF;
     derivatives->values[115] = C1_12_mF;
     derivatives->values[116] = C1_22_mF;
     derivatives->values[117] = K0_11_mF;
-    derivatives->values[118] = K0_12_mF;
-    derivatives->values[119] = t412;
+    derivatives->values[118] = t333;
+    derivatives->values[119] = t334;
     derivatives->values[120] = K2_12_mF;
     derivatives->values[121] = K2_22_mF;
     derivatives->values[122] = M_22_IFxx;
@@ -1052,7 +1020,7 @@ void whipple_tyres_f64_derivatives(const whipple_tyres_f64_t *p,
     derivatives->values[125] = K2_22_IFyy;
     derivatives->values[126] = K0_11_rhoR;
     derivatives->values[127] = K0_11_rhoF;
-    derivatives->values[128] = K_phi_delta_rhoF;
+    derivatives->values[128] = K0_12_rhoF;
     derivatives->values[129] = K0_22_rhoF;
 }
 
@@ -6465,56 +6433,52 @@ whipple_tyres_validity_t whipple_tyres_f32_validate(const whipple_tyres_f32_t *p
 
 void whipple_tyres_f32_matrices(const whipple_tyres_f32_t *p, whipple_tyres_f32_matrices_t *matrices)
 {
-    const float t2 = p->rR * p->mR;
-    const float t7 = p->rF * p->mF;
-    const float t13 = p->zH * p->mH;
-    const float Jxx_delta = p->IHxx + (p->rF * t7) + (p->IFxx + (p->zH * t13));
-    const float t19 = p->zB * p->mB;
-    const float M_11 = (p->rR * t2) + (Jxx_delta + (p->zB * t19)) + (p->IRxx + p->IBxx);
-    float sin_lam = 0.0F;
+    const float t2 = p->zB * p->mB;
+    const float t6 = p->rR * p->mR;
+    const float t11 = p->rF * p->mF;
+    const float t15 = p->IFxx + ((p->rF * t11) + p->IHxx);
+    const float t20 = p->zH * p->mH;
+    const float M_11 = (p->zB * t2) + ((p->rR * t6) + t15) + ((p->zH * t20) + (p->IRxx + p->IBxx));
+    const float t29 = 1.0F / p->w;
+    float wx_delta2_delta = 0.0F;
     float cos_lam = 0.0F;
-    carvallo_sin_cos_f32(p->lam, &sin_lam, &cos_lam);
-    const float t34 = p->c + p->w;
-    const float t35 = p->xH - t34;
-    const float t39 = p->IHxz - (t13 * t35) - (t7 * p->c);
-    const float hx_delta = (Jxx_delta * sin_lam) + (t39 * cos_lam);
-    const float Sz_delta = t13 - t7;
-    const float t50 = (t34 * Sz_delta) + (t19 * p->xB) - (t39 + p->IBxz);
-    const float t51 = 1.0F / p->w;
-    const float yaw_per_v_delta = cos_lam * t51;
+    carvallo_sin_cos_f32(p->lam, &wx_delta2_delta, &cos_lam);
+    const float yaw_per_v_delta = t29 * cos_lam;
     const float yaw_by_delta = p->c * yaw_per_v_delta;
-    const float M_12 = hx_delta - (t50 * yaw_by_delta);
-    const float t58 = p->IFxx + p->IHzz;
-    const float t59 = p->mF * p->c;
-    const float t62 = p->mH * t35;
-    const float t67 = ((t58 + (p->c * t59) + (t35 * t62)) * cos_lam) + (sin_lam * t39);
-    const float t71 = t62 - t59;
-    const float t73 = (sin_lam * Sz_delta) - (cos_lam * t71);
-    const float t75 = (t34 * t73) - t67;
-    const float t79 = p->mB * p->xB;
-    const float t88 = (p->IRxx + (p->mF * (p->w * p->w)) + (p->xB * t79) + ((p->xH * (p->mH *
-        p->xH)) + p->IBzz + t58)) * yaw_by_delta;
-    const float t89 = t75 - t88;
-    const float M_22 = (sin_lam * hx_delta) + (cos_lam * t67) - ((t75 + t89) * yaw_by_delta);
+    const float t37 = (t2 * p->xB) - p->IBxz;
+    const float wz_delta2_delta = cos_lam + yaw_by_delta;
+    const float t43 = p->IHxz * wz_delta2_delta;
+    const float t44 = (wx_delta2_delta * t15) + t43;
+    const float t47 = p->w + p->c;
+    const float t52 = (p->zH * wx_delta2_delta) - ((p->xH * wz_delta2_delta) - (cos_lam * t47));
+    const float t54 = p->mB * p->xB;
+    const float vy_spin_F4_delta = p->IRxx + (p->xB * t54);
+    const float t62 = wz_delta2_delta * (p->IFxx + p->IHzz);
+    const float t63 = (yaw_by_delta * (vy_spin_F4_delta + p->IBzz)) + t62;
+    const float t65 = p->mH * t52;
+    const float M_22 = (yaw_by_delta * t63) + ((t52 * t65) + ((cos_lam * t62) + (wx_delta2_delta *
+        (t43 + t44))));
+    const float t75 = p->IHxz + (t11 * t47);
+    const float t78 = t20 + (t2 - t6);
+    const float h_spin_R = p->IRyy / p->rR;
     const float h_spin_F = p->IFyy / p->rF;
-    const float t96 = cos_lam * h_spin_F;
-    const float t99 = h_spin_F + (p->IRyy / p->rR);
-    const float t101 = t2 - (t19 + Sz_delta);
-    const float t102 = t99 + t101;
-    const float h_wheels_all = yaw_per_v_delta * (t50 - (p->c * t102));
-    const float C1_12 = t96 - h_wheels_all;
-    const float m_delta = p->mH + p->mF;
-    const float Sx_all = t71 + ((t34 * m_delta) + t79);
-    const float t114 = t73 - (Sx_all * yaw_by_delta);
-    const float t120 = t51 * Sx_all;
-    const float t125 = p->rhoF * t120;
-    const float K0_11 = (p->rhoR * (p->mR + (p->mB + m_delta - t120))) - (t101 - t125);
-    const float K_phi_delta = (sin_lam * t125) + t114;
-    const float K0_22 = sin_lam * K_phi_delta;
-    const float K2_12 = yaw_per_v_delta * t102;
-    const float C1_21 = -((t99 * yaw_by_delta) + t96);
-    const float C1_22 = -(yaw_per_v_delta * (t89 + (p->c * t114)));
-    const float K2_22 = -(yaw_per_v_delta * (t114 - (sin_lam * h_spin_F)));
+    const float h_wheels_all = h_spin_R + h_spin_F;
+    const float t84 = h_wheels_all - t78;
+    const float t86 = p->mH * p->xH;
+    const float t91 = cos_lam * h_spin_F;
+    const float t95 = t65 - (yaw_by_delta * t54);
+    const float C1_22 = yaw_per_v_delta * ((wx_delta2_delta * t75) - ((p->c * t95) - t63 + (p->xH *
+        t65)));
+    const float t105 = t29 * (t86 + t54);
+    const float t113 = (p->rhoF * (p->mF + t105)) - t11;
+    const float K0_11 = t78 + (((p->mR + p->mB + (p->mH - t105)) * p->rhoR) + t113);
+    const float K0_12 = t95 + (wx_delta2_delta * t113);
+    const float K0_22 = wx_delta2_delta * K0_12;
+    const float K2_12 = yaw_per_v_delta * (t11 + t84);
+    const float K2_22 = yaw_per_v_delta * ((wx_delta2_delta * (t11 + h_spin_F)) - t95);
+    const float M_12 = (t20 * t52) - ((yaw_by_delta * t37) - t44);
+    const float C1_12 = t91 - ((t37 - t75 - ((p->c * t84) - (p->zH * t86))) * yaw_per_v_delta);
+    const float C1_21 = -(t91 + (yaw_by_delta * h_wheels_all));
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -6524,8 +6488,8 @@ void whipple_tyres_f32_matrices(const whipple_tyres_f32_t *p, whipple_tyres_f32_
     matrices->c1[1][0] = C1_21;
     matrices->c1[1][1] = C1_22;
     matrices->k0[0][0] = K0_11;
-    matrices->k0[0][1] = K_phi_delta;
-    matrices->k0[1][0] = K_phi_delta;
+    matrices->k0[0][1] = K0_12;
+    matrices->k0[1][0] = K0_12;
     matrices->k0[1][1] = K0_22;
     matrices->k2[0][0] = 0.0F;
     matrices->k2[0][1] = K2_12;
@@ -6665,252 +6629,224 @@ void whipple_tyres_f32_kinematics(const whipple_tyres_f32_t *p, whipple_tyres_f3
 void whipple_tyres_f32_derivatives(const whipple_tyres_f32_t *p,
     whipple_tyres_f32_matrices_t *matrices, whipple_tyres_f32_derivatives_t *derivatives)
 {
-    const float t2 = p->rF * p->mF;
-    const float t8 = p->zH * p->mH;
-    const float Jxx_delta = (p->rF * t2) + p->IHxx + p->IFxx + (p->zH * t8);
-    const float t17 = p->rR * p->mR;
-    const float t21 = p->zB * p->mB;
-    const float M_11 = Jxx_delta + p->IRxx + p->IBxx + (p->rR * t17) + (p->zB * t21);
-    float sin_lam = 0.0F;
-    float cos_lam = 0.0F;
-    carvallo_sin_cos_f32(p->lam, &sin_lam, &cos_lam);
-    const float t35 = p->c + p->w;
-    const float t36 = p->xH - t35;
-    const float t37 = p->mH * t36;
-    const float t40 = p->IHxz - (t2 * p->c) - (p->zH * t37);
-    const float t42 = t40 * cos_lam;
-    const float hx_delta = (Jxx_delta * sin_lam) + t42;
-    const float Sz_delta = t8 - t2;
-    const float t51 = (t35 * Sz_delta) + (t21 * p->xB) - t40 - p->IBxz;
-    const float t52 = 1.0F / p->w;
-    const float yaw_per_v_delta = cos_lam * t52;
-    const float yaw_by_delta = p->c * yaw_per_v_delta;
-    const float M_12 = hx_delta - (t51 * yaw_by_delta);
-    const float t58 = sin_lam * t40;
-    const float t61 = p->IFxx + p->IHzz;
-    const float t62 = p->mF * p->c;
-    const float t65 = (t36 * t37) + t61 + (p->c * t62);
-    const float t67 = t58 + (cos_lam * t65);
-    const float t69 = t62 - t37;
-    const float t71 = (sin_lam * Sz_delta) + (cos_lam * t69);
-    const float t73 = (t35 * t71) - t67;
-    const float t74 = p->mF * p->w;
-    const float t79 = p->mB * p->xB;
-    const float t85 = p->IRxx + t61 + (p->w * t74) + (p->mH * p->xH * p->xH) + p->IBzz + (p->xB *
-        t79);
-    const float t87 = t73 - (yaw_by_delta * t85);
-    const float t89 = p->c * t52;
-    const float M_22 = (sin_lam * hx_delta) - (cos_lam * (((t73 + t87) * t89) - t67));
-    const float t96 = 1.0F / p->rF;
-    const float h_spin_F = p->IFyy * t96;
-    const float t98 = t51 * t52;
-    const float t100 = 1.0F / p->rR;
-    const float t101 = p->IRyy * t100;
-    const float t102 = h_spin_F + t101;
-    const float t104 = t21 + Sz_delta - t17;
-    const float t105 = t102 - t104;
-    const float t107 = (t89 * t105) - t98;
-    const float t108 = h_spin_F + t107;
-    const float C1_12 = cos_lam * t108;
-    const float C1_12_h_spin_F = cos_lam + yaw_by_delta;
-    const float C1_12_IFyy = t96 * C1_12_h_spin_F;
-    const float K2_12_IRyy = yaw_per_v_delta * t100;
-    const float C1_12_IRyy = p->c * K2_12_IRyy;
-    const float M_22_yaw_by_delta = p->IRyy * C1_12_IRyy;
-    const float m_delta = p->mF + p->mH;
-    const float Sx_all = t79 + (t35 * m_delta) - t69;
-    const float t121 = yaw_by_delta * Sx_all;
-    const float t122 = t71 - t121;
-    const float t124 = t87 + (p->c * t122);
-    const float K0_11_rhoF = t52 * Sx_all;
-    const float t128 = p->rhoF * K0_11_rhoF;
-    const float t130 = p->mF - K0_11_rhoF;
-    const float t131 = p->mH + t130;
-    const float K0_11_rhoR = p->mR + p->mB + t131;
-    const float K0_11 = t104 + t128 + (p->rhoR * K0_11_rhoR);
-    const float K_phi_delta = t122 + (sin_lam * t128);
-    const float K0_22 = sin_lam * K_phi_delta;
-    const float K2_12 = yaw_per_v_delta * t105;
-    const float t141 = sin_lam * h_spin_F;
-    const float t142 = t141 - t122;
-    const float K2_22 = yaw_per_v_delta * t142;
-    const float M_12_c = cos_lam * (Sz_delta - t98);
-    const float t147 = t8 * C1_12_h_spin_F;
-    const float M_12_w = t147 - (t89 * M_12_c);
-    const float t149 = yaw_by_delta + C1_12_h_spin_F;
-    const float t150 = t36 * cos_lam;
-    const float t151 = t149 * t150;
-    const float M_22_IHxz = sin_lam * (cos_lam + t149);
-    const float t156 = p->c * (cos_lam + cos_lam);
-    const float t157 = p->w * yaw_per_v_delta;
-    const float t158 = yaw_by_delta + t157;
-    const float t159 = t156 * t158;
-    const float t160 = t151 + t159;
-    const float t163 = p->mH * (t151 + t160 - (p->zH * M_22_IHxz));
-    const float t164 = t52 * t156;
-    const float t166 = t163 + (t71 * t164);
-    const float t167 = t74 * t164;
-    const float t168 = t52 * t87;
-    const float t169 = t168 + t168;
-    const float M_22_w = (yaw_by_delta * (t167 + t169)) - t166;
-    const float C1_12_w = yaw_per_v_delta * (t2 - t107);
-    const float t175 = yaw_per_v_delta * t102;
-    const float C1_21_w = t89 * t175;
-    const float t177 = p->zH * sin_lam;
-    const float t178 = t177 - t150;
-    const float t179 = p->xH * cos_lam;
-    const float t180 = t178 - t179;
-    const float t182 = t71 - (p->mH * t180);
-    const float C1_22_yaw_by_delta = yaw_per_v_delta * t85;
-    const float t184 = t121 + C1_22_yaw_by_delta;
-    const float t187 = t52 * ((p->c * t184) - t124);
-    const float t189 = p->mH * cos_lam;
-    const float t190 = (yaw_per_v_delta * t62) - t189;
-    const float C1_22_w = yaw_per_v_delta * (t167 + (p->c * t190) - t182 - t187);
-    const float t197 = t52 * (p->rhoF - p->rhoR);
-    const float K0_11_w = t130 * t197;
-    const float t199 = sin_lam * t52;
-    const float t200 = p->rhoF * t199;
-    const float t201 = t200 - yaw_by_delta;
-    const float K0_12_w = t189 + (t130 * t201);
-    const float K0_22_w = sin_lam * K0_12_w;
-    const float t205 = t52 * K2_12;
-    const float t207 = t52 * (t121 + t142);
-    const float K2_22_w = yaw_per_v_delta * (t190 - t207);
-    const float t210 = p->c * t158;
-    const float t211 = t210 + t210;
-    const float t212 = p->rF * sin_lam;
-    const float t218 = p->mF * (t156 - t212);
-    const float t221 = t166 + (cos_lam * (t169 + (p->mF * (t211 + t212)))) - (t149 * t218);
-    const float t222 = p->mF * t158;
-    const float K0_12_c = cos_lam * t131;
-    const float C1_22_c = (yaw_per_v_delta * (t184 + t218 - t71 - t182 - (p->c * K0_12_c))) -
-        (cos_lam * t222);
-    const float K0_22_c = sin_lam * K0_12_c;
-    const float t233 = yaw_per_v_delta * K0_12_c;
-    const float t234 = p->c * t199;
-    const float hx_delta_lam = (Jxx_delta * cos_lam) - t58;
-    const float M_12_lam = (t51 * t234) + hx_delta_lam;
-    const float t241 = (sin_lam * t69) - (cos_lam * Sz_delta);
-    const float t244 = (sin_lam * t65) - t42;
-    const float t252 = (t211 * t241) + (sin_lam * (hx_delta_lam + (p->c * t169) - t67)) + (cos_lam *
-        hx_delta);
-    const float M_22_lam = t252 - (t149 * t244);
-    const float t254 = sin_lam * t108;
-    const float C1_21_lam = t141 + (t102 * t234);
-    const float C1_22_lam = (t241 * (yaw_by_delta + t158)) - (sin_lam * t187) - (yaw_per_v_delta *
-        t244);
-    const float K_phi_delta_lam = (Sx_all * (t234 + (yaw_per_v_delta * p->rhoF))) - t241;
-    const float K0_22_lam = (sin_lam * K_phi_delta_lam) + (cos_lam * K_phi_delta);
-    const float t270 = t105 * t199;
-    const float K2_22_lam = (yaw_per_v_delta * (t241 + (cos_lam * h_spin_F))) - (sin_lam * t207);
-    const float M_11_rR = t17 + t17;
-    const float t277 = t100 * t101;
-    const float K2_12_rR = yaw_per_v_delta * (p->mR - t277);
-    const float C1_12_rR = p->c * K2_12_rR;
-    const float C1_21_rR = yaw_by_delta * t277;
+    const float t4 = p->rF * p->mF;
+    const float t7 = p->IFxx + p->IHxx + (p->rF * t4);
     const float M_11_mR = p->rR * p->rR;
-    const float K2_12_mR = p->rR * yaw_per_v_delta;
-    const float C1_12_mR = p->c * K2_12_mR;
-    const float K0_11_mR = p->rhoR - p->rR;
-    const float C1_22_IRxx = yaw_per_v_delta * yaw_by_delta;
-    const float M_22_IRxx = p->c * C1_22_IRxx;
-    const float t289 = t21 * yaw_per_v_delta;
-    const float t290 = p->c * t289;
-    const float t291 = yaw_by_delta * t79;
-    const float M_22_xB = t164 * t291;
-    const float t293 = p->c + p->xB;
-    const float K2_22_xB = p->mB * C1_22_IRxx;
-    const float C1_22_xB = (p->xB + t293) * K2_22_xB;
-    const float K0_11_xB = p->mB * t197;
-    const float K0_12_xB = p->mB * t201;
-    const float K0_22_xB = sin_lam * K0_12_xB;
-    const float M_11_zB = t21 + t21;
-    const float t301 = p->mB * yaw_per_v_delta;
-    const float t302 = t293 * t301;
-    const float M_11_mB = p->zB * p->zB;
-    const float t304 = p->xB * yaw_by_delta;
-    const float t305 = p->zB * t304;
-    const float M_22_mB = t304 * t304;
-    const float t307 = p->zB * yaw_per_v_delta;
-    const float t308 = t293 * t307;
-    const float K2_22_mB = yaw_per_v_delta * t304;
-    const float C1_22_mB = t293 * K2_22_mB;
-    const float K0_11_mB = p->zB + p->rhoR + (p->xB * t197);
-    const float K0_12_mB = p->xB * t201;
-    const float K0_22_mB = sin_lam * K0_12_mB;
-    const float t316 = t89 * t179;
-    const float M_22_xH = t163 + (p->mH * t164 * t316);
-    const float t320 = p->zH * yaw_per_v_delta;
-    const float t321 = p->mH * t320;
-    const float t322 = p->c * C1_12_h_spin_F;
-    const float t326 = t52 * t189;
-    const float C1_22_xH = (t316 + t316 + t322 - t180) * t326;
-    const float K0_11_xH = p->mH * t197;
-    const float t330 = p->mH * (cos_lam - t201);
-    const float t331 = sin_lam * t330;
-    const float K2_22_xH = C1_12_h_spin_F * t326;
-    const float Jxx_delta_zH = t8 + t8;
-    const float t335 = t210 + (t36 * C1_12_h_spin_F);
-    const float t336 = p->mH * t335;
-    const float t337 = sin_lam * Jxx_delta_zH;
-    const float t340 = sin_lam * (t336 + (t336 - t337));
-    const float t341 = t52 * t179;
-    const float t342 = yaw_by_delta + t341;
-    const float t343 = p->mH * t342;
-    const float t344 = sin_lam * t343;
-    const float K0_12_zH = p->mH * sin_lam;
-    const float K0_22_zH = sin_lam * K0_12_zH;
-    const float t347 = yaw_per_v_delta * K0_12_zH;
-    const float Jxx_delta_mH = p->zH * p->zH;
-    const float t349 = t335 - t177;
-    const float t350 = p->zH * t349;
-    const float M_22_mH = (t316 * t316) + (t36 * t160) - (t177 * (t335 + t349));
-    const float t357 = p->zH * t342;
-    const float C1_22_mH = (t341 * (t316 - t178)) + (yaw_by_delta * t349);
-    const float K0_11_mH = p->zH + p->rhoR + (p->xH * t197);
-    const float K0_12_mH = (p->xH * t200) - t349;
-    const float K0_22_mH = sin_lam * K0_12_mH;
-    const float K2_22_mH = yaw_per_v_delta * t349;
-    const float M_22_Jxx_delta = sin_lam * sin_lam;
-    const float t370 = cos_lam * t149;
-    const float M_22_IHzz = M_22_IRxx + t370;
-    const float C1_22_IHzz = yaw_per_v_delta * C1_12_h_spin_F;
-    const float K2_22_h_spin_F = sin_lam * yaw_per_v_delta;
-    const float M_11_rF = t2 + t2;
-    const float t375 = t322 - t210;
-    const float t376 = t375 - t212;
-    const float M_12_rF = p->mF * (t212 - t376);
-    const float t379 = t375 + t376;
-    const float t381 = p->mF * sin_lam;
-    const float M_22_rF = (t212 - t379) * t381;
-    const float t383 = t96 * h_spin_F;
-    const float C1_21_rF = C1_12_h_spin_F * t383;
-    const float C1_12_rF = t222 - C1_21_rF;
-    const float C1_22_rF = sin_lam * t222;
-    const float t387 = sin_lam * t381;
-    const float K2_12_rF = yaw_per_v_delta * (p->mF - t383);
-    const float K2_22_rF = sin_lam * K2_12_rF;
-    const float M_11_mF = p->rF * p->rF;
-    const float t392 = p->rF * t376;
-    const float t394 = t157 * t157;
-    const float t399 = (t212 * t379) + (p->c * (t159 - (p->c * (t370 + t394))));
+    const float M_11_mH = p->zH * p->zH;
+    const float t20 = p->zB * p->mB;
+    const float M_11 = t7 + p->IBxx + (p->mR * M_11_mR) + p->IRxx + (p->mH * M_11_mH) + (p->zB *
+        t20);
+    float wx_delta2_delta = 0.0F;
+    float wx_delta2_delta_lam = 0.0F;
+    carvallo_sin_cos_f32(p->lam, &wx_delta2_delta, &wx_delta2_delta_lam);
+    const float t31 = 1.0F / p->w;
+    const float yaw_per_v_delta = wx_delta2_delta_lam * t31;
+    const float yaw_by_delta = p->c * yaw_per_v_delta;
+    const float t37 = p->IBxz - (t20 * p->xB);
+    const float M_22_yaw_per_v_delta = yaw_by_delta * t37;
+    const float wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
+    const float t44 = p->mH * p->zH;
+    const float t45 = p->zH * wx_delta2_delta;
+    const float t47 = p->c + p->w;
+    const float t48 = p->c * t31;
+    const float t49 = p->xH * t48;
+    const float t51 = p->xH + t49 - t47;
+    const float t53 = t45 - (wx_delta2_delta_lam * t51);
+    const float t56 = (p->IHxz * wz_delta2_delta) + (t7 * wx_delta2_delta) + (t44 * t53);
+    const float M_12 = M_22_yaw_per_v_delta + t56;
+    const float t60 = p->IFxx + p->IHzz;
+    const float t63 = (wz_delta2_delta * t60) + (p->IHxz * wx_delta2_delta);
+    const float t65 = p->mB * p->xB;
+    const float t68 = p->IRxx + p->IBzz + (p->xB * t65);
+    const float t70 = t63 + (yaw_by_delta * t68);
+    const float t71 = t48 * t70;
+    const float t72 = p->mH * t53;
+    const float t75 = t63 + t71 - (t51 * t72);
+    const float M_22 = (wx_delta2_delta * t56) + (wx_delta2_delta_lam * t75);
+    const float t80 = 1.0F / p->rF;
+    const float h_spin_F = p->IFyy * t80;
+    const float t82 = p->mH * p->xH;
+    const float M_12_yaw_by_delta = t37 + p->IHxz;
+    const float t85 = (p->zH * t82) - M_12_yaw_by_delta;
+    const float t86 = t4 * t47;
+    const float t88 = 1.0F / p->rR;
+    const float t89 = p->IRyy * t88;
+    const float h_wheels_all = h_spin_F + t89;
+    const float t91 = p->mR * p->rR;
+    const float t93 = t91 - t20 - t44;
+    const float t94 = h_wheels_all + t93;
+    const float t98 = t31 * (t86 + (p->c * t94) - t85);
+    const float t99 = h_spin_F + t98;
+    const float C1_12 = wx_delta2_delta_lam * t99;
+    const float M_22_wz_delta2_delta = t48 * h_wheels_all;
+    const float t102 = h_spin_F + M_22_wz_delta2_delta;
+    const float t105 = p->c * t65;
+    const float t106 = yaw_per_v_delta * t105;
+    const float t107 = t106 - t72;
+    const float t112 = t70 + (wx_delta2_delta * t86) + (p->c * t107) - (p->xH * t72);
+    const float C1_22 = yaw_per_v_delta * t112;
+    const float t116 = t31 * (t65 + t82);
+    const float K0_11_rhoF = p->mF + t116;
+    const float t119 = t4 - (p->rhoF * K0_11_rhoF);
+    const float t121 = p->mH - t116;
+    const float K0_11_rhoR = p->mR + p->mB + t121;
+    const float K0_11 = (p->rhoR * K0_11_rhoR) - t93 - t119;
+    const float t128 = t107 + (wx_delta2_delta * t119);
+    const float K2_12_yaw_per_v_delta = t4 + t94;
+    const float K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
+    const float t132 = t4 + h_spin_F;
+    const float t134 = t107 + (wx_delta2_delta * t132);
+    const float K2_22 = yaw_per_v_delta * t134;
+    const float t136 = yaw_per_v_delta * t85;
+    const float t138 = wx_delta2_delta_lam * t44;
+    const float M_12_w = (t48 * t136) + t138;
+    const float t140 = p->mH * wx_delta2_delta_lam;
+    const float t141 = p->mH * yaw_per_v_delta;
+    const float t143 = t140 + (t49 * t141);
+    const float t146 = (yaw_per_v_delta * t71) - (t53 * t143);
+    const float t147 = t146 + t146;
+    const float C1_12_w = yaw_per_v_delta * (t4 - t98);
+    const float C1_21_w = yaw_per_v_delta * M_22_wz_delta2_delta;
     const float K2_12_mF = p->rF * yaw_per_v_delta;
-    const float C1_12_mF = t35 * K2_12_mF;
-    const float C1_22_mF = (sin_lam * C1_12_mF) - (p->c * ((cos_lam * t157) - t394));
-    const float K0_11_mF = p->rhoR + (p->w * t197) - p->rF;
-    const float t410 = p->w * t200;
-    const float t412 = sin_lam * (t212 - t410);
-    const float K2_22_mF = p->rF * K2_22_h_spin_F;
-    const float M_22_IFxx = M_22_Jxx_delta + M_22_IHzz;
-    const float K2_12_IFyy = yaw_per_v_delta * t96;
-    const float K2_22_IFyy = sin_lam * K2_12_IFyy;
-    const float K_phi_delta_rhoF = Sx_all * t199;
-    const float K0_22_rhoF = K0_11_rhoF * M_22_Jxx_delta;
-    const float C1_21 = -((p->IFyy * C1_12_IFyy) + M_22_yaw_by_delta);
-    const float C1_22 = -(yaw_per_v_delta * t124);
-    const float M_12_zH = t337 - t336;
-    const float K0_12_mF = t410 - t212;
+    const float K2_22_mF = wx_delta2_delta * K2_12_mF;
+    const float t153 = p->mF * K2_22_mF;
+    const float t154 = p->c + p->xH;
+    const float t156 = yaw_per_v_delta * t60;
+    const float C1_22_yaw_by_delta = t156 + (yaw_per_v_delta * (t68 + t105));
+    const float t162 = t31 * (t112 + (p->c * C1_22_yaw_by_delta));
+    const float C1_22_w = t153 - (yaw_per_v_delta * ((t143 * t154) + t162));
+    const float t167 = t31 * (p->rhoF - p->rhoR);
+    const float t168 = t116 * t167;
+    const float t169 = t31 * wx_delta2_delta;
+    const float t170 = p->rhoF * t169;
+    const float t171 = yaw_by_delta - t170;
+    const float K0_12_w = t140 + (t116 * t171);
+    const float K0_22_w = wx_delta2_delta * K0_12_w;
+    const float t175 = t31 * K2_12;
+    const float K2_22_yaw_per_v_delta = t106 + t134;
+    const float t177 = t31 * K2_22_yaw_per_v_delta;
+    const float t179 = yaw_per_v_delta * (t143 + t177);
+    const float M_12_c = t138 - t136;
+    const float t183 = t140 - (yaw_per_v_delta * t82);
+    const float t185 = (yaw_per_v_delta * t70) + (t53 * t183);
+    const float M_22_c = t185 + t185;
+    const float t187 = yaw_per_v_delta * h_wheels_all;
+    const float C1_22_c = t153 + (yaw_per_v_delta * (t107 + C1_22_yaw_by_delta - (t154 * t183)));
+    const float K0_12_c = wx_delta2_delta_lam * t121;
+    const float K0_22_c = wx_delta2_delta * K0_12_c;
+    const float t195 = wx_delta2_delta_lam * yaw_per_v_delta;
+    const float t196 = t121 * t195;
+    const float K0_12_zH = p->mH * wx_delta2_delta;
+    const float t203 = t138 + (t51 * K0_12_zH);
+    const float M_12_lam = (t7 * wx_delta2_delta_lam) + (p->zH * t203) - (wx_delta2_delta *
+        (p->IHxz + (t48 * M_12_yaw_by_delta)));
+    const float t209 = (wx_delta2_delta * t75) - (wx_delta2_delta_lam * t56);
+    const float t210 = t209 + t209;
+    const float t211 = wx_delta2_delta * t99;
+    const float C1_21_lam = wx_delta2_delta * t102;
+    const float t217 = yaw_per_v_delta * t203;
+    const float C1_22_lam = (t195 * (p->IHxz + t86)) - (wx_delta2_delta * (t156 + t162)) - (t154 *
+        t217);
+    const float K0_12_lam = t203 + (t105 * t169) - (wx_delta2_delta_lam * t119);
+    const float K0_22_lam = (wx_delta2_delta * K0_12_lam) - (wx_delta2_delta_lam * t128);
+    const float t228 = K2_12_yaw_per_v_delta * t169;
+    const float t232 = t217 + (wx_delta2_delta * t177) - (t132 * t195);
+    const float M_11_rR = t91 + t91;
+    const float t235 = p->mR - (t88 * t89);
+    const float C1_12_rR = yaw_by_delta * t235;
+    const float C1_12_IRyy = yaw_by_delta * t88;
+    const float C1_21_rR = t89 * C1_12_IRyy;
+    const float K2_12_rR = yaw_per_v_delta * t235;
+    const float C1_12_mR = p->rR * yaw_by_delta;
+    const float K0_11_mR = p->rhoR - p->rR;
+    const float K2_12_mR = p->rR * yaw_per_v_delta;
+    const float C1_22_vy_spin_F4_delta = yaw_per_v_delta * yaw_by_delta;
+    const float M_22_vy_spin_F4_delta = p->c * C1_22_vy_spin_F4_delta;
+    const float K2_12_IRyy = yaw_per_v_delta * t88;
+    const float t247 = t20 * yaw_by_delta;
+    const float t248 = yaw_by_delta * t106;
+    const float M_22_xB = t248 + t248;
+    const float t250 = p->zB * yaw_per_v_delta;
+    const float t251 = p->mB * t250;
+    const float t252 = p->c + p->xB;
+    const float t254 = p->mB * yaw_per_v_delta;
+    const float K2_22_xB = yaw_by_delta * t254;
+    const float C1_22_xB = (p->xB + t252) * K2_22_xB;
+    const float K0_11_xB = p->mB * t167;
+    const float t258 = p->mB * t171;
+    const float t259 = wx_delta2_delta * t258;
+    const float M_11_zB = t20 + t20;
+    const float t261 = t252 * t254;
+    const float M_11_mB = p->zB * p->zB;
+    const float t263 = yaw_by_delta * p->xB;
+    const float t264 = p->zB * t263;
+    const float M_22_mB = t263 * t263;
+    const float t266 = t250 * t252;
+    const float K2_22_mB = yaw_per_v_delta * t263;
+    const float C1_22_mB = t252 * K2_22_mB;
+    const float K0_11_mB = p->zB + p->rhoR + (p->xB * t167);
+    const float t272 = p->xB * t171;
+    const float t273 = wx_delta2_delta * t272;
+    const float t274 = wz_delta2_delta * t44;
+    const float t276 = wz_delta2_delta * (t72 + t72);
+    const float t277 = t31 * t138;
+    const float t278 = yaw_per_v_delta * t53;
+    const float K2_22_xH = wz_delta2_delta * t141;
+    const float C1_22_xH = (t154 * K2_22_xH) - (p->mH * t278);
+    const float K0_11_xH = p->mH * t167;
+    const float M_12_yaw_per_v_delta = wz_delta2_delta - t170;
+    const float t285 = p->mH * M_12_yaw_per_v_delta;
+    const float t286 = wx_delta2_delta * t285;
+    const float M_11_zH = t44 + t44;
+    const float M_12_zH = t72 + (p->mH * t45);
+    const float t290 = wx_delta2_delta + wx_delta2_delta;
+    const float M_22_zH = t72 * t290;
+    const float t292 = t141 * t154;
+    const float t293 = yaw_per_v_delta * K0_12_zH;
+    const float t294 = t154 * t293;
+    const float M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+    const float K0_22_zH = p->mH * M_22_IHxx;
+    const float M_12_mH = p->zH * t53;
+    const float M_22_mH = t53 * t53;
+    const float t299 = p->zH * yaw_per_v_delta;
+    const float t300 = t154 * t299;
+    const float t301 = t154 * t278;
+    const float K0_11_mH = p->zH + p->rhoR + (p->xH * t167);
+    const float K0_12_mH = t53 + (p->xH * t170);
+    const float K0_22_mH = wx_delta2_delta * K0_12_mH;
+    const float M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+    const float C1_22_IHzz = t195 + C1_22_vy_spin_F4_delta;
+    const float M_22_IHxz = wz_delta2_delta * t290;
+    const float K2_22_h_spin_F = wx_delta2_delta_lam * t169;
+    const float M_11_rF = t4 + t4;
+    const float M_12_rF = wx_delta2_delta * M_11_rF;
+    const float M_22_rF = wx_delta2_delta * M_12_rF;
+    const float t315 = p->mF * yaw_per_v_delta;
+    const float t316 = t47 * t315;
+    const float C1_12_IFyy = wz_delta2_delta * t80;
+    const float C1_21_rF = h_spin_F * C1_12_IFyy;
+    const float C1_12_rF = t316 - C1_21_rF;
+    const float C1_22_rF = wx_delta2_delta * t316;
+    const float t321 = p->mF * wx_delta2_delta;
+    const float t322 = p->mF * M_22_IHxx;
+    const float K2_12_IFyy = yaw_per_v_delta * t80;
+    const float K2_12_rF = t315 - (h_spin_F * K2_12_IFyy);
+    const float K2_22_rF = wx_delta2_delta * K2_12_rF;
+    const float M_11_mF = p->rF * p->rF;
+    const float M_12_mF = wx_delta2_delta * M_11_mF;
+    const float M_22_mF = M_22_IHxx * M_11_mF;
+    const float C1_12_mF = t47 * K2_12_mF;
+    const float C1_22_mF = wx_delta2_delta * C1_12_mF;
+    const float t333 = wx_delta2_delta * (p->rF - p->rhoF);
+    const float t334 = wx_delta2_delta * t333;
+    const float M_22_IFxx = M_22_IHxx + M_22_IHzz;
+    const float K2_22_IFyy = t80 * K2_22_h_spin_F;
+    const float K0_12_rhoF = wx_delta2_delta * K0_11_rhoF;
+    const float K0_22_rhoF = wx_delta2_delta * K0_12_rhoF;
+    const float C1_21 = -(wx_delta2_delta_lam * t102);
+    const float K0_12 = -t128;
+    const float K0_22 = -(wx_delta2_delta * t128);
+    const float K0_11_mF = p->rhoF - p->rF;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -6920,40 +6856,40 @@ void whipple_tyres_f32_derivatives(const whipple_tyres_f32_t *p,
     matrices->c1[1][0] = C1_21;
     matrices->c1[1][1] = C1_22;
     matrices->k0[0][0] = K0_11;
-    matrices->k0[0][1] = K_phi_delta;
-    matrices->k0[1][0] = K_phi_delta;
+    matrices->k0[0][1] = K0_12;
+    matrices->k0[1][0] = K0_12;
     matrices->k0[1][1] = K0_22;
     matrices->k2[0][0] = 0.0F;
     matrices->k2[0][1] = K2_12;
     matrices->k2[1][0] = 0.0F;
     matrices->k2[1][1] = K2_22;
     derivatives->values[0] = M_12_w;
-    derivatives->values[1] = M_22_w;
+    derivatives->values[1] = t147;
     derivatives->values[2] = C1_12_w;
     derivatives->values[3] = C1_21_w;
     derivatives->values[4] = C1_22_w;
-    derivatives->values[5] = K0_11_w;
+    derivatives->values[5] = t168;
     derivatives->values[6] = K0_12_w;
     derivatives->values[7] = K0_22_w;
-    derivatives->values[8] = t205;
-    derivatives->values[9] = K2_22_w;
+    derivatives->values[8] = t175;
+    derivatives->values[9] = t179;
     derivatives->values[10] = M_12_c;
-    derivatives->values[11] = t221;
+    derivatives->values[11] = M_22_c;
     derivatives->values[12] = K2_12;
-    derivatives->values[13] = t175;
+    derivatives->values[13] = t187;
     derivatives->values[14] = C1_22_c;
     derivatives->values[15] = K0_12_c;
     derivatives->values[16] = K0_22_c;
-    derivatives->values[17] = t233;
+    derivatives->values[17] = t196;
     derivatives->values[18] = M_12_lam;
-    derivatives->values[19] = M_22_lam;
-    derivatives->values[20] = t254;
+    derivatives->values[19] = t210;
+    derivatives->values[20] = t211;
     derivatives->values[21] = C1_21_lam;
     derivatives->values[22] = C1_22_lam;
-    derivatives->values[23] = K_phi_delta_lam;
+    derivatives->values[23] = K0_12_lam;
     derivatives->values[24] = K0_22_lam;
-    derivatives->values[25] = t270;
-    derivatives->values[26] = K2_22_lam;
+    derivatives->values[25] = t228;
+    derivatives->values[26] = t232;
     derivatives->values[27] = M_11_rR;
     derivatives->values[28] = C1_12_rR;
     derivatives->values[29] = C1_21_rR;
@@ -6964,68 +6900,68 @@ void whipple_tyres_f32_derivatives(const whipple_tyres_f32_t *p,
     derivatives->values[34] = K0_11_mR;
     derivatives->values[35] = K2_12_mR;
     derivatives->values[36] = 1.0F;
-    derivatives->values[37] = M_22_IRxx;
-    derivatives->values[38] = C1_22_IRxx;
+    derivatives->values[37] = M_22_vy_spin_F4_delta;
+    derivatives->values[38] = C1_22_vy_spin_F4_delta;
     derivatives->values[39] = C1_12_IRyy;
     derivatives->values[40] = K2_12_IRyy;
-    derivatives->values[41] = t290;
+    derivatives->values[41] = t247;
     derivatives->values[42] = M_22_xB;
-    derivatives->values[43] = t289;
+    derivatives->values[43] = t251;
     derivatives->values[44] = C1_22_xB;
     derivatives->values[45] = K0_11_xB;
-    derivatives->values[46] = K0_12_xB;
-    derivatives->values[47] = K0_22_xB;
+    derivatives->values[46] = t258;
+    derivatives->values[47] = t259;
     derivatives->values[48] = K2_22_xB;
     derivatives->values[49] = M_11_zB;
-    derivatives->values[50] = t291;
-    derivatives->values[51] = t302;
+    derivatives->values[50] = t106;
+    derivatives->values[51] = t261;
     derivatives->values[52] = p->mB;
-    derivatives->values[53] = t301;
+    derivatives->values[53] = t254;
     derivatives->values[54] = M_11_mB;
-    derivatives->values[55] = t305;
+    derivatives->values[55] = t264;
     derivatives->values[56] = M_22_mB;
-    derivatives->values[57] = t308;
+    derivatives->values[57] = t266;
     derivatives->values[58] = C1_22_mB;
     derivatives->values[59] = K0_11_mB;
-    derivatives->values[60] = K0_12_mB;
-    derivatives->values[61] = K0_22_mB;
-    derivatives->values[62] = t307;
+    derivatives->values[60] = t272;
+    derivatives->values[61] = t273;
+    derivatives->values[62] = t250;
     derivatives->values[63] = K2_22_mB;
     derivatives->values[64] = yaw_by_delta;
     derivatives->values[65] = yaw_per_v_delta;
-    derivatives->values[66] = t147;
-    derivatives->values[67] = M_22_xH;
-    derivatives->values[68] = t321;
+    derivatives->values[66] = t274;
+    derivatives->values[67] = t276;
+    derivatives->values[68] = t277;
     derivatives->values[69] = C1_22_xH;
     derivatives->values[70] = K0_11_xH;
-    derivatives->values[71] = t330;
-    derivatives->values[72] = t331;
+    derivatives->values[71] = t285;
+    derivatives->values[72] = t286;
     derivatives->values[73] = K2_22_xH;
-    derivatives->values[74] = Jxx_delta_zH;
+    derivatives->values[74] = M_11_zH;
     derivatives->values[75] = M_12_zH;
-    derivatives->values[76] = t340;
-    derivatives->values[77] = t343;
-    derivatives->values[78] = t344;
+    derivatives->values[76] = M_22_zH;
+    derivatives->values[77] = t292;
+    derivatives->values[78] = t294;
     derivatives->values[79] = p->mH;
     derivatives->values[80] = K0_12_zH;
     derivatives->values[81] = K0_22_zH;
-    derivatives->values[82] = t326;
-    derivatives->values[83] = t347;
-    derivatives->values[84] = Jxx_delta_mH;
-    derivatives->values[85] = t350;
+    derivatives->values[82] = t141;
+    derivatives->values[83] = t293;
+    derivatives->values[84] = M_11_mH;
+    derivatives->values[85] = M_12_mH;
     derivatives->values[86] = M_22_mH;
-    derivatives->values[87] = t357;
-    derivatives->values[88] = C1_22_mH;
+    derivatives->values[87] = t300;
+    derivatives->values[88] = t301;
     derivatives->values[89] = K0_11_mH;
     derivatives->values[90] = K0_12_mH;
     derivatives->values[91] = K0_22_mH;
-    derivatives->values[92] = t320;
-    derivatives->values[93] = K2_22_mH;
-    derivatives->values[94] = sin_lam;
-    derivatives->values[95] = M_22_Jxx_delta;
+    derivatives->values[92] = t299;
+    derivatives->values[93] = t278;
+    derivatives->values[94] = wx_delta2_delta;
+    derivatives->values[95] = M_22_IHxx;
     derivatives->values[96] = M_22_IHzz;
     derivatives->values[97] = C1_22_IHzz;
-    derivatives->values[98] = C1_12_h_spin_F;
+    derivatives->values[98] = wz_delta2_delta;
     derivatives->values[99] = M_22_IHxz;
     derivatives->values[100] = K2_22_h_spin_F;
     derivatives->values[101] = M_11_rF;
@@ -7035,18 +6971,18 @@ void whipple_tyres_f32_derivatives(const whipple_tyres_f32_t *p,
     derivatives->values[105] = C1_21_rF;
     derivatives->values[106] = C1_22_rF;
     derivatives->values[107] = p->mF;
-    derivatives->values[108] = t381;
-    derivatives->values[109] = t387;
+    derivatives->values[108] = t321;
+    derivatives->values[109] = t322;
     derivatives->values[110] = K2_12_rF;
     derivatives->values[111] = K2_22_rF;
     derivatives->values[112] = M_11_mF;
-    derivatives->values[113] = t392;
-    derivatives->values[114] = t399;
+    derivatives->values[113] = M_12_mF;
+    derivatives->values[114] = M_22_mF;
     derivatives->values[115] = C1_12_mF;
     derivatives->values[116] = C1_22_mF;
     derivatives->values[117] = K0_11_mF;
-    derivatives->values[118] = K0_12_mF;
-    derivatives->values[119] = t412;
+    derivatives->values[118] = t333;
+    derivatives->values[119] = t334;
     derivatives->values[120] = K2_12_mF;
     derivatives->values[121] = K2_22_mF;
     derivatives->values[122] = M_22_IFxx;
@@ -7055,7 +6991,7 @@ void whipple_tyres_f32_derivatives(const whipple_tyres_f32_t *p,
     derivatives->values[125] = K2_22_IFyy;
     derivatives->values[126] = K0_11_rhoR;
     derivatives->values[127] = K0_11_rhoF;
-    derivatives->values[128] = K_phi_delta_rhoF;
+    derivatives->values[128] = K0_12_rhoF;
     derivatives->values[129] = K0_22_rhoF;
 }
 

@@ -224,63 +224,57 @@ pub struct BalanceAssistMatrices<T = f64> {
 
 impl<T: Number> BalanceAssist<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 48 additions, 45 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 100 operations.
+    /// 47 additions, 45 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 98 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> BalanceAssistMatrices<T> {
-        let t6 = self.zH * self.mH;
-        let t10 = self.rF * self.mF;
-        let Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
-        let t17 = self.rR * self.mR;
-        let t21 = self.zB * self.mB;
-        let M_11 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
+        let t4 = self.zH * self.mH;
+        let t9 = self.rF * self.mF;
+        let Jxx_delta = self.IHxx + (self.zH * t4 + (self.IFxx + self.rF * t9));
+        let t17 = self.zB * self.mB;
+        let t22 = self.rR * self.mR;
+        let M_11 = self.IBxx + Jxx_delta + (self.zB * t17 + (self.IRxx + self.rR * t22));
         let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t35 = self.c + self.w;
-        let t36 = t35 - self.xH;
-        let Jxz_delta = self.IHxz + t6 * t36 - t10 * self.c;
-        let hx_delta = Jxx_delta * sin_lam + Jxz_delta * cos_lam;
+        let t34 = self.c + self.w;
+        let t35 = t34 - self.xH;
+        let t38 = self.mF * self.c;
+        let t40 = self.rF * t38 - (self.IHxz + t4 * t35);
+        let hx_delta = Jxx_delta * sin_lam - t40 * cos_lam;
         let yaw_per_v_delta = cos_lam / self.w;
+        let t46 = self.mB * self.xB;
+        let Sz_delta = t4 - t9;
+        let t54 = yaw_per_v_delta * (self.IBxz - t40 - t34 * Sz_delta - self.zB * t46);
+        let M_12 = hx_delta + self.c * t54;
+        let t57 = self.mH * t35;
+        let Jzz_delta = t35 * t57 + (self.IFxx + (self.IHzz + self.c * t38));
+        let t66 = sin_lam * t40 - cos_lam * Jzz_delta;
         let mu = self.c * yaw_per_v_delta;
-        let Sz_delta = t6 - t10;
-        let Jxz_all = Jxz_delta + self.IBxz - t21 * self.xB - t35 * Sz_delta;
-        let M_12 = hx_delta + mu * Jxz_all;
-        let t57 = self.mH * t36;
-        let t59 = self.mF * self.c;
-        let Jzz_delta = self.IFxx + self.IHzz + t36 * t57 + self.c * t59;
-        let hz_delta = sin_lam * Jxz_delta + cos_lam * Jzz_delta;
-        let t67 = t57 + t59;
-        let t69 = sin_lam * Sz_delta + cos_lam * t67;
-        let M_yaw_delta = hz_delta - t35 * t69;
-        let t73 = self.mB * self.xB;
+        let t70 = t57 + t38;
+        let t73 = cos_lam * t70 + sin_lam * Sz_delta;
+        let t75 = t34 * t73 + t66;
         let mA = self.mH + self.mF;
-        let t77 = t67 - t35 * mA;
-        let P_delta_yaw = M_yaw_delta
-            + mu
-                * (self.IRxx + Jzz_delta + self.IBzz + self.xB * t73
-                    - t35 * (t67 + t77));
-        let M_22 = mu * (M_yaw_delta + P_delta_yaw) + sin_lam * hx_delta
-            + cos_lam * hz_delta;
+        let t79 = t70 - t34 * mA;
+        let t87 = mu
+            * (self.IRxx + Jzz_delta - (t34 * (t70 + t79) - self.xB * t46 - self.IBzz));
+        let t88 = t87 - t75;
         let zero = self.w.like(0.0);
         let SF = self.IFyy / self.rF;
+        let t98 = cos_lam * SF;
         let ST = SF + self.IRyy / self.rR;
-        let Sz_all = t21 + Sz_delta - t17;
-        let t103 = ST - Sz_all;
-        let t105 = cos_lam * SF;
-        let C1_12 = mu * t103 + t105 + yaw_per_v_delta * Jxz_all;
-        let C1_21 = self.kappa - t105 - mu * ST;
-        let Sx_all = t73 - t77;
-        let t113 = mu * Sx_all;
-        let P_delta_lateral = t113 - t69;
-        let C1_22 = mu * P_delta_lateral + yaw_per_v_delta * P_delta_yaw;
-        let K2_12 = yaw_per_v_delta * t103;
-        let K2_22 = yaw_per_v_delta * (P_delta_lateral + sin_lam * SF);
+        let K0_11 = t17 + Sz_delta - t22;
+        let K2_12 = yaw_per_v_delta * (ST - K0_11);
+        let C1_12 = t54 + t98 + self.c * K2_12;
+        let C1_21 = self.kappa - (mu * ST + t98);
+        let K0_12 = t73 + (t79 - t46) * mu;
+        let C1_22 = yaw_per_v_delta * t88 - mu * K0_12;
+        let K0_22 = sin_lam * K0_12;
+        let K2_22 = yaw_per_v_delta * (sin_lam * SF - K0_12);
+        let M_22 = sin_lam * hx_delta + mu * (t88 - t75) - cos_lam * t66;
         let C0_21 = -(self.kappa * self.vo);
-        let K0_12 = t69 - t113;
-        let K0_22 = -(sin_lam * P_delta_lateral);
         BalanceAssistMatrices::from_entries([
-            M_11, M_12, M_12, M_22, zero, zero, C0_21, zero, zero, C1_12, C1_21, C1_22, Sz_all,
+            M_11, M_12, M_12, M_22, zero, zero, C0_21, zero, zero, C1_12, C1_21, C1_22, K0_11,
             K0_12, K0_12, K0_22, zero, K2_12, zero, K2_22,
         ])
     }
@@ -349,233 +343,228 @@ pub struct BalanceAssistDerivatives<T = f64> {
 
 impl<T: Number> BalanceAssist<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 127 additions, 194 multiplications, 3 divisions, 7 negations and 2 trigonometric functions: 333 operations.
+    /// 124 additions, 195 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 325 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (BalanceAssistMatrices<T>, BalanceAssistDerivatives<T>) {
-        let t4 = self.rF * self.mF;
+        let t2 = self.zB * self.mB;
+        let t7 = self.rR * self.mR;
         let M_11_mH = self.zH * self.zH;
-        let Jxx_delta = self.IHxx + self.IFxx + self.rF * t4 + self.mH * M_11_mH;
-        let M_11_mB = self.zB * self.zB;
-        let M_11_mR = self.rR * self.rR;
-        let M_11 = Jxx_delta + self.IRxx + self.IBxx + self.mB * M_11_mB
-            + self.mR * M_11_mR;
-        let (sin_lam, cos_lam) = self.lam.sin_cos();
+        let t18 = self.rF * self.mF;
+        let Jxx_delta = self.IHxx + self.IFxx + self.mH * M_11_mH + self.rF * t18;
+        let M_11 = self.zB * t2 + self.IRxx + self.rR * t7 + self.IBxx + Jxx_delta;
+        let t29 = self.mF * self.c;
         let t31 = self.mH * self.zH;
-        let t34 = self.c + self.w;
-        let t36 = t34 - self.xH;
-        let t40 = self.IHxz + t31 * t36 - t4 * self.c;
-        let t42 = t40 * cos_lam;
-        let hx_delta = Jxx_delta * sin_lam + t42;
-        let t44 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = cos_lam * t44;
-        let Sz_delta = t31 - t4;
-        let t50 = self.mB * self.xB;
-        let t54 = t40 + self.IBxz - t34 * Sz_delta - self.zB * t50;
+        let t33 = self.c + self.w;
+        let t35 = t33 - self.xH;
+        let t38 = self.IHxz + t31 * t35 - self.rF * t29;
+        let (sin_lam, cos_lam) = self.lam.sin_cos();
+        let t41 = t38 * cos_lam;
+        let hx_delta = t41 + Jxx_delta * sin_lam;
+        let t45 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = cos_lam * t45;
+        let Sz_delta = t31 - t18;
+        let t54 = t38 + self.IBxz - t2 * self.xB - t33 * Sz_delta;
         let t55 = yaw_per_v_delta * t54;
         let M_12 = hx_delta + self.c * t55;
-        let t59 = sin_lam * t40;
-        let t61 = self.mF * self.c;
-        let t63 = self.mH * t36;
-        let Jzz_delta = self.IFxx + self.IHzz + self.c * t61 + t36 * t63;
-        let t69 = t59 + cos_lam * Jzz_delta;
-        let t71 = t61 + t63;
-        let t73 = sin_lam * Sz_delta + cos_lam * t71;
-        let t75 = t34 * t73 - t69;
-        let mA = self.mF + self.mH;
-        let t78 = t71 - t34 * mA;
-        let t87 = yaw_per_v_delta
-            * (self.IRxx + Jzz_delta + self.xB * t50 + self.IBzz - t34 * (t71 + t78));
-        let t88 = self.c * t87;
-        let t89 = t75 - t88;
-        let t91 = self.c * t44;
-        let M_22_hz_delta = cos_lam * ((t75 + t89) * t91 - t69);
-        let M_22 = sin_lam * hx_delta - M_22_hz_delta;
+        let t59 = self.mH * t35;
+        let Jzz_delta = self.IFxx + t35 * t59 + self.IHzz + self.c * t29;
+        let t67 = t38 * sin_lam;
+        let t68 = cos_lam * Jzz_delta + t67;
+        let t69 = t29 + t59;
+        let t72 = cos_lam * t69 + sin_lam * Sz_delta;
+        let t74 = t68 - t33 * t72;
+        let t75 = self.c * t45;
+        let t78 = self.mB * self.xB;
+        let mA = self.mH + self.mF;
+        let t82 = t69 - t33 * mA;
+        let t89 = yaw_per_v_delta
+            * (self.IRxx + Jzz_delta + self.IBzz + self.xB * t78 - t33 * (t69 + t82));
+        let t90 = self.c * t89;
+        let t91 = t74 + t90;
+        let t92 = t75 * t91;
+        let M_22 = sin_lam * hx_delta + cos_lam * (t68 + t74 * t75 + t92);
         let zero = self.w.like(0.0);
-        let t101 = self.w.like(1.0) / self.rF;
-        let SF = self.IFyy * t101;
-        let t104 = self.w.like(1.0) / self.rR;
-        let t105 = self.IRyy * t104;
-        let ST = SF + t105;
-        let t107 = self.mB * self.zB;
-        let t108 = self.mR * self.rR;
-        let K0_11 = Sz_delta + t107 - t108;
-        let t111 = ST - K0_11;
-        let t114 = t44 * (t54 + self.c * t111);
-        let t115 = SF + t114;
-        let C1_12 = cos_lam * t115;
-        let t117 = cos_lam * SF;
-        let mu = cos_lam * t91;
-        let P_delta_yaw_xB = ST * mu;
-        let C1_21 = self.kappa - t117 - P_delta_yaw_xB;
-        let t122 = t78 * mu;
-        let t123 = t73 + t122;
-        let t124 = t50 * mu;
-        let K0_12 = t123 - t124;
-        let t126 = K0_12 - t87;
-        let t128 = t75 + self.c * t126;
+        let t102 = self.w.like(1.0) / self.rF;
+        let SF = self.IFyy * t102;
+        let t105 = self.w.like(1.0) / self.rR;
+        let t106 = self.IRyy * t105;
+        let ST = SF + t106;
+        let K0_11 = t2 + Sz_delta - t7;
+        let t110 = ST - K0_11;
+        let t112 = t54 + self.c * t110;
+        let t113 = yaw_per_v_delta * t112;
+        let t114 = cos_lam * SF;
+        let C1_12 = t113 + t114;
+        let t116 = yaw_per_v_delta * ST;
+        let t117 = self.c * t116;
+        let C1_21 = self.kappa - t114 - t117;
+        let t120 = self.mB * yaw_per_v_delta;
+        let t121 = self.c * t120;
+        let t122 = self.xB * t121;
+        let mu = self.c * yaw_per_v_delta;
+        let t124 = t82 * mu;
+        let t125 = t122 - t124;
+        let K0_12 = t72 - t125;
+        let t128 = t91 - self.c * K0_12;
+        let C1_22 = yaw_per_v_delta * t128;
         let K0_22 = sin_lam * K0_12;
-        let K2_12 = yaw_per_v_delta * t111;
+        let K2_12 = yaw_per_v_delta * t110;
         let t132 = sin_lam * SF;
-        let t133 = K0_12 - t132;
-        let t134 = yaw_per_v_delta * t133;
-        let M_12_Jxz_delta = cos_lam + mu;
-        let t137 = self.mH * M_12_Jxz_delta;
-        let t138 = self.zH * t137;
-        let t139 = Sz_delta * mu - t138;
-        let t141 = t139 + t55 * t91;
-        let t142 = mu * t123;
-        let t143 = self.zH * sin_lam;
-        let t144 = t36 * M_12_Jxz_delta;
-        let t145 = t143 + t144;
-        let t146 = t34 * mu;
-        let t147 = t146 + t146;
-        let t148 = t147 - t145;
-        let t149 = t145 - t148;
-        let t150 = t137 * t149;
-        let t152 = t142 + t142 - t150;
-        let t153 = t89 + t89;
-        let t154 = yaw_per_v_delta * t153;
-        let M_22_w = t91 * t154 - t152;
-        let C1_12_w = yaw_per_v_delta * (t4 - t114);
-        let C1_21_w = t44 * P_delta_yaw_xB;
-        let t161 = t44 * (t128 - t88);
-        let t163 = t137 - mA * mu;
-        let t164 = t78 - t50;
-        let t165 = yaw_per_v_delta * t164;
-        let K0_12_w = t163 - t91 * t165;
-        let t169 = t34 * M_12_Jxz_delta;
-        let t171 = t146 + t169 - t144;
-        let t172 = t171 - t145;
-        let P_delta_yaw_mA = self.mH * t172;
-        let t175 = t122 + t123 + P_delta_yaw_mA;
-        let C1_22_w = yaw_per_v_delta * (t161 - self.c * K0_12_w - t175);
-        let t180 = t44 * K2_12;
-        let K2_22_w = t44 * (t134 - cos_lam * K0_12_w);
-        let t186 = t139 + t4 * M_12_Jxz_delta - t55;
-        let t187 = self.c * M_12_Jxz_delta;
-        let t188 = t146 - t187;
-        let t189 = self.rF * sin_lam;
-        let t190 = t188 + t189;
-        let t191 = self.mF * M_12_Jxz_delta;
-        let t192 = t190 * t191;
-        let t195 = t152 + t154 + t192 + t192;
-        let t196 = yaw_per_v_delta * ST;
-        let t197 = t163 + t165;
-        let t204 = yaw_per_v_delta
-            * (t126 + t175 + self.c * t197 + self.mF * (t169 + t190));
-        let K0_12_c = t191 + t197;
+        let t134 = t45 * (t132 - K0_12);
+        let K2_22 = cos_lam * t134;
+        let C1_12_SF = cos_lam + mu;
+        let t137 = t31 * C1_12_SF;
+        let t138 = cos_lam * Sz_delta;
+        let M_12_c = t55 + t138;
+        let M_12_w = t137 - t75 * M_12_c;
+        let t143 = t72 + t124 + t124;
+        let t146 = t35 * C1_12_SF;
+        let t147 = self.zH * sin_lam;
+        let t148 = t146 + t147;
+        let t149 = t33 * yaw_per_v_delta;
+        let t150 = self.c * t149;
+        let K0_12_mH = t148 - t150;
+        let t152 = K0_12_mH + K0_12_mH;
+        let t153 = self.mH * C1_12_SF;
+        let t154 = t152 * t153;
+        let t155 = mu * (t72 + t143) - t154;
+        let t156 = yaw_per_v_delta * t91;
+        let t159 = t155 + t156 * (t75 + t75);
+        let t162 = self.zH * yaw_per_v_delta;
+        let t163 = self.mH * t162;
+        let C1_12_w = t163 - t45 * (t113 + t138);
+        let C1_21_w = t45 * t117;
+        let t167 = t153 - mA * mu;
+        let K0_12_w = t167 + t45 * t125;
+        let C1_22_yaw_per_v_delta = t90 + t128;
+        let t176 = self.mH * yaw_per_v_delta;
+        let t179 = t149 * (mu + C1_12_SF);
+        let t181 = t179 - yaw_per_v_delta * t146;
+        let t183 = t148 * t176 - self.mH * t181;
+        let t184 = yaw_per_v_delta * t143 - t183;
+        let t185 = yaw_per_v_delta * (self.c * K0_12_w + t45 * C1_22_yaw_per_v_delta)
+            + t184;
+        let K0_22_w = sin_lam * K0_12_w;
+        let t187 = t45 * K2_12;
+        let t189 = yaw_per_v_delta * (t134 + K0_12_w);
+        let t190 = self.mF * C1_12_SF;
+        let t191 = self.c * C1_12_SF;
+        let t192 = self.rF * sin_lam;
+        let t193 = t150 + t192;
+        let K0_12_mF = t191 - t193;
+        let t196 = t156 + t190 * K0_12_mF;
+        let M_22_c = t196 + t196 - t155;
+        let t199 = t78 - t82;
+        let t201 = t167 - yaw_per_v_delta * t199;
+        let t206 = t191 - t192;
+        let t208 = yaw_per_v_delta * t206 - t179;
+        let C1_22_c = self.mF * t208 - t184
+            - yaw_per_v_delta * (K0_12 + self.c * t201 - t89);
+        let K0_12_c = t190 + t201;
         let K0_22_c = sin_lam * K0_12_c;
-        let t207 = yaw_per_v_delta * K0_12_c;
-        let t208 = sin_lam * t44;
-        let t209 = self.c * t208;
-        let hx_delta_lam = Jxx_delta * cos_lam - t59;
-        let M_12_lam = hx_delta_lam - t54 * t209;
-        let t215 = sin_lam * Jzz_delta - t42;
-        let t216 = M_12_Jxz_delta * t215;
-        let t217 = sin_lam + sin_lam;
-        let t221 = cos_lam * Sz_delta - sin_lam * t71;
-        let t227 = t216 + t216 + t147 * t221 - hx_delta_lam * t217 - t153 * t209;
-        let t228 = sin_lam * t115;
-        let C1_21_lam = t132 + ST * t209;
-        let K0_12_lam = t221 - t164 * t209;
-        let C1_22_lam = sin_lam * t161
-            - yaw_per_v_delta * (t215 + self.c * K0_12_lam + t34 * t221);
+        let t214 = yaw_per_v_delta * K0_12_c;
+        let t215 = sin_lam * t75;
+        let t218 = t67 - Jxx_delta * cos_lam;
+        let t219 = t54 * t215 + t218;
+        let t223 = t41 - sin_lam * Jzz_delta;
+        let t225 = sin_lam * t69 - t138;
+        let t227 = t223 + t33 * t225;
+        let t231 = sin_lam * (t92 + t218) - cos_lam * (t223 + t75 * t227);
+        let t232 = t231 + t231;
+        let t233 = sin_lam * t45;
+        let t235 = t132 + t112 * t233;
+        let C1_21_lam = t132 + ST * t215;
+        let K0_12_lam = t199 * t215 - t225;
+        let C1_22_lam = yaw_per_v_delta * (t227 - self.c * K0_12_lam)
+            - C1_22_yaw_per_v_delta * t233;
         let K0_22_lam = sin_lam * K0_12_lam + cos_lam * K0_12;
-        let t243 = t111 * t208;
-        let C1_22_mA = t117 - K0_12_lam;
-        let K2_22_lam = t133 * t208 + yaw_per_v_delta * C1_22_mA;
-        let M_11_rR = t108 + t108;
-        let K2_12_rR = yaw_per_v_delta * (self.mR - t104 * t105);
+        let t248 = t110 * t233;
+        let K2_22_lam = yaw_per_v_delta * (t114 - K0_12_lam) - sin_lam * t134;
+        let M_11_rR = t7 + t7;
+        let K2_12_IRyy = yaw_per_v_delta * t105;
+        let t256 = t106 * K2_12_IRyy;
+        let K2_12_rR = self.mR * yaw_per_v_delta - t256;
         let C1_12_rR = self.c * K2_12_rR;
-        let K2_12_IRyy = yaw_per_v_delta * t104;
-        let C1_12_IRyy = self.c * K2_12_IRyy;
-        let C1_21_rR = t105 * C1_12_IRyy;
-        let C1_12_mR = self.rR * mu;
+        let C1_21_rR = self.c * t256;
+        let M_11_mR = self.rR * self.rR;
         let K2_12_mR = self.rR * yaw_per_v_delta;
+        let C1_12_mR = self.c * K2_12_mR;
+        let M_22_IRxx = mu * mu;
         let C1_22_IRxx = yaw_per_v_delta * mu;
-        let M_22_IRxx = self.c * C1_22_IRxx;
-        let t261 = t107 * mu;
-        let t262 = self.mB * mu;
-        let t263 = self.xB * mu;
-        let t264 = t263 + t263;
-        let M_22_xB = t262 * t264;
-        let t266 = yaw_per_v_delta * t107;
-        let t267 = self.mB * yaw_per_v_delta;
-        let C1_22_xB = t264 * t267 + self.mB * M_22_IRxx;
-        let t271 = sin_lam * t262;
-        let K2_22_xB = self.mB * C1_22_IRxx;
-        let M_11_zB = t107 + t107;
-        let t274 = self.c + self.xB;
-        let t275 = t267 * t274;
-        let t276 = self.zB * t263;
-        let M_22_mB = t263 * t263;
-        let t278 = self.zB * yaw_per_v_delta;
-        let t279 = t274 * t278;
-        let K2_22_mB = self.xB * C1_22_IRxx;
-        let C1_22_mB = t274 * K2_22_mB;
-        let t282 = sin_lam * t263;
-        let t283 = t31 * yaw_per_v_delta;
-        let t285 = self.mH * yaw_per_v_delta;
-        let C1_22_xH = (t172 + t187) * t285;
-        let t287 = sin_lam * t137;
-        let K2_22_xH = M_12_Jxz_delta * t285;
-        let M_11_zH = t31 + t31;
-        let K0_12_mH = t145 - t146;
-        let M_12_zH = self.mH * (t143 + K0_12_mH);
+        let C1_12_IRyy = t105 * mu;
+        let t267 = t2 * mu;
+        let t268 = t78 * C1_22_IRxx;
+        let t269 = t268 + t268;
+        let M_22_xB = self.c * t269;
+        let t271 = self.zB * t120;
+        let C1_22_xB = t269 + t121 * mu;
+        let t274 = sin_lam * t121;
+        let K2_22_xB = yaw_per_v_delta * t121;
+        let M_11_zB = t2 + t2;
+        let t277 = self.c + self.xB;
+        let t278 = t120 * t277;
+        let M_11_mB = self.zB * self.zB;
+        let t280 = self.xB * mu;
+        let t281 = self.zB * t280;
+        let M_22_mB = t280 * t280;
+        let t283 = self.zB * yaw_per_v_delta;
+        let t284 = t277 * t283;
+        let K2_22_mB = yaw_per_v_delta * t280;
+        let C1_22_mB = t277 * K2_22_mB;
+        let t287 = sin_lam * t280;
+        let C1_22_xH = t176 * t191 - t183;
         let K0_12_zH = self.mH * sin_lam;
-        let M_22_zH = t149 * K0_12_zH;
-        let t295 = self.c + self.xH;
-        let t296 = t285 * t295;
-        let C1_22_Jxz_delta = cos_lam * t208;
-        let t298 = self.mH * C1_22_Jxz_delta;
-        let t299 = t295 * t298;
+        let t291 = C1_12_SF * K0_12_zH;
+        let K2_22_xH = yaw_per_v_delta * t153;
+        let M_11_zH = t31 + t31;
+        let M_12_zH = self.mH * (t147 + K0_12_mH);
+        let M_22_zH = t152 * K0_12_zH;
+        let t297 = self.c + self.xH;
+        let t298 = t176 * t297;
+        let K2_22_SF = cos_lam * t233;
+        let t300 = self.mH * K2_22_SF;
+        let t301 = t297 * t300;
+        let K0_22_zH = sin_lam * K0_12_zH;
+        let M_12_mH = self.zH * K0_12_mH;
+        let M_22_mH = K0_12_mH * K0_12_mH;
+        let t305 = t162 * t297;
+        let C1_22_mH = t149 * t150 - t35 * t181
+            - yaw_per_v_delta * (self.xH * t147 + self.c * K0_12_mH);
+        let K0_22_mH = sin_lam * K0_12_mH;
+        let t315 = yaw_per_v_delta * K0_12_mH;
         let M_22_Jxx_delta = sin_lam * sin_lam;
-        let K0_22_zH = self.mH * M_22_Jxx_delta;
-        let t303 = t34 * t146;
-        let t304 = mu * t303;
-        let M_22_mH = t304 - t145 * t148;
-        let t307 = self.zH * yaw_per_v_delta;
-        let t308 = t295 * t307;
-        let C1_22_mH = yaw_per_v_delta
-            * (t303 - self.c * K0_12_mH - t36 * t171 - self.xH * t143);
-        let M_22_Jzz_delta = M_12_Jxz_delta * M_12_Jxz_delta;
-        let C1_22_Jzz_delta = yaw_per_v_delta * M_12_Jxz_delta;
-        let M_22_Jxz_delta = M_12_Jxz_delta * t217;
-        let M_11_rF = t4 + t4;
-        let M_12_rF = self.mF * (t189 + t190);
-        let t324 = sin_lam * t190;
-        let t325 = self.mF * t324;
-        let M_22_rF = t325 + t325;
-        let t327 = self.mF * yaw_per_v_delta;
-        let t328 = t34 * t327;
-        let C1_12_IFyy = t101 * M_12_Jxz_delta;
-        let C1_21_rF = SF * C1_12_IFyy;
-        let C1_12_rF = t328 - C1_21_rF;
-        let C1_22_rF = sin_lam * t328;
-        let P_delta_lateral_rF = self.mF * sin_lam;
-        let t334 = self.mF * M_22_Jxx_delta;
-        let K2_12_IFyy = yaw_per_v_delta * t101;
-        let K2_12_rF = t327 - SF * K2_12_IFyy;
+        let M_22_Jzz_delta = C1_12_SF * C1_12_SF;
+        let C1_22_Jzz_delta = yaw_per_v_delta * C1_12_SF;
+        let C1_22_mA = sin_lam * C1_12_SF;
+        let M_22_IHxz = C1_22_mA + C1_22_mA;
+        let Jxx_delta_rF = t18 + t18;
+        let t323 = self.mF * (t206 - t193);
+        let K0_22_mF = sin_lam * K0_12_mF;
+        let t325 = self.mF * K0_22_mF;
+        let t326 = t325 + t325;
+        let t328 = t102 * SF;
+        let C1_21_rF = C1_12_SF * t328;
+        let C1_12_rF = self.mF * t149 - C1_21_rF;
+        let t331 = self.mF * sin_lam;
+        let C1_22_rF = t149 * t331;
+        let t333 = sin_lam * t331;
+        let K2_12_rF = yaw_per_v_delta * (self.mF - t328);
         let K2_22_rF = sin_lam * K2_12_rF;
-        let M_11_mF = self.rF * self.rF;
-        let M_12_mF = self.rF * t190;
-        let M_22_mF = t304 + t189 * (t188 + t190) - t187 * (t146 + t188);
+        let Jxx_delta_mF = self.rF * self.rF;
+        let t338 = self.rF * K0_12_mF;
+        let M_22_mF = K0_12_mF * K0_12_mF;
         let K2_12_mF = self.rF * yaw_per_v_delta;
-        let C1_12_mF = t34 * K2_12_mF;
-        let K2_22_mF = yaw_per_v_delta * t190;
-        let C1_22_mF = t34 * K2_22_mF;
+        let C1_12_mF = t33 * K2_12_mF;
+        let t342 = yaw_per_v_delta * K0_12_mF;
+        let C1_22_mF = t149 * t193 - self.c * (t342 - t208);
         let M_22_IFxx = M_22_Jxx_delta + M_22_Jzz_delta;
+        let C1_12_IFyy = t102 * C1_12_SF;
+        let K2_12_IFyy = yaw_per_v_delta * t102;
         let K2_22_IFyy = sin_lam * K2_12_IFyy;
         let C0_21 = -(self.kappa * self.vo);
-        let C1_22 = -(yaw_per_v_delta * t128);
-        let K2_22 = -t134;
-        let t356 = -(sin_lam * K0_12_w);
-        let t357 = -(self.zH * K0_12_mH);
-        let t358 = -(sin_lam * K0_12_mH);
-        let K2_22_mH = -(yaw_per_v_delta * K0_12_mH);
         (
             BalanceAssistMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, zero, C0_21, zero, zero, C1_12, C1_21, C1_22, K0_11,
@@ -583,21 +572,21 @@ impl<T: Number> BalanceAssist<T> {
             ]),
             BalanceAssistDerivatives {
                 values: [
-                    t141, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_12_w, t356, t180, K2_22_w, t186,
-                    t195, K2_12, t196, t204, K0_12_c, K0_22_c, t207, M_12_lam, t227, t228,
-                    C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t243, K2_22_lam, M_11_rR, C1_12_rR,
+                    M_12_w, t159, C1_12_w, C1_21_w, t185, K0_12_w, K0_22_w, t187, t189, M_12_c,
+                    M_22_c, K2_12, t116, C1_22_c, K0_12_c, K0_22_c, t214, t219, t232, t235,
+                    C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t248, K2_22_lam, M_11_rR, C1_12_rR,
                     C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
-                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t261, M_22_xB,
-                    t266, C1_22_xB, t262, t271, K2_22_xB, M_11_zB, t124, t275, self.mB, t267,
-                    M_11_mB, t276, M_22_mB, t279, C1_22_mB, self.zB, t263, t282, t278, K2_22_mB, mu,
-                    yaw_per_v_delta, t138, t150, t283, C1_22_xH, t137, t287, K2_22_xH, M_11_zH,
-                    M_12_zH, M_22_zH, t296, t299, self.mH, K0_12_zH, K0_22_zH, t285, t298, M_11_mH,
-                    t357, M_22_mH, t308, C1_22_mH, self.zH, K0_12_mH, t358, t307, K2_22_mH, sin_lam,
-                    M_22_Jxx_delta, M_22_Jzz_delta, C1_22_Jzz_delta, M_12_Jxz_delta, M_22_Jxz_delta,
-                    C1_22_Jxz_delta, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF,
-                    self.mF, P_delta_lateral_rF, t334, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF,
-                    M_22_mF, C1_12_mF, C1_22_mF, self.rF, t190, t324, K2_12_mF, K2_22_mF, M_22_IFxx,
-                    C1_12_IFyy, K2_12_IFyy, K2_22_IFyy, self.vo, self.kappa,
+                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t267, M_22_xB,
+                    t271, C1_22_xB, t121, t274, K2_22_xB, M_11_zB, t122, t278, self.mB, t120,
+                    M_11_mB, t281, M_22_mB, t284, C1_22_mB, self.zB, t280, t287, t283, K2_22_mB, mu,
+                    yaw_per_v_delta, t137, t154, t163, C1_22_xH, t153, t291, K2_22_xH, M_11_zH,
+                    M_12_zH, M_22_zH, t298, t301, self.mH, K0_12_zH, K0_22_zH, t176, t300, M_11_mH,
+                    M_12_mH, M_22_mH, t305, C1_22_mH, self.zH, K0_12_mH, K0_22_mH, t162, t315,
+                    sin_lam, M_22_Jxx_delta, M_22_Jzz_delta, C1_22_Jzz_delta, C1_12_SF, M_22_IHxz,
+                    K2_22_SF, Jxx_delta_rF, t323, t326, C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t331,
+                    t333, K2_12_rF, K2_22_rF, Jxx_delta_mF, t338, M_22_mF, C1_12_mF, C1_22_mF,
+                    self.rF, K0_12_mF, K0_22_mF, K2_12_mF, t342, M_22_IFxx, C1_12_IFyy, K2_12_IFyy,
+                    K2_22_IFyy, self.vo, self.kappa,
                 ],
             },
         )
@@ -1100,26 +1089,22 @@ impl<T: Scalar> Differentiable<2> for BalanceAssist<T> {
 impl BalanceAssistDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 161] = &[
-        Partial::new(MatrixName::M, 0, 1, 0, 0).negative(),
-        Partial::new(MatrixName::M, 1, 0, 0, 0).negative(), Partial::new(MatrixName::M, 1, 1, 0, 1),
+        Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
+        Partial::new(MatrixName::M, 1, 1, 0, 1).negative(),
         Partial::new(MatrixName::C1, 0, 1, 0, 2), Partial::new(MatrixName::C1, 1, 0, 0, 3),
-        Partial::new(MatrixName::C1, 1, 1, 0, 4), Partial::new(MatrixName::K0, 0, 1, 0, 5),
-        Partial::new(MatrixName::K0, 1, 0, 0, 5),
-        Partial::new(MatrixName::K0, 1, 1, 0, 6).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 0, 4).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
+        Partial::new(MatrixName::K0, 1, 1, 0, 6),
         Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 0, 8),
-        Partial::new(MatrixName::M, 0, 1, 1, 9).negative(),
-        Partial::new(MatrixName::M, 1, 0, 1, 9).negative(),
-        Partial::new(MatrixName::M, 1, 1, 1, 10).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 1, 11),
+        Partial::new(MatrixName::K2, 1, 1, 0, 8).negative(),
+        Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
+        Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
         Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 13).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 1, 14),
-        Partial::new(MatrixName::K0, 1, 0, 1, 14),
-        Partial::new(MatrixName::K0, 1, 1, 1, 15),
+        Partial::new(MatrixName::C1, 1, 1, 1, 13), Partial::new(MatrixName::K0, 0, 1, 1, 14),
+        Partial::new(MatrixName::K0, 1, 0, 1, 14), Partial::new(MatrixName::K0, 1, 1, 1, 15),
         Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
-        Partial::new(MatrixName::M, 0, 1, 2, 17),
-        Partial::new(MatrixName::M, 1, 0, 2, 17),
+        Partial::new(MatrixName::M, 0, 1, 2, 17).negative(),
+        Partial::new(MatrixName::M, 1, 0, 2, 17).negative(),
         Partial::new(MatrixName::M, 1, 1, 2, 18).negative(),
         Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
         Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
@@ -1184,38 +1169,42 @@ impl BalanceAssistDerivatives {
         Partial::new(MatrixName::K0, 1, 0, 16, 77), Partial::new(MatrixName::K0, 1, 1, 16, 78),
         Partial::new(MatrixName::K2, 0, 1, 16, 79).negative(),
         Partial::new(MatrixName::K2, 1, 1, 16, 80).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 81),
-        Partial::new(MatrixName::M, 0, 1, 17, 82).negative(),
-        Partial::new(MatrixName::M, 1, 0, 17, 82).negative(),
-        Partial::new(MatrixName::M, 1, 1, 17, 83),
+        Partial::new(MatrixName::M, 0, 0, 17, 81), Partial::new(MatrixName::M, 0, 1, 17, 82),
+        Partial::new(MatrixName::M, 1, 0, 17, 82), Partial::new(MatrixName::M, 1, 1, 17, 83),
         Partial::new(MatrixName::C1, 0, 1, 17, 84).negative(),
         Partial::new(MatrixName::C1, 1, 1, 17, 85), Partial::new(MatrixName::K0, 0, 0, 17, 86),
         Partial::new(MatrixName::K0, 0, 1, 17, 87), Partial::new(MatrixName::K0, 1, 0, 17, 87),
-        Partial::new(MatrixName::K0, 1, 1, 17, 88).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 17, 88),
         Partial::new(MatrixName::K2, 0, 1, 17, 89).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 17, 90), Partial::new(MatrixName::M, 0, 0, 18, 35),
-        Partial::new(MatrixName::M, 0, 1, 18, 91), Partial::new(MatrixName::M, 1, 0, 18, 91),
-        Partial::new(MatrixName::M, 1, 1, 18, 92), Partial::new(MatrixName::M, 1, 1, 20, 93),
-        Partial::new(MatrixName::C1, 1, 1, 20, 94), Partial::new(MatrixName::M, 0, 1, 21, 95),
-        Partial::new(MatrixName::M, 1, 0, 21, 95), Partial::new(MatrixName::M, 1, 1, 21, 96),
-        Partial::new(MatrixName::C1, 0, 1, 21, 63), Partial::new(MatrixName::C1, 1, 1, 21, 97),
-        Partial::new(MatrixName::M, 0, 0, 22, 98), Partial::new(MatrixName::M, 0, 1, 22, 99),
-        Partial::new(MatrixName::M, 1, 0, 22, 99), Partial::new(MatrixName::M, 1, 1, 22, 100),
-        Partial::new(MatrixName::C1, 0, 1, 22, 101), Partial::new(MatrixName::C1, 1, 0, 22, 102),
+        Partial::new(MatrixName::K2, 1, 1, 17, 90).negative(),
+        Partial::new(MatrixName::M, 0, 0, 18, 35), Partial::new(MatrixName::M, 0, 1, 18, 91),
+        Partial::new(MatrixName::M, 1, 0, 18, 91), Partial::new(MatrixName::M, 1, 1, 18, 92),
+        Partial::new(MatrixName::M, 1, 1, 20, 93), Partial::new(MatrixName::C1, 1, 1, 20, 94),
+        Partial::new(MatrixName::M, 0, 1, 21, 95), Partial::new(MatrixName::M, 1, 0, 21, 95),
+        Partial::new(MatrixName::M, 1, 1, 21, 96), Partial::new(MatrixName::C1, 0, 1, 21, 63),
+        Partial::new(MatrixName::C1, 1, 1, 21, 97), Partial::new(MatrixName::M, 0, 0, 22, 98),
+        Partial::new(MatrixName::M, 0, 1, 22, 99).negative(),
+        Partial::new(MatrixName::M, 1, 0, 22, 99).negative(),
+        Partial::new(MatrixName::M, 1, 1, 22, 100).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 22, 101),
+        Partial::new(MatrixName::C1, 1, 0, 22, 102),
         Partial::new(MatrixName::C1, 1, 1, 22, 103),
         Partial::new(MatrixName::K0, 0, 0, 22, 104).negative(),
         Partial::new(MatrixName::K0, 0, 1, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 0, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 1, 22, 106).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 107), Partial::new(MatrixName::K2, 1, 1, 22, 108),
-        Partial::new(MatrixName::M, 0, 0, 23, 109), Partial::new(MatrixName::M, 0, 1, 23, 110),
-        Partial::new(MatrixName::M, 1, 0, 23, 110), Partial::new(MatrixName::M, 1, 1, 23, 111),
-        Partial::new(MatrixName::C1, 0, 1, 23, 112), Partial::new(MatrixName::C1, 1, 1, 23, 113),
+        Partial::new(MatrixName::K2, 0, 1, 22, 107),
+        Partial::new(MatrixName::K2, 1, 1, 22, 108),
+        Partial::new(MatrixName::M, 0, 0, 23, 109),
+        Partial::new(MatrixName::M, 0, 1, 23, 110).negative(),
+        Partial::new(MatrixName::M, 1, 0, 23, 110).negative(),
+        Partial::new(MatrixName::M, 1, 1, 23, 111),
+        Partial::new(MatrixName::C1, 0, 1, 23, 112),
+        Partial::new(MatrixName::C1, 1, 1, 23, 113),
         Partial::new(MatrixName::K0, 0, 0, 23, 114).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 23, 115).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 23, 115).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 23, 116).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 23, 117), Partial::new(MatrixName::K2, 1, 1, 23, 118),
+        Partial::new(MatrixName::K0, 0, 1, 23, 115), Partial::new(MatrixName::K0, 1, 0, 23, 115),
+        Partial::new(MatrixName::K0, 1, 1, 23, 116), Partial::new(MatrixName::K2, 0, 1, 23, 117),
+        Partial::new(MatrixName::K2, 1, 1, 23, 118).negative(),
         Partial::new(MatrixName::M, 0, 0, 24, 35), Partial::new(MatrixName::M, 0, 1, 24, 91),
         Partial::new(MatrixName::M, 1, 0, 24, 91), Partial::new(MatrixName::M, 1, 1, 24, 119),
         Partial::new(MatrixName::C1, 1, 1, 24, 94), Partial::new(MatrixName::C1, 0, 1, 25, 120),

@@ -201,8 +201,8 @@ impl<T: Number> CantileveredPipe<T> {
         let C1_41 = self.f * self.l.like(0.2396209592479588);
         let C1_42 = self.f * self.l.like(1.2332472562882775);
         let C1_43 = self.f * self.l.like(8.336799302190666);
-        let t34 = self.l * self.l * self.l;
-        let t35 = self.l.like(1.0) / t34;
+        let t33 = self.l * self.l;
+        let t35 = self.l.like(1.0) / (self.l * t33);
         let Kc_11_EI = t35 * self.l.like(12.362363368326193);
         let Kc_11 = self.EI * Kc_11_EI;
         let Kc_22_EI = t35 * self.l.like(485.51881851337106);
@@ -214,68 +214,66 @@ impl<T: Number> CantileveredPipe<T> {
         let t48 = self.l.like(1.0) / self.l;
         let flow = self.f * t48;
         let K2_11 = flow * self.l.like(0.8582436200114997);
-        let t53 = t48 * self.l.like(11.743238371184557);
-        let t54 = self.f * t53;
+        let t53 = flow * self.l.like(11.743238371184557);
         let K2_13_f = t48 * self.l.like(27.45314869883141);
         let K2_13 = self.f * K2_13_f;
-        let t59 = t48 * self.l.like(37.39025026585289);
         let K2_21_f = t48 * self.l.like(1.8738533309718404);
         let K2_21 = self.f * K2_21_f;
-        let t65 = t48 * self.l.like(13.294285387122413);
-        let t66 = self.f * t65;
-        let t68 = flow * self.l.like(9.04221974607116);
-        let K2_24_f = t48 * self.l.like(30.40116729418553);
-        let K2_24 = self.f * K2_24_f;
+        let t63 = flow * self.l.like(13.294285387122413);
+        let K2_24 = flow * self.l.like(30.40116729418553);
         let K2_31 = flow * self.l.like(1.564506451563535);
-        let K2_32 = flow * self.l.like(3.229330799040317);
-        let t77 = flow * self.l.like(45.90422661633816);
-        let t79 = t48 * self.l.like(8.33536903529716);
-        let t80 = self.f * t79;
-        let K2_41_f = t48 * self.l.like(1.087366479542848);
-        let K2_41 = self.f * K2_41_f;
-        let K2_42_f = t48 * self.l.like(5.540642250946188);
-        let K2_42 = self.f * K2_42_f;
-        let K2_43 = flow * self.l.like(4.253605462830704);
-        let t90 = flow * self.l.like(98.91821015122052);
-        let t94 = self.EI * self.l.like(3.0) / (self.l * t34);
-        let t95 = self.l.like(12.362363368326193) * t94;
-        let t96 = self.l.like(485.51881851337106) * t94;
-        let t97 = self.l.like(3806.546266391451) * t94;
-        let t98 = self.l.like(14617.27330511878) * t94;
-        let K2_11_f = t48 * self.l.like(0.8582436200114997);
-        let t100 = flow * K2_11_f;
-        let K2_12_l = t48 * t54;
-        let t102 = t48 * K2_13;
-        let K2_14_l = flow * t59;
-        let t104 = flow * K2_21_f;
-        let K2_22_l = t48 * t66;
-        let K2_23_l = t48 * t68;
-        let t107 = flow * K2_24_f;
-        let K2_31_f = t48 * self.l.like(1.564506451563535);
-        let t109 = flow * K2_31_f;
         let K2_32_f = t48 * self.l.like(3.229330799040317);
-        let t111 = flow * K2_32_f;
-        let K2_33_l = t48 * t77;
-        let K2_34_l = t48 * t80;
-        let t114 = t48 * K2_41;
-        let t115 = flow * K2_42_f;
-        let t116 = t48 * K2_43;
-        let K2_44_l = t48 * t90;
-        let t118 = t48 * self.l.like(9.04221974607116);
-        let t119 = t48 * self.l.like(45.90422661633816);
+        let K2_32 = self.f * K2_32_f;
+        let t74 = t48 * self.l.like(45.90422661633816);
+        let t75 = self.f * t74;
+        let t77 = t48 * self.l.like(8.33536903529716);
+        let K2_41 = flow * self.l.like(1.087366479542848);
+        let K2_42 = flow * self.l.like(5.540642250946188);
+        let K2_43 = flow * self.l.like(4.253605462830704);
+        let t86 = flow * self.l.like(98.91821015122052);
+        let t90 = self.EI * self.l.like(3.0) / (t33 * t33);
+        let t91 = self.l.like(12.362363368326193) * t90;
+        let t92 = self.l.like(485.51881851337106) * t90;
+        let t93 = self.l.like(3806.546266391451) * t90;
+        let t94 = self.l.like(14617.27330511878) * t90;
+        let t95 = t48 * K2_11;
+        let K2_12_l = t48 * t53;
+        let t97 = flow * K2_13_f;
+        let t98 = t48 * self.l.like(37.39025026585289);
+        let K2_14_l = flow * t98;
+        let t100 = t48 * K2_21;
+        let K2_22_l = t48 * t63;
+        let t102 = t48 * self.l.like(9.04221974607116);
+        let K2_23_l = flow * t102;
+        let K2_24_f = t48 * self.l.like(30.40116729418553);
+        let t105 = flow * K2_24_f;
+        let K2_31_f = t48 * self.l.like(1.564506451563535);
+        let t107 = flow * K2_31_f;
+        let t108 = flow * K2_32_f;
+        let K2_33_l = t48 * t75;
+        let K2_34_l = flow * t77;
+        let t111 = t48 * K2_41;
+        let t112 = t48 * K2_42;
+        let t113 = t48 * K2_43;
+        let K2_44_l = t48 * t86;
+        let K2_11_f = t48 * self.l.like(0.8582436200114997);
+        let t116 = t48 * self.l.like(11.743238371184557);
+        let t117 = t48 * self.l.like(13.294285387122413);
+        let K2_41_f = t48 * self.l.like(1.087366479542848);
+        let K2_42_f = t48 * self.l.like(5.540642250946188);
         let K2_43_f = t48 * self.l.like(4.253605462830704);
         let t121 = t48 * self.l.like(98.91821015122052);
         let C1_12 = -(self.f * self.l.like(9.518922059144996));
         let C1_14 = -(self.f * self.l.like(8.23962095924796));
         let C1_23 = -(self.f * self.l.like(12.4443729491028));
         let C1_34 = -(self.f * self.l.like(16.336799302190666));
-        let K2_12 = -t54;
-        let K2_14 = -(self.f * t59);
-        let K2_22 = -t66;
-        let K2_23 = -t68;
-        let K2_33 = -t77;
-        let K2_34 = -t80;
-        let K2_44 = -t90;
+        let K2_12 = -t53;
+        let K2_14 = -(flow * self.l.like(37.39025026585289));
+        let K2_22 = -t63;
+        let K2_23 = -(flow * self.l.like(9.04221974607116));
+        let K2_33 = -t75;
+        let K2_34 = -(self.f * t77);
+        let K2_44 = -t86;
         (
             CantileveredPipeMatrices::from_entries([
                 mass, zero, zero, zero, zero, mass, zero, zero, zero, zero, mass, zero, zero, zero,
@@ -287,16 +285,16 @@ impl<T: Number> CantileveredPipe<T> {
             ]),
             CantileveredPipeDerivatives {
                 values: [
-                    M_11_l, t95, t96, t97, t98, t100, K2_12_l, t102, K2_14_l, t104, K2_22_l,
-                    K2_23_l, t107, t109, t111, K2_33_l, K2_34_l, t114, t115, t116, K2_44_l,
-                    Kc_11_EI, Kc_22_EI, Kc_33_EI, Kc_44_EI, self.l, self.l.like(4.0),
+                    M_11_l, t91, t92, t93, t94, t95, K2_12_l, t97, K2_14_l, t100, K2_22_l, K2_23_l,
+                    t105, t107, t108, K2_33_l, K2_34_l, t111, t112, t113, K2_44_l, Kc_11_EI,
+                    Kc_22_EI, Kc_33_EI, Kc_44_EI, self.l, self.l.like(4.0),
                     self.l.like(-9.518922059144996), self.l.like(7.568674603525367),
                     self.l.like(-8.23962095924796), self.l.like(1.5189220591449966),
                     self.l.like(-12.4443729491028), self.l.like(6.766752743711723),
                     self.l.like(0.43132539647463314), self.l.like(4.4443729491027995),
                     self.l.like(-16.336799302190666), self.l.like(0.2396209592479588),
-                    self.l.like(1.2332472562882775), self.l.like(8.336799302190666), K2_11_f, t53,
-                    K2_13_f, t59, K2_21_f, t65, t118, K2_24_f, K2_31_f, K2_32_f, t119, t79, K2_41_f,
+                    self.l.like(1.2332472562882775), self.l.like(8.336799302190666), K2_11_f, t116,
+                    K2_13_f, t98, K2_21_f, t117, t102, K2_24_f, K2_31_f, K2_32_f, t74, t77, K2_41_f,
                     K2_42_f, K2_43_f, t121,
                 ],
             },

@@ -227,62 +227,57 @@ pub struct FlywheelBicycleMatrices<T = f64> {
 
 impl<T: Number> FlywheelBicycle<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 47 additions, 51 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 105 operations.
+    /// 42 additions, 49 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 98 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> FlywheelBicycleMatrices<T> {
-        let t2 = self.zB * self.mB;
-        let t7 = self.zH * self.mH;
-        let t13 = self.rF * self.mF;
-        let Jxx_delta = self.IFxx + self.zH * t7 + (self.IHxx + self.rF * t13);
-        let t19 = self.rR * self.mR;
-        let M_11 = self.zB * t2
-            + (Jxx_delta + (self.rR * t19 + (self.IRxx + self.IBxx)));
-        let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t31 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = cos_lam * t31;
+        let t2 = self.rR * self.mR;
+        let t6 = self.zB * self.mB;
+        let t11 = self.zH * self.mH;
+        let t18 = self.rF * self.mF;
+        let t22 = self.IFxx + (self.rF * t18 + self.IHxx);
+        let M_11 = self.rR * t2
+            + (self.zB * t6 + (self.IBxx + self.zH * t11 + (self.IRxx + t22)));
+        let (wx_delta2_delta, cos_lam) = self.lam.sin_cos();
+        let t32 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = cos_lam * t32;
         let mu = self.c * yaw_per_v_delta;
-        let t36 = self.c + self.w;
-        let t37 = self.xH - t36;
-        let t41 = self.IHxz - t7 * t37 - t13 * self.c;
-        let Sz_delta = t7 - t13;
-        let t47 = self.mB * self.xB;
-        let mA = self.zB * t47;
-        let t50 = t41 + (self.IBxz - t36 * Sz_delta - mA);
-        let t55 = Jxx_delta * sin_lam + t41 * cos_lam;
-        let M_12 = mu * t50 + t55;
-        let t59 = self.mH * t37;
-        let t62 = self.mF * self.c;
-        let Jzz_delta = self.IFxx + (self.IHzz + t37 * t59 + self.c * t62);
-        let t67 = sin_lam * t41 + cos_lam * Jzz_delta;
-        let t70 = t59 - t62;
-        let t72 = sin_lam * Sz_delta - cos_lam * t70;
-        let t74 = t36 * t72 - t67;
-        let t79 = self.mH * self.xH + self.mF * self.w;
-        let hx_delta = self.IRxx + Jzz_delta + (self.xB * t47 + t36 * (t70 + t79));
-        let t87 = mu * (hx_delta + self.IBzz) - t74;
+        let wz_delta2_delta = cos_lam + mu;
+        let t42 = self.zH * wx_delta2_delta + cos_lam * (self.c + self.w)
+            - self.xH * wz_delta2_delta;
+        let t43 = self.mH * t42;
+        let t48 = self.IHxz * wz_delta2_delta + wx_delta2_delta * t22;
+        let t52 = self.IBxz - t6 * self.xB;
+        let M_12 = self.zH * t43 + (t48 + mu * t52);
+        let t57 = self.mB * self.xB;
+        let ST = self.IRxx + (self.IBzz + self.xB * t57);
+        let t66 = wz_delta2_delta * (self.IFxx + self.IHzz)
+            + wx_delta2_delta * self.IHxz;
+        let t67 = mu * ST + t66;
+        let M_22 = mu * t67 + (cos_lam * t66 + t48 * wx_delta2_delta) + t42 * t43;
         let zero = self.w.like(0.0);
-        let t95 = self.hH + self.hB;
-        let t97 = cos_lam * self.hH;
-        let C0_12 = mu * t95 + t97;
-        let K0_11 = Sz_delta - (t19 - t2);
+        let C0_12 = wz_delta2_delta * self.hH + mu * self.hB;
         let SF = self.IFyy / self.rF;
-        let ST = SF + self.IRyy / self.rR;
-        let t111 = mu * ST + cos_lam * SF;
-        let C1_12 = (t50 - self.c * K0_11) * yaw_per_v_delta + t111;
-        let Sx_all = t47 + t79;
-        let K0_12 = t72 - mu * Sx_all;
-        let C1_22 = yaw_per_v_delta * t87 - mu * K0_12;
-        let K0_22 = sin_lam * K0_12;
-        let K1_12 = yaw_per_v_delta * t95;
-        let K1_22 = t31 * (sin_lam * t97);
-        let K2_12 = yaw_per_v_delta * (ST - K0_11);
-        let K2_22 = yaw_per_v_delta * (sin_lam * SF - K0_12);
-        let M_22 = cos_lam * t67 - (mu * (t74 - t87) - sin_lam * t55);
+        let SR = self.IRyy / self.rR;
+        let ay_delta2_delta = SR + SF;
+        let t88 = cos_lam * SF + mu * ay_delta2_delta;
+        let t93 = t11 + (t6 - t2);
+        let C1_12 = t88 + t18 * wz_delta2_delta
+            + yaw_per_v_delta * (self.IHxz + t52 - (self.c * t93 + t11 * self.xH));
+        let t100 = t18 * wx_delta2_delta;
+        let K0_12 = t43 - mu * t57 - t100;
+        let C1_22 = cos_lam * (t32 * (t67 - (self.c * K0_12 + self.xH * t43)) + t100);
+        let K0_11 = t93 - t18;
+        let K0_22 = wx_delta2_delta * K0_12;
+        let t113 = yaw_per_v_delta * self.hH;
+        let K1_12 = t113 + yaw_per_v_delta * self.hB;
+        let K1_22 = wx_delta2_delta * t113;
+        let K2_12 = yaw_per_v_delta * (ay_delta2_delta - K0_11);
+        let K2_22 = yaw_per_v_delta * (wx_delta2_delta * SF - K0_12);
         let C0_21 = -C0_12;
-        let C1_21 = -t111;
+        let C1_21 = -t88;
         FlywheelBicycleMatrices::from_entries([
             M_11, M_12, M_12, M_22, zero, C0_12, C0_21, zero, zero, C1_12, C1_21, C1_22, K0_11,
             K0_12, K0_12, K0_22, zero, K1_12, zero, K1_22, zero, K2_12, zero, K2_22,
@@ -353,250 +348,225 @@ pub struct FlywheelBicycleDerivatives<T = f64> {
 
 impl<T: Number> FlywheelBicycle<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 145 additions, 215 multiplications, 6 divisions, 5 negations and 2 trigonometric functions: 373 operations.
+    /// 103 additions, 187 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 299 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (FlywheelBicycleMatrices<T>, FlywheelBicycleDerivatives<T>) {
-        let t3 = self.rF * self.mF;
-        let Jzz_all_mB = self.rF * t3;
-        let Jxz_delta_w = self.zH * self.mH;
-        let Jxx_delta = Jzz_all_mB + self.IFxx + self.IHxx + self.zH * Jxz_delta_w;
-        let M_11_mB = self.zB * self.zB;
-        let M_11_mR = self.rR * self.rR;
-        let M_11 = self.IRxx + Jxx_delta + self.IBxx + self.mB * M_11_mB
-            + self.mR * M_11_mR;
-        let (hx_delta_Jxx_delta, hx_delta_Jxz_delta) = self.lam.sin_cos();
-        let t31 = self.mF * self.c;
-        let Sx_all_mA = self.c + self.w;
-        let Sx_delta_mH = self.xH - Sx_all_mA;
-        let t40 = self.rF * t31 + Jxz_delta_w * Sx_delta_mH - self.IHxz;
-        let t42 = t40 * hx_delta_Jxz_delta;
-        let hx_delta = Jxx_delta * hx_delta_Jxx_delta - t42;
-        let t44 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = hx_delta_Jxz_delta * t44;
+        let t5 = self.rF * self.mF;
+        let t8 = self.IHxx + self.IFxx + self.rF * t5;
+        let t11 = self.zB * self.mB;
+        let t15 = self.rR * self.mR;
+        let t20 = self.zH * self.mH;
+        let M_11 = self.IRxx + t8 + self.zB * t11 + self.rR * t15 + self.IBxx
+            + self.zH * t20;
+        let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
+        let t31 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = wx_delta2_delta_lam * t31;
         let mu = self.c * yaw_per_v_delta;
-        let t48 = self.mB * self.xB;
-        let t50 = t3 - Jxz_delta_w;
-        let t55 = t40 + self.zB * t48 - Sx_all_mA * t50 - self.IBxz;
-        let M_12 = hx_delta - mu * t55;
-        let t59 = hx_delta_Jxx_delta * t40;
-        let t62 = self.mH * Sx_delta_mH;
-        let Jzz_delta = self.IFxx + self.IHzz + self.c * t31 + Sx_delta_mH * t62;
-        let t68 = t59 - hx_delta_Jxz_delta * Jzz_delta;
-        let t70 = hx_delta_Jxx_delta * t50;
-        let Sx_delta = t62 - t31;
-        let py_delta = t70 + hx_delta_Jxz_delta * Sx_delta;
-        let t75 = t68 - Sx_all_mA * py_delta;
-        let mA = self.mF + self.mH;
-        let t80 = Sx_all_mA * mA;
-        let t81 = self.w.like(0.5) * t80;
-        let t82 = Sx_delta + Sx_delta;
-        let t84 = t81 + t81 + t82;
-        let t89 = self.IRxx + Jzz_delta + self.IBzz + self.xB * t48 + Sx_all_mA * t84;
-        let t90 = mu * t89;
-        let t91 = t75 - t90;
-        let t92 = t75 + t91;
-        let M_22 = hx_delta_Jxx_delta * hx_delta - hx_delta_Jxz_delta * t68 - mu * t92;
+        let t36 = self.mB * self.xB;
+        let t38 = self.IBxz - self.zB * t36;
+        let wz_delta2_delta = wx_delta2_delta_lam + mu;
+        let t45 = self.IHxz * wz_delta2_delta + t8 * wx_delta2_delta;
+        let t46 = self.zH * wx_delta2_delta;
+        let t49 = self.c + self.w - self.xH;
+        let t50 = self.c * t31;
+        let K0_12_mH = t46 - wx_delta2_delta_lam * (self.xH * t50 - t49);
+        let M_12_mH = self.zH * K0_12_mH;
+        let M_12 = mu * t38 + t45 + self.mH * M_12_mH;
+        let M_22_mH = K0_12_mH * K0_12_mH;
+        let t63 = self.IFxx + self.IHzz;
+        let t65 = self.IHxz * wx_delta2_delta;
+        let M_22_wz_delta2_delta = wz_delta2_delta * t63 + t65;
+        let t70 = self.IRxx + self.IBzz + self.xB * t36;
+        let K1_22_yaw_per_v_delta = mu * t70;
+        let t72 = M_22_wz_delta2_delta + K1_22_yaw_per_v_delta;
+        let t73 = t50 * t72;
+        let M_22_mu = M_22_wz_delta2_delta + t73;
+        let M_22 = wx_delta2_delta * t45 + self.mH * M_22_mH
+            + wx_delta2_delta_lam * M_22_mu;
         let zero = self.w.like(0.0);
         let K1_12_yaw_per_v_delta = self.hH + self.hB;
-        let t101 = hx_delta_Jxz_delta * self.hH;
-        let C0_12 = mu * K1_12_yaw_per_v_delta + t101;
-        let SF_IFyy = self.w.like(1.0) / self.rF;
-        let SF = self.IFyy * SF_IFyy;
-        let t106 = hx_delta_Jxz_delta * SF;
-        let SR_IRyy = self.w.like(1.0) / self.rR;
-        let ST = SF + self.IRyy * SR_IRyy;
-        let t111 = self.mB * self.zB;
-        let t112 = self.mR * self.rR;
-        let t113 = t111 - t112;
-        let K2_12_yaw_per_v_delta = ST + (t50 - t113);
-        let t117 = self.c * K2_12_yaw_per_v_delta - t55;
-        let C1_12 = t106 + yaw_per_v_delta * t117;
-        let Sx_all = t48 + Sx_delta + t80;
-        let t124 = mu * Sx_all;
-        let P_delta_lateral = py_delta + t124;
+        let t83 = self.hH + t50 * K1_12_yaw_per_v_delta;
+        let C0_12 = wx_delta2_delta_lam * t83;
+        let t85 = self.mH * self.xH;
+        let t88 = t38 + self.IHxz - self.zH * t85;
+        let K0_11 = t20 - (t5 + t15 - t11);
+        let t93 = t88 - self.c * K0_11;
+        let t96 = self.w.like(1.0) / self.rF;
+        let SF = self.IFyy * t96;
+        let t99 = self.w.like(1.0) / self.rR;
+        let t100 = self.IRyy * t99;
+        let ay_delta2_delta = SF + t100;
+        let t102 = yaw_per_v_delta * ay_delta2_delta;
+        let t103 = self.c * t102;
+        let t104 = yaw_per_v_delta * t93 + t103;
+        let t105 = wx_delta2_delta_lam * SF;
+        let t106 = t5 * wx_delta2_delta_lam;
+        let C1_12 = t104 + t105 + t106;
+        let t110 = self.rF * wx_delta2_delta;
+        let t111 = self.mF * t110;
+        let t112 = self.mH * K0_12_mH;
+        let t115 = t31 * (t72 - self.xH * t112);
+        let t116 = mu * t36;
+        let t117 = t116 - t112;
+        let t118 = t111 + t117;
+        let C1_22 = wx_delta2_delta_lam * (t111 + t115 + t50 * t118);
         let K1_12 = yaw_per_v_delta * K1_12_yaw_per_v_delta;
-        let t131 = hx_delta_Jxx_delta * t44;
-        let C1_22_Jxz_delta = hx_delta_Jxz_delta * t131;
-        let K1_22 = self.hH * C1_22_Jxz_delta;
+        let K2_22_SF = yaw_per_v_delta * wx_delta2_delta;
+        let K1_22 = self.hH * K2_22_SF;
+        let K2_12_yaw_per_v_delta = ay_delta2_delta - K0_11;
         let K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
-        let t135 = hx_delta_Jxx_delta * SF;
-        let K2_22_yaw_per_v_delta = P_delta_lateral + t135;
-        let K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
-        let M_12_Jxz_delta = hx_delta_Jxz_delta + mu;
-        let t140 = self.mH * M_12_Jxz_delta;
-        let t141 = self.zH * t140;
-        let t143 = hx_delta_Jxz_delta / (self.w * self.w);
-        let t144 = self.c * t143;
-        let M_12_w = mu * t50 + t141 + t55 * t144;
-        let t148 = Sx_delta_mH * M_12_Jxz_delta;
-        let t149 = M_12_Jxz_delta * t148;
-        let Jzz_all_Sx_delta = Sx_all_mA + Sx_all_mA;
-        let t151 = mu * Jzz_all_Sx_delta;
-        let M_22_Sx_delta = M_12_Jxz_delta * t151;
-        let M_22_Jxz_delta = M_12_Jxz_delta * (hx_delta_Jxx_delta + hx_delta_Jxx_delta);
-        let t157 = t149 + M_22_Sx_delta - self.zH * M_22_Jxz_delta;
-        let M_22_xH = self.mH * (t149 + t157);
-        let t160 = t92 - t90;
-        let Jzz_all_w = t80 + t84;
-        let t164 = py_delta + mu * Jzz_all_w;
-        let t166 = mu * (py_delta + t164);
-        let M_22_w = t144 * t160 + t166 - M_22_xH;
-        let C0_21_w = K1_12_yaw_per_v_delta * t144;
-        let C1_12_w = t3 * yaw_per_v_delta - t117 * t143;
-        let C1_21_w = ST * t144;
-        let t174 = mu * mA;
-        let t176 = t164 + self.c * t174;
-        let K2_22_Sx_delta = yaw_per_v_delta * M_12_Jxz_delta;
-        let C1_22_Jzz_all = yaw_per_v_delta * mu;
-        let M_22_Jzz_all = self.c * C1_22_Jzz_all;
-        let t182 = Sx_all_mA * yaw_per_v_delta;
-        let C1_22_py_delta = mu + t182;
-        let K2_22_mA = Sx_all_mA * C1_22_Jzz_all;
-        let t187 = M_22_Jzz_all + hx_delta_Jxz_delta * C1_22_py_delta + K2_22_mA;
-        let M_22_mA = self.c * t182;
-        let t189 = self.zH * hx_delta_Jxx_delta;
-        let t190 = M_22_mA - t189;
-        let t191 = t148 + t190;
-        let K2_22_mH = yaw_per_v_delta * t191;
-        let t193 = t187 + K2_22_mH;
-        let C1_22_xH = t62 * K2_22_Sx_delta + self.mH * t193;
-        let C1_22_mu = t124 + P_delta_lateral + yaw_per_v_delta * t89;
-        let t200 = t91 - self.c * C1_22_mu;
-        let C1_22_w = yaw_per_v_delta * t176 + t143 * t200 - C1_22_xH;
-        let K0_12_w = t140 + Sx_all * t144 - t174;
-        let K0_22_w = hx_delta_Jxx_delta * K0_12_w;
-        let t208 = K1_12_yaw_per_v_delta * t143;
-        let K1_22_yaw_per_v_delta = hx_delta_Jxx_delta * self.hH;
-        let t210 = t143 * K1_22_yaw_per_v_delta;
-        let t211 = K2_12_yaw_per_v_delta * t143;
-        let t214 = yaw_per_v_delta * K0_12_w + K2_22_yaw_per_v_delta * t143;
-        let t216 = hx_delta_Jxz_delta * t50;
-        let t217 = yaw_per_v_delta * t55 + t216;
-        let t220 = t70 + t82 * M_12_Jxz_delta;
-        let M_22_c = t166 - yaw_per_v_delta * t160
-            - M_12_Jxz_delta * (t70 + t220 + mA * t151);
-        let t227 = yaw_per_v_delta * ST;
-        let C1_22_Sx_delta = K2_22_mA + t187;
-        let C1_22_c = yaw_per_v_delta * (t176 + C1_22_mu - t220) - mA * C1_22_Sx_delta;
-        let K0_12_c = hx_delta_Jxz_delta * (mA - t44 * Sx_all);
-        let K0_22_c = hx_delta_Jxx_delta * K0_12_c;
-        let t238 = yaw_per_v_delta * K0_12_c;
-        let t239 = self.c * t131;
-        let hx_delta_lam = t59 + Jxx_delta * hx_delta_Jxz_delta;
-        let M_12_lam = t55 * t239 + hx_delta_lam;
-        let t245 = hx_delta_Jxx_delta * Sx_delta - t216;
-        let t248 = M_22_mA * t245 - t91 * t239;
-        let M_22_hz_delta = mu + M_12_Jxz_delta;
-        let t251 = t42 + hx_delta_Jxx_delta * Jzz_delta;
-        let M_22_lam = hx_delta_Jxz_delta * hx_delta
-            + hx_delta_Jxx_delta * (t68 + hx_delta_lam) - t248 - t248
-            - M_22_hz_delta * t251;
-        let t260 = K1_12_yaw_per_v_delta * t131;
-        let C0_21_lam = K1_22_yaw_per_v_delta + self.c * t260;
-        let t264 = t135 + t117 * t131;
-        let C1_21_lam = t135 + ST * t239;
-        let C1_22_lam = t131 * t200 - yaw_per_v_delta * t251 - C1_22_py_delta * t245;
-        let K0_12_lam = t245 + Sx_all * t239;
-        let K0_22_lam = hx_delta_Jxx_delta * K0_12_lam
-            - hx_delta_Jxz_delta * P_delta_lateral;
-        let K1_22_lam = yaw_per_v_delta * t101 - t131 * K1_22_yaw_per_v_delta;
-        let t280 = K2_12_yaw_per_v_delta * t131;
-        let K2_22_lam = yaw_per_v_delta * (t106 - K0_12_lam)
-            - t131 * K2_22_yaw_per_v_delta;
-        let M_11_rR = t112 + t112;
-        let t286 = self.IRyy / M_11_mR;
-        let K2_12_rR = yaw_per_v_delta * (self.mR - t286);
-        let C1_12_rR = self.c * K2_12_rR;
-        let C1_21_rR = mu * t286;
+        let t129 = wx_delta2_delta * SF;
+        let K2_22_yaw_per_v_delta = t118 + t129;
+        let t131 = t31 * K2_22_yaw_per_v_delta;
+        let K2_22 = wx_delta2_delta_lam * t131;
+        let t133 = yaw_per_v_delta * t88;
+        let t135 = t20 * wx_delta2_delta_lam;
+        let M_12_w = t135 - t50 * t133;
+        let t137 = yaw_per_v_delta * self.xH;
+        let t139 = wx_delta2_delta_lam + t50 * t137;
+        let t140 = self.mH * t139;
+        let t143 = yaw_per_v_delta * t73 - K0_12_mH * t140;
+        let t144 = t143 + t143;
+        let t145 = t31 * K1_12;
+        let C0_21_w = self.c * t145;
+        let t147 = t31 * t104;
+        let C1_21_w = t50 * t102;
+        let t150 = t111 + yaw_per_v_delta * t63;
+        let t154 = t116 + t117 + t150 + yaw_per_v_delta * t70;
+        let t156 = t115 + t50 * t154;
+        let t158 = mu + t137;
+        let t159 = self.mH * t158;
+        let t161 = yaw_per_v_delta * t156 + t139 * t159;
+        let K0_12_w = t140 + t31 * t116;
+        let K0_22_w = wx_delta2_delta * K0_12_w;
+        let t165 = t31 * K1_22;
+        let t166 = t31 * K2_12;
+        let t168 = yaw_per_v_delta * (t131 + K0_12_w);
+        let M_12_c = t133 + t135;
+        let t171 = wx_delta2_delta_lam * (t112 + t115);
+        let M_22_c = t171 + t171;
+        let t173 = wx_delta2_delta_lam - t137;
+        let C1_22_c = yaw_per_v_delta * t154 - t159 * t173;
+        let t177 = yaw_per_v_delta * t36;
+        let t178 = self.mH * t173;
+        let t179 = t177 - t178;
+        let t180 = wx_delta2_delta * t179;
+        let K2_22_c = yaw_per_v_delta * t179;
+        let K0_12_zH = self.mH * wx_delta2_delta;
+        let t185 = t135 - t49 * K0_12_zH;
+        let t187 = t31 * wx_delta2_delta;
+        let t188 = self.c * t187;
+        let M_12_lam = t8 * wx_delta2_delta_lam + self.zH * t185 - t65 - t88 * t188;
+        let ST_xB = t85 * t188;
+        let t196 = t185 + ST_xB;
+        let t199 = wx_delta2_delta * M_22_mu - wx_delta2_delta_lam * t45
+            - K0_12_mH * t196;
+        let t200 = t199 + t199;
+        let C0_21_lam = wx_delta2_delta * t83;
+        let C1_21_lam = t129 + ay_delta2_delta * t188;
+        let t206 = t111 + t93 * t187 + C1_21_lam;
+        let t211 = wx_delta2_delta_lam * yaw_per_v_delta;
+        let C1_22_lam = wz_delta2_delta * t106 + self.IHxz * t211
+            - wx_delta2_delta * (t150 + t156) - t158 * t196;
+        let t217 = t196 + t36 * t188;
+        let t218 = t106 - t217;
+        let t221 = wx_delta2_delta * t218 + wx_delta2_delta_lam * t118;
+        let t222 = K1_12_yaw_per_v_delta * t187;
+        let t225 = self.hH * (wx_delta2_delta * t187 - t211);
+        let t226 = K2_12_yaw_per_v_delta * t187;
+        let K2_22_lam = yaw_per_v_delta * (t105 + t218) - wx_delta2_delta * t131;
+        let M_11_rR = t15 + t15;
+        let t233 = t99 * t100 - self.mR;
+        let t234 = mu * t233;
+        let K2_12_IRyy = yaw_per_v_delta * t99;
+        let C1_12_IRyy = self.c * K2_12_IRyy;
+        let C1_21_rR = t100 * C1_12_IRyy;
+        let t238 = yaw_per_v_delta * t233;
+        let M_11_mR = self.rR * self.rR;
         let K2_12_mR = self.rR * yaw_per_v_delta;
         let C1_12_mR = self.c * K2_12_mR;
-        let C1_12_IRyy = mu * SR_IRyy;
-        let K2_12_IRyy = yaw_per_v_delta * SR_IRyy;
-        let t296 = yaw_per_v_delta * t111;
-        let t297 = self.c * t296;
-        let t298 = self.mB * yaw_per_v_delta;
-        let t299 = self.c * t298;
-        let t300 = yaw_per_v_delta * self.xB;
-        let t301 = self.c * t300;
-        let t302 = t299 * t301;
-        let M_22_xB = t302 + t302;
-        let t304 = mu + t300;
-        let Jzz_delta_mF = t300 + t304;
-        let C1_22_xB = t299 * Jzz_delta_mF;
-        let t307 = hx_delta_Jxx_delta * t299;
-        let K2_22_xB = yaw_per_v_delta * t299;
-        let M_11_zB = t111 + t111;
-        let t310 = self.mB * t301;
-        let t311 = self.mB * t304;
-        let t312 = self.zB * t301;
-        let M_22_mB = t301 * t301;
-        let t314 = self.zB * t304;
-        let K2_22_mB = yaw_per_v_delta * t301;
-        let C1_22_mB = self.xB * (M_22_Jzz_all + K2_22_mB);
-        let t318 = hx_delta_Jxx_delta * t301;
-        let t319 = self.zB * yaw_per_v_delta;
-        let t320 = self.mH * yaw_per_v_delta;
-        let t321 = self.zH * t320;
-        let K0_12_zH = self.mH * hx_delta_Jxx_delta;
-        let t323 = M_12_Jxz_delta * K0_12_zH;
-        let K2_22_xH = yaw_per_v_delta * t140;
-        let Jxx_delta_zH = Jxz_delta_w + Jxz_delta_w;
-        let M_12_zH = self.mH * (t189 - t191);
-        let t328 = hx_delta_Jxx_delta * t191;
-        let t330 = self.mH * (t328 + t328);
-        let t331 = self.c + self.xH;
-        let t332 = t320 * t331;
-        let t333 = hx_delta_Jxx_delta * t332;
-        let K0_22_zH = hx_delta_Jxx_delta * K0_12_zH;
-        let t335 = self.mH * C1_22_Jxz_delta;
-        let Jxx_delta_mH = self.zH * self.zH;
-        let t337 = self.zH * t191;
-        let t338 = M_22_mA * M_22_mA;
-        let M_22_mH = t338 + Sx_delta_mH * t157 - t189 * (M_22_mA + t190);
-        let t344 = self.zH * yaw_per_v_delta;
-        let t345 = t331 * t344;
-        let C1_22_mH = C1_22_py_delta * t190 + Sx_delta_mH * t193;
-        let M_delta_delta_Jxx_delta = hx_delta_Jxx_delta * hx_delta_Jxx_delta;
-        let M_22_Jzz_delta = M_12_Jxz_delta * M_12_Jxz_delta;
-        let Jxx_delta_rF = t3 + t3;
-        let py_delta_mF = self.rF * hx_delta_Jxx_delta;
-        let t353 = self.c * M_12_Jxz_delta;
-        let t354 = M_22_mA + py_delta_mF;
-        let K0_12_mF = t353 - t354;
-        let M_12_rF = self.mF * (py_delta_mF - K0_12_mF);
-        let M_22_rF = M_delta_delta_Jxx_delta * Jxx_delta_rF
-            - t31 * (M_22_Jxz_delta - C1_22_Jxz_delta * Jzz_all_Sx_delta);
-        let t363 = self.mF * t182;
-        let Jxx_delta_mF = self.rF * self.rF;
-        let t365 = self.IFyy / Jxx_delta_mF;
-        let C1_21_rF = M_12_Jxz_delta * t365;
-        let C1_12_rF = t363 - C1_21_rF;
-        let C1_22_rF = hx_delta_Jxx_delta * t363;
-        let py_delta_rF = self.mF * hx_delta_Jxx_delta;
-        let t370 = self.mF * M_delta_delta_Jxx_delta;
-        let K2_12_rF = yaw_per_v_delta * (self.mF - t365);
-        let K2_22_rF = hx_delta_Jxx_delta * K2_12_rF;
-        let t374 = self.rF * K0_12_mF;
-        let M_22_mF = t338 + self.c * (self.c * M_22_Jzz_delta - M_22_Sx_delta)
-            - py_delta_mF * (t353 + K0_12_mF - M_22_mA);
-        let C1_12_mF = self.rF * t182;
-        let t385 = yaw_per_v_delta * K0_12_mF;
-        let C1_22_mF = C1_22_py_delta * t354 - self.c * (t187 - t385);
-        let K0_22_mF = hx_delta_Jxx_delta * K0_12_mF;
+        let M_22_ST = mu * mu;
+        let C1_22_ST = t50 * t211;
+        let t245 = self.mB * mu;
+        let t246 = self.zB * t245;
+        let ST_mB = t36 * M_22_ST;
+        let M_22_xB = ST_mB + ST_mB;
+        let t249 = t11 * yaw_per_v_delta;
+        let t250 = t177 + t245;
+        let C1_22_xB = mu * (t177 + t250);
+        let t253 = wx_delta2_delta * t245;
+        let K2_22_xB = yaw_per_v_delta * t245;
+        let M_11_zB = t11 + t11;
+        let t256 = self.mB * yaw_per_v_delta;
+        let M_11_mB = self.zB * self.zB;
+        let t258 = mu * self.xB;
+        let t259 = self.zB * t258;
+        let M_22_mB = t258 * t258;
+        let t261 = self.c + self.xB;
+        let t262 = self.zB * yaw_per_v_delta;
+        let t263 = t261 * t262;
+        let K2_22_mB = self.xB * C1_22_ST;
+        let C1_22_mB = t261 * K2_22_mB;
+        let t266 = wx_delta2_delta * t258;
+        let t267 = self.mH * wz_delta2_delta;
+        let t268 = self.zH * t267;
+        let t269 = t112 + t112;
+        let t270 = wz_delta2_delta * t269;
+        let t271 = self.zH * yaw_per_v_delta;
+        let t272 = self.mH * t271;
+        let C1_22_xH = wz_delta2_delta * t159 - yaw_per_v_delta * t112;
+        let t276 = wz_delta2_delta * K0_12_zH;
+        let K2_22_xH = yaw_per_v_delta * t267;
+        let M_11_zH = t20 + t20;
+        let M_12_zH = t112 + self.mH * t46;
+        let M_22_zH = wx_delta2_delta * t269;
+        let t282 = wx_delta2_delta * t159;
+        let K0_22_zH = wx_delta2_delta * K0_12_zH;
+        let t284 = self.mH * yaw_per_v_delta;
+        let t285 = yaw_per_v_delta * K0_12_zH;
+        let M_11_mH = self.zH * self.zH;
+        let t287 = self.zH * t158;
+        let t288 = K0_12_mH * t158;
+        let K0_22_mH = wx_delta2_delta * K0_12_mH;
+        let t290 = yaw_per_v_delta * K0_12_mH;
+        let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+        let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+        let C1_22_IHzz = t211 + C1_22_ST;
+        let t294 = wz_delta2_delta * wx_delta2_delta;
+        let M_22_IHxz = t294 + t294;
+        let M_11_rF = t5 + t5;
+        let M_12_rF = t111 + t111;
+        let M_22_rF = wx_delta2_delta * M_12_rF;
+        let t299 = t96 * SF;
+        let t300 = self.mF - t299;
+        let C1_12_rF = wz_delta2_delta * t300;
+        let C1_21_rF = wz_delta2_delta * t299;
+        let t303 = self.mF * wx_delta2_delta;
+        let C1_22_rF = wz_delta2_delta * t303;
+        let t305 = self.mF * M_22_IHxx;
+        let K2_12_rF = yaw_per_v_delta * t300;
+        let K2_22_rF = K2_22_SF * t300;
+        let M_11_mF = self.rF * self.rF;
+        let M_12_mF = self.rF * t110;
+        let M_22_mF = t110 * t110;
+        let C1_12_mF = self.rF * wz_delta2_delta;
+        let C1_22_mF = wz_delta2_delta * t110;
+        let t313 = wx_delta2_delta * t110;
         let K2_12_mF = self.rF * yaw_per_v_delta;
-        let M_22_IFxx = M_delta_delta_Jxx_delta + M_22_Jzz_delta;
-        let C1_12_IFyy = SF_IFyy * M_12_Jxz_delta;
-        let K2_12_IFyy = yaw_per_v_delta * SF_IFyy;
-        let K2_22_IFyy = SF_IFyy * C1_22_Jxz_delta;
+        let K2_22_mF = yaw_per_v_delta * t110;
+        let M_22_IFxx = M_22_IHxx + M_22_IHzz;
+        let C1_12_IFyy = wz_delta2_delta * t96;
+        let K2_12_IFyy = yaw_per_v_delta * t96;
+        let K2_22_IFyy = t96 * K2_22_SF;
         let C0_21 = -C0_12;
-        let C1_21 = -(t106 + mu * ST);
-        let C1_22 = -(yaw_per_v_delta * (t91 - self.c * P_delta_lateral));
-        let K0_11 = t113 - t50;
-        let K0_12 = -P_delta_lateral;
-        let K0_22 = -(hx_delta_Jxx_delta * P_delta_lateral);
+        let C1_21 = -(t103 + t105);
+        let K0_12 = -t118;
+        let K0_22 = -(wx_delta2_delta * t118);
+        let K0_12_c = t178 - t177;
+        let K0_12_lam = t217 - t106;
         (
             FlywheelBicycleMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, C0_12, C0_21, zero, zero, C1_12, C1_21, C1_22, K0_11,
@@ -604,23 +574,21 @@ impl<T: Number> FlywheelBicycle<T> {
             ]),
             FlywheelBicycleDerivatives {
                 values: [
-                    M_12_w, M_22_w, C0_21_w, C1_12_w, C1_21_w, C1_22_w, K0_12_w, K0_22_w, t208,
-                    t210, t211, t214, t217, M_22_c, K1_12, K2_12, t227, C1_22_c, K0_12_c, K0_22_c,
-                    t238, M_12_lam, M_22_lam, C0_21_lam, t264, C1_21_lam, C1_22_lam, K0_12_lam,
-                    K0_22_lam, t260, K1_22_lam, t280, K2_22_lam, M_11_rR, C1_12_rR, C1_21_rR,
-                    self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR, self.w.like(1.0),
-                    M_22_Jzz_all, C1_22_Jzz_all, C1_12_IRyy, K2_12_IRyy, t297, M_22_xB, t296,
-                    C1_22_xB, t299, t307, K2_22_xB, M_11_zB, t310, t311, self.mB, t298, M_11_mB,
-                    t312, M_22_mB, t314, C1_22_mB, self.zB, t301, t318, t319, K2_22_mB, mu,
-                    yaw_per_v_delta, t141, M_22_xH, t321, C1_22_xH, t140, t323, K2_22_xH,
-                    Jxx_delta_zH, M_12_zH, t330, t332, t333, self.mH, K0_12_zH, K0_22_zH, t320,
-                    t335, Jxx_delta_mH, t337, M_22_mH, t345, C1_22_mH, self.zH, t191, t328, t344,
-                    K2_22_mH, hx_delta_Jxx_delta, M_delta_delta_Jxx_delta, M_22_Jzz_delta,
-                    K2_22_Sx_delta, M_12_Jxz_delta, M_22_Jxz_delta, C1_22_Jxz_delta, Jxx_delta_rF,
-                    M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF, self.mF, py_delta_rF, t370,
-                    K2_12_rF, K2_22_rF, Jxx_delta_mF, t374, M_22_mF, C1_12_mF, C1_22_mF, self.rF,
-                    K0_12_mF, K0_22_mF, K2_12_mF, t385, M_22_IFxx, C1_12_IFyy, K2_12_IFyy,
-                    K2_22_IFyy,
+                    M_12_w, t144, C0_21_w, t147, C1_21_w, t161, K0_12_w, K0_22_w, t145, t165, t166,
+                    t168, M_12_c, M_22_c, K1_12, K2_12, t102, C1_22_c, K0_12_c, t180, K2_22_c,
+                    M_12_lam, t200, C0_21_lam, t206, C1_21_lam, C1_22_lam, K0_12_lam, t221, t222,
+                    t225, t226, K2_22_lam, M_11_rR, t234, C1_21_rR, self.mR, t238, M_11_mR,
+                    C1_12_mR, self.rR, K2_12_mR, self.w.like(1.0), M_22_ST, C1_22_ST, C1_12_IRyy,
+                    K2_12_IRyy, t246, M_22_xB, t249, C1_22_xB, t245, t253, K2_22_xB, M_11_zB, t116,
+                    t250, self.mB, t256, M_11_mB, t259, M_22_mB, t263, C1_22_mB, self.zB, t258,
+                    t266, t262, K2_22_mB, mu, yaw_per_v_delta, t268, t270, t272, C1_22_xH, t267,
+                    t276, K2_22_xH, M_11_zH, M_12_zH, M_22_zH, t159, t282, self.mH, K0_12_zH,
+                    K0_22_zH, t284, t285, M_11_mH, M_12_mH, M_22_mH, t287, t288, self.zH, K0_12_mH,
+                    K0_22_mH, t271, t290, wx_delta2_delta, M_22_IHxx, M_22_IHzz, C1_22_IHzz,
+                    wz_delta2_delta, M_22_IHxz, K2_22_SF, M_11_rF, M_12_rF, M_22_rF, C1_12_rF,
+                    C1_21_rF, C1_22_rF, self.mF, t303, t305, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF,
+                    M_22_mF, C1_12_mF, C1_22_mF, self.rF, t110, t313, K2_12_mF, K2_22_mF, M_22_IFxx,
+                    C1_12_IFyy, K2_12_IFyy, K2_22_IFyy,
                 ],
             },
         )
@@ -1084,41 +1052,45 @@ impl FlywheelBicycleDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 175] = &[
         Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1),
+        Partial::new(MatrixName::M, 1, 1, 0, 1).negative(),
         Partial::new(MatrixName::C0, 0, 1, 0, 2).negative(),
-        Partial::new(MatrixName::C0, 1, 0, 0, 2), Partial::new(MatrixName::C1, 0, 1, 0, 3),
-        Partial::new(MatrixName::C1, 1, 0, 0, 4), Partial::new(MatrixName::C1, 1, 1, 0, 5),
+        Partial::new(MatrixName::C0, 1, 0, 0, 2),
+        Partial::new(MatrixName::C1, 0, 1, 0, 3).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 0, 4),
+        Partial::new(MatrixName::C1, 1, 1, 0, 5).negative(),
         Partial::new(MatrixName::K0, 0, 1, 0, 6), Partial::new(MatrixName::K0, 1, 0, 0, 6),
         Partial::new(MatrixName::K0, 1, 1, 0, 7),
         Partial::new(MatrixName::K1, 0, 1, 0, 8).negative(),
         Partial::new(MatrixName::K1, 1, 1, 0, 9).negative(),
         Partial::new(MatrixName::K2, 0, 1, 0, 10).negative(),
         Partial::new(MatrixName::K2, 1, 1, 0, 11).negative(),
-        Partial::new(MatrixName::M, 0, 1, 1, 12).negative(),
-        Partial::new(MatrixName::M, 1, 0, 1, 12).negative(),
+        Partial::new(MatrixName::M, 0, 1, 1, 12), Partial::new(MatrixName::M, 1, 0, 1, 12),
         Partial::new(MatrixName::M, 1, 1, 1, 13), Partial::new(MatrixName::C0, 0, 1, 1, 14),
         Partial::new(MatrixName::C0, 1, 0, 1, 14).negative(),
         Partial::new(MatrixName::C1, 0, 1, 1, 15),
         Partial::new(MatrixName::C1, 1, 0, 1, 16).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 17), Partial::new(MatrixName::K0, 0, 1, 1, 18),
-        Partial::new(MatrixName::K0, 1, 0, 1, 18), Partial::new(MatrixName::K0, 1, 1, 1, 19),
-        Partial::new(MatrixName::K2, 1, 1, 1, 20).negative(),
-        Partial::new(MatrixName::M, 0, 1, 2, 21),
+        Partial::new(MatrixName::C1, 1, 1, 1, 17),
+        Partial::new(MatrixName::K0, 0, 1, 1, 18),
+        Partial::new(MatrixName::K0, 1, 0, 1, 18),
+        Partial::new(MatrixName::K0, 1, 1, 1, 19).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 1, 20), Partial::new(MatrixName::M, 0, 1, 2, 21),
         Partial::new(MatrixName::M, 1, 0, 2, 21),
-        Partial::new(MatrixName::M, 1, 1, 2, 22),
+        Partial::new(MatrixName::M, 1, 1, 2, 22).negative(),
         Partial::new(MatrixName::C0, 0, 1, 2, 23).negative(),
         Partial::new(MatrixName::C0, 1, 0, 2, 23),
         Partial::new(MatrixName::C1, 0, 1, 2, 24).negative(),
         Partial::new(MatrixName::C1, 1, 0, 2, 25), Partial::new(MatrixName::C1, 1, 1, 2, 26),
         Partial::new(MatrixName::K0, 0, 1, 2, 27), Partial::new(MatrixName::K0, 1, 0, 2, 27),
-        Partial::new(MatrixName::K0, 1, 1, 2, 28),
+        Partial::new(MatrixName::K0, 1, 1, 2, 28).negative(),
         Partial::new(MatrixName::K1, 0, 1, 2, 29).negative(),
-        Partial::new(MatrixName::K1, 1, 1, 2, 30),
+        Partial::new(MatrixName::K1, 1, 1, 2, 30).negative(),
         Partial::new(MatrixName::K2, 0, 1, 2, 31).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 2, 32), Partial::new(MatrixName::M, 0, 0, 4, 33),
-        Partial::new(MatrixName::C1, 0, 1, 4, 34), Partial::new(MatrixName::C1, 1, 0, 4, 35),
+        Partial::new(MatrixName::K2, 1, 1, 2, 32),
+        Partial::new(MatrixName::M, 0, 0, 4, 33),
+        Partial::new(MatrixName::C1, 0, 1, 4, 34).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 4, 35),
         Partial::new(MatrixName::K0, 0, 0, 4, 36).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 4, 37),
+        Partial::new(MatrixName::K2, 0, 1, 4, 37).negative(),
         Partial::new(MatrixName::M, 0, 0, 5, 38),
         Partial::new(MatrixName::C1, 0, 1, 5, 39),
         Partial::new(MatrixName::K0, 0, 0, 5, 40).negative(),
@@ -1158,7 +1130,7 @@ impl FlywheelBicycleDerivatives {
         Partial::new(MatrixName::C1, 0, 1, 14, 70),
         Partial::new(MatrixName::M, 0, 1, 15, 71).negative(),
         Partial::new(MatrixName::M, 1, 0, 15, 71).negative(),
-        Partial::new(MatrixName::M, 1, 1, 15, 72),
+        Partial::new(MatrixName::M, 1, 1, 15, 72).negative(),
         Partial::new(MatrixName::C1, 0, 1, 15, 73).negative(),
         Partial::new(MatrixName::C1, 1, 1, 15, 74),
         Partial::new(MatrixName::K0, 0, 1, 15, 75).negative(),
@@ -1166,50 +1138,43 @@ impl FlywheelBicycleDerivatives {
         Partial::new(MatrixName::K0, 1, 1, 15, 76).negative(),
         Partial::new(MatrixName::K2, 1, 1, 15, 77), Partial::new(MatrixName::M, 0, 0, 16, 78),
         Partial::new(MatrixName::M, 0, 1, 16, 79), Partial::new(MatrixName::M, 1, 0, 16, 79),
-        Partial::new(MatrixName::M, 1, 1, 16, 80).negative(),
+        Partial::new(MatrixName::M, 1, 1, 16, 80),
         Partial::new(MatrixName::C1, 0, 1, 16, 81).negative(),
         Partial::new(MatrixName::C1, 1, 1, 16, 82).negative(),
         Partial::new(MatrixName::K0, 0, 0, 16, 83), Partial::new(MatrixName::K0, 0, 1, 16, 84),
         Partial::new(MatrixName::K0, 1, 0, 16, 84), Partial::new(MatrixName::K0, 1, 1, 16, 85),
         Partial::new(MatrixName::K2, 0, 1, 16, 86).negative(),
         Partial::new(MatrixName::K2, 1, 1, 16, 87).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 88),
-        Partial::new(MatrixName::M, 0, 1, 17, 89).negative(),
-        Partial::new(MatrixName::M, 1, 0, 17, 89).negative(),
-        Partial::new(MatrixName::M, 1, 1, 17, 90),
+        Partial::new(MatrixName::M, 0, 0, 17, 88), Partial::new(MatrixName::M, 0, 1, 17, 89),
+        Partial::new(MatrixName::M, 1, 0, 17, 89), Partial::new(MatrixName::M, 1, 1, 17, 90),
         Partial::new(MatrixName::C1, 0, 1, 17, 91).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 17, 92),
-        Partial::new(MatrixName::K0, 0, 0, 17, 93),
-        Partial::new(MatrixName::K0, 0, 1, 17, 94).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 17, 94).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 17, 95).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 92).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 17, 93), Partial::new(MatrixName::K0, 0, 1, 17, 94),
+        Partial::new(MatrixName::K0, 1, 0, 17, 94), Partial::new(MatrixName::K0, 1, 1, 17, 95),
         Partial::new(MatrixName::K2, 0, 1, 17, 96).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 17, 97), Partial::new(MatrixName::M, 0, 0, 18, 42),
-        Partial::new(MatrixName::M, 0, 1, 18, 98), Partial::new(MatrixName::M, 1, 0, 18, 98),
-        Partial::new(MatrixName::M, 1, 1, 18, 99), Partial::new(MatrixName::M, 1, 1, 20, 100),
-        Partial::new(MatrixName::C1, 1, 1, 20, 101), Partial::new(MatrixName::M, 0, 1, 21, 102),
-        Partial::new(MatrixName::M, 1, 0, 21, 102), Partial::new(MatrixName::M, 1, 1, 21, 103),
-        Partial::new(MatrixName::C1, 0, 1, 21, 70), Partial::new(MatrixName::C1, 1, 1, 21, 104),
-        Partial::new(MatrixName::M, 0, 0, 22, 105), Partial::new(MatrixName::M, 0, 1, 22, 106),
-        Partial::new(MatrixName::M, 1, 0, 22, 106), Partial::new(MatrixName::M, 1, 1, 22, 107),
-        Partial::new(MatrixName::C1, 0, 1, 22, 108), Partial::new(MatrixName::C1, 1, 0, 22, 109),
-        Partial::new(MatrixName::C1, 1, 1, 22, 110),
+        Partial::new(MatrixName::K2, 1, 1, 17, 97).negative(),
+        Partial::new(MatrixName::M, 0, 0, 18, 42), Partial::new(MatrixName::M, 0, 1, 18, 98),
+        Partial::new(MatrixName::M, 1, 0, 18, 98), Partial::new(MatrixName::M, 1, 1, 18, 99),
+        Partial::new(MatrixName::M, 1, 1, 20, 100), Partial::new(MatrixName::C1, 1, 1, 20, 101),
+        Partial::new(MatrixName::M, 0, 1, 21, 102), Partial::new(MatrixName::M, 1, 0, 21, 102),
+        Partial::new(MatrixName::M, 1, 1, 21, 103), Partial::new(MatrixName::C1, 0, 1, 21, 70),
+        Partial::new(MatrixName::C1, 1, 1, 21, 104), Partial::new(MatrixName::M, 0, 0, 22, 105),
+        Partial::new(MatrixName::M, 0, 1, 22, 106), Partial::new(MatrixName::M, 1, 0, 22, 106),
+        Partial::new(MatrixName::M, 1, 1, 22, 107), Partial::new(MatrixName::C1, 0, 1, 22, 108),
+        Partial::new(MatrixName::C1, 1, 0, 22, 109), Partial::new(MatrixName::C1, 1, 1, 22, 110),
         Partial::new(MatrixName::K0, 0, 0, 22, 111).negative(),
         Partial::new(MatrixName::K0, 0, 1, 22, 112).negative(),
         Partial::new(MatrixName::K0, 1, 0, 22, 112).negative(),
         Partial::new(MatrixName::K0, 1, 1, 22, 113).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 114),
-        Partial::new(MatrixName::K2, 1, 1, 22, 115),
-        Partial::new(MatrixName::M, 0, 0, 23, 116),
-        Partial::new(MatrixName::M, 0, 1, 23, 117).negative(),
-        Partial::new(MatrixName::M, 1, 0, 23, 117).negative(),
-        Partial::new(MatrixName::M, 1, 1, 23, 118),
-        Partial::new(MatrixName::C1, 0, 1, 23, 119),
-        Partial::new(MatrixName::C1, 1, 1, 23, 120),
+        Partial::new(MatrixName::K2, 0, 1, 22, 114), Partial::new(MatrixName::K2, 1, 1, 22, 115),
+        Partial::new(MatrixName::M, 0, 0, 23, 116), Partial::new(MatrixName::M, 0, 1, 23, 117),
+        Partial::new(MatrixName::M, 1, 0, 23, 117), Partial::new(MatrixName::M, 1, 1, 23, 118),
+        Partial::new(MatrixName::C1, 0, 1, 23, 119), Partial::new(MatrixName::C1, 1, 1, 23, 120),
         Partial::new(MatrixName::K0, 0, 0, 23, 121).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 23, 122), Partial::new(MatrixName::K0, 1, 0, 23, 122),
-        Partial::new(MatrixName::K0, 1, 1, 23, 123), Partial::new(MatrixName::K2, 0, 1, 23, 124),
-        Partial::new(MatrixName::K2, 1, 1, 23, 125).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 23, 122).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 23, 122).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 23, 123).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 23, 124), Partial::new(MatrixName::K2, 1, 1, 23, 125),
         Partial::new(MatrixName::M, 0, 0, 24, 42), Partial::new(MatrixName::M, 0, 1, 24, 98),
         Partial::new(MatrixName::M, 1, 0, 24, 98), Partial::new(MatrixName::M, 1, 1, 24, 126),
         Partial::new(MatrixName::C1, 1, 1, 24, 101), Partial::new(MatrixName::C1, 0, 1, 25, 127),

@@ -248,89 +248,83 @@ pub struct MotorcycleMatrices<T = f64> {
 
 impl<T: Number> Motorcycle<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 34 additions, 53 multiplications, 7 divisions, 9 negations and 2 trigonometric functions: 105 operations.
+    /// 27 additions, 43 multiplications, 6 divisions, 10 negations and 2 trigonometric functions: 88 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> MotorcycleMatrices<T> {
-        let m_all = self.Mf + self.Mr;
-        let (s, c) = self.eps.sin_cos();
+        let M_11 = self.Mf + self.Mr;
+        let (s, cos_eps) = self.eps.sin_cos();
         let t10 = self.a + self.e;
-        let k = c * t10 - self.f * s;
-        let Sx_all = self.Mf * k;
-        let j = self.f * c + s * t10;
-        let t17 = self.Mf * j;
-        let t19 = self.Mr * self.h;
-        let M_13 = t17 + t19;
-        let t22 = self.Mf.like(1.0) / c;
-        let t23 = self.a * t22;
-        let t24 = k - t23;
-        let t25 = self.Mf * t24;
-        let py_delta = s * t17 + c * t25;
+        let t12 = cos_eps * t10 - self.f * s;
+        let M_12 = self.Mf * t12;
+        let t15 = self.Mr * self.h;
+        let j = self.f * cos_eps + s * t10;
+        let t19 = self.Mf * j;
+        let M_13 = t15 + t19;
+        let t21 = s * s;
+        let t22 = cos_eps * cos_eps;
+        let t25 = self.a - t10 * (t21 + t22);
+        let t26 = self.Mf * t25;
         let zero = self.Mf.like(0.0);
-        let t31 = c * c;
-        let t34 = s * s;
-        let t36 = self.Ifz * t31 + self.Ifx * t34;
-        let M_22 = self.Irz + t36 + k * Sx_all;
-        let Jxz_delta = j * t25 + s * c * (self.Ifz - self.Ifx);
-        let Jxz_all = Jxz_delta + t17 * t23 - self.Crxz;
-        let hz_delta = s * Jxz_delta + c * (t36 + t24 * t25);
-        let M_psi_delta = hz_delta + t23 * py_delta;
-        let Jxx_delta = j * t17 + t31 * self.Ifx + self.Ifz * t34;
-        let M_33 = self.Irx + Jxx_delta + self.h * t19;
-        let hx_delta = s * Jxx_delta + c * Jxz_delta;
-        let M_44 = s * hx_delta + c * hz_delta;
-        let t74 = self.Mf.like(1.0) / self.sigma;
-        let C0_55 = self.Cr1 * t74;
+        let t29 = self.Ifz * t22;
+        let M_22 = t29 + (self.Ifx * t21 + (self.Irz + t12 * M_12));
+        let t44 = t21 * self.Ifz;
+        let t45 = t29 + t44;
+        let M_24 = cos_eps * t45 - M_12 * t25;
+        let M_33 = self.Irx + t44 + j * t19 + (self.h * t15 + self.Ifx * t22);
+        let M_34 = s * t45 - t19 * t25;
+        let M_44 = self.Ifz + t25 * t26;
+        let t64 = self.Mf.like(1.0) / self.sigma;
+        let C0_55 = self.Cr1 * t64;
         let C0_52 = C0_55 * self.b;
-        let C0_66 = t74 * self.Cf1;
-        let l = t22 * (self.a - self.t);
-        let Kc_26 = C0_66 * l;
-        let t85 = self.a - c * l;
-        let C0_64 = C0_66 * t85;
+        let C0_66 = t64 * self.Cf1;
+        let Kc_26 = C0_66 * ((self.a - self.t) / cos_eps);
+        let C0_64 = C0_66 * self.t;
+        let h_spin_R = self.iry / self.Rr;
         let h_spin_F = self.ify / self.Rf;
-        let h_wheels_all = h_spin_F + self.iry / self.Rr;
-        let t94 = s * h_spin_F;
+        let h_wheels_all = h_spin_R + h_spin_F;
+        let t82 = s * h_spin_F;
         let C1_32 = M_13 + h_wheels_all;
-        let C1_34 = c * h_spin_F;
-        let C1_42 = py_delta + t94;
-        let t101 = (Sx_all + m_all * self.b) / (self.b + l);
-        let rest = t101 - self.Zf / self.g;
-        let K0_34 = self.t * rest - py_delta - t85 * t101;
+        let C1_34 = cos_eps * h_spin_F;
+        let K0_34 = (t26 * self.g - self.t * self.Zf) / self.g;
         let K0_44 = s * K0_34;
-        let K1_53 = t74 * self.Cr2;
-        let t114 = self.Mf.like(1.0) / (self.sigma * self.sigma);
-        let K1_55 = self.Cr1 * t114;
-        let K1_63 = t74 * self.Cf2;
-        let K1_64 = t74 * (c * self.Cf1 + s * self.Cf2);
-        let K1_66 = self.Cf1 * t114;
+        let K1_53 = t64 * self.Cr2;
+        let t95 = self.Mf.like(1.0) / (self.sigma * self.sigma);
+        let K1_55 = self.Cr1 * t95;
+        let K1_63 = t64 * self.Cf2;
+        let K1_64 = cos_eps * C0_66 + s * K1_63;
+        let K1_66 = self.Cf1 * t95;
+        let M_14 = -t26;
+        let M_23 = t12 * t19 - (self.Crxz + cos_eps * (s * (self.Ifx - self.Ifz)));
         let C0_51 = -C0_55;
         let C0_61 = -C0_66;
         let C0_62 = -Kc_26;
         let C1_23 = -h_wheels_all;
-        let C1_24 = -t94;
+        let C1_24 = -t82;
+        let C1_42 = t82 - t26;
         let C1_43 = -C1_34;
         let Kc_25 = -C0_52;
         let Kc_46 = -C0_64;
         let K0_33 = -M_13;
         MotorcycleMatrices::from_entries([
-            m_all, Sx_all, M_13, py_delta, zero, zero, Sx_all, M_22, Jxz_all, M_psi_delta, zero,
-            zero, M_13, Jxz_all, M_33, hx_delta, zero, zero, py_delta, M_psi_delta, hx_delta, M_44,
+            M_11, M_12, M_13, M_14, zero, zero, M_12, M_22, M_23, M_24, zero, zero, M_13, M_23,
+            M_33, M_34, zero, zero, M_14, M_24, M_34, M_44, zero, zero, zero, zero, zero, zero,
             zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
             zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-            zero, zero, zero, zero, zero, zero, zero, self.K, zero, zero, C0_51, C0_52, zero, zero,
-            C0_55, zero, C0_61, C0_62, zero, C0_64, zero, C0_66, zero, m_all, zero, zero, zero,
-            zero, zero, Sx_all, C1_23, C1_24, zero, zero, zero, C1_32, zero, C1_34, zero, zero,
-            zero, C1_42, C1_43, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-            zero, zero, zero, zero, zero, zero, zero, zero, C0_55, C0_66, zero, zero, zero, zero,
-            Kc_25, Kc_26, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, Kc_46,
+            zero, self.K, zero, zero, C0_51, C0_52, zero, zero, C0_55, zero, C0_61, C0_62, zero,
+            C0_64, zero, C0_66, zero, M_11, zero, zero, zero, zero, zero, M_12, C1_23, C1_24, zero,
+            zero, zero, C1_32, zero, C1_34, zero, zero, zero, C1_42, C1_43, zero, zero, zero, zero,
             zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, K0_33, K0_34,
-            zero, zero, zero, zero, K0_34, K0_44, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, C0_55, C0_66, zero, zero, zero, zero, Kc_25, Kc_26, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, Kc_46, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, K0_33, K0_34, zero, zero, zero, zero, K0_34, K0_44, zero,
             zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
             zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-            zero, zero, zero, zero, K1_53, zero, K1_55, zero, zero, zero, K1_63, K1_64, zero, K1_66,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, K1_53, zero, K1_55,
+            zero, zero, zero, K1_63, K1_64, zero, K1_66,
         ])
     }
 }
@@ -387,168 +381,145 @@ pub struct MotorcycleDerivatives<T = f64> {
 
 impl<T: Number> Motorcycle<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 71 additions, 131 multiplications, 8 divisions, 14 negations and 2 trigonometric functions: 226 operations.
+    /// 50 additions, 107 multiplications, 7 divisions, 12 negations and 2 trigonometric functions: 178 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (MotorcycleMatrices<T>, MotorcycleDerivatives<T>) {
-        let m_all = self.Mf + self.Mr;
-        let (s, c) = self.eps.sin_cos();
-        let t6 = self.f * s;
+        let M_11 = self.Mf + self.Mr;
+        let (s, s_eps) = self.eps.sin_cos();
+        let t6 = s * self.f;
         let t10 = self.a + self.e;
-        let t11 = c * t10;
+        let t11 = s_eps * t10;
         let t12 = t6 - t11;
         let K0_33_eps = self.Mf * t12;
-        let j = self.f * c + s * t10;
-        let t17 = self.Mf * j;
-        let t19 = self.Mr * self.h;
-        let M_13 = t17 + t19;
-        let t21 = self.Mf.like(1.0) / c;
-        let t22 = self.a * t21;
-        let t23 = t12 + t22;
-        let t24 = c * t23;
-        let t25 = s * j;
-        let K0_34_Mf = t24 - t25;
-        let t27 = self.Mf * K0_34_Mf;
-        let zero = self.Mf.like(0.0);
-        let t29 = t12 * K0_33_eps;
+        let t15 = self.Mr * self.h;
+        let j = self.f * s_eps + s * t10;
+        let t19 = self.Mf * j;
+        let M_13 = t15 + t19;
         let M_22_Ifx = s * s;
-        let M_33_Ifx = c * c;
-        let t37 = self.Ifx * M_22_Ifx + self.Ifz * M_33_Ifx;
-        let M_22 = t29 + self.Irz + t37;
-        let t41 = self.Ifx - self.Ifz;
-        let Jxz_delta_Ifz = s * c;
-        let t43 = t41 * Jxz_delta_Ifz;
-        let t45 = t43 + K0_33_eps * j;
-        let t48 = t43 + t17 * t23;
-        let t50 = self.Mf * t23;
-        let t52 = t37 + t23 * t50;
-        let t54 = s * t48 - c * t52;
-        let Jxx_delta_Mf = j * j;
-        let t60 = self.Mf * Jxx_delta_Mf;
-        let Jxx_delta = M_22_Ifx * self.Ifz + self.Ifx * M_33_Ifx + t60;
-        let M_33 = Jxx_delta + self.Irx + self.h * t19;
-        let hx_delta = s * Jxx_delta - c * t48;
-        let M_44 = s * hx_delta - c * t54;
+        let M_33_Ifx = s_eps * s_eps;
+        let t23 = M_22_Ifx + M_33_Ifx;
+        let t24 = t10 * t23;
+        let t25 = self.a - t24;
+        let t26 = self.Mf * t25;
+        let zero = self.Mf.like(0.0);
+        let M_22_Mf = t12 * t12;
+        let t31 = self.Mf * M_22_Mf;
+        let M_22 = M_33_Ifx * self.Ifz + t31 + self.Irz + M_22_Ifx * self.Ifx;
+        let M_23_Ifz = s * s_eps;
+        let t40 = self.Ifz - self.Ifx;
+        let t43 = M_23_Ifz * t40 - K0_33_eps * j;
+        let M_23 = t43 - self.Crxz;
+        let M_24_Ifz = s_eps * t23;
+        let M_24 = self.Ifz * M_24_Ifz + K0_33_eps * t25;
+        let M_33_Mr = self.h * self.h;
+        let t54 = j * t19;
+        let M_33 = self.Irx + self.Mr * M_33_Mr + M_22_Ifx * self.Ifz
+            + M_33_Ifx * self.Ifx + t54;
+        let M_34_Ifz = s * t23;
+        let t60 = self.Ifz * M_34_Ifz;
+        let t61 = j * t25;
+        let t62 = self.Mf * t61;
+        let M_34 = t60 - t62;
+        let M_44 = self.Ifz + t25 * t26;
         let C0_66_Cf1 = self.Mf.like(1.0) / self.sigma;
         let C0_55 = self.Cr1 * C0_66_Cf1;
         let C0_52_Cr1 = C0_66_Cf1 * self.b;
         let C0_52 = self.Cr1 * C0_52_Cr1;
         let C0_66 = C0_66_Cf1 * self.Cf1;
-        let t84 = self.a - self.t;
-        let l = t21 * t84;
-        let Kc_26 = C0_66 * l;
-        let t87 = c * t21;
-        let t89 = self.a - t84 * t87;
-        let C0_64_Cf1 = C0_66_Cf1 * t89;
+        let t76 = self.Mf.like(1.0) / s_eps;
+        let t79 = t76 * (self.a - self.t);
+        let Kc_26 = C0_66 * t79;
+        let C0_64_Cf1 = C0_66_Cf1 * self.t;
         let C0_64 = self.Cf1 * C0_64_Cf1;
         let C1_32_ify = self.Mf.like(1.0) / self.Rf;
         let h_spin_F = self.ify * C1_32_ify;
         let C1_32_iry = self.Mf.like(1.0) / self.Rr;
-        let t99 = self.iry * C1_32_iry;
-        let h_wheels_all = h_spin_F + t99;
-        let C1_42_ify = s * C1_32_ify;
-        let C1_43_eps = self.ify * C1_42_ify;
+        let t90 = self.iry * C1_32_iry;
+        let h_wheels_all = h_spin_F + t90;
+        let C1_43_eps = s * h_spin_F;
         let C1_32 = M_13 + h_wheels_all;
-        let C1_34 = c * h_spin_F;
-        let C1_42 = C1_43_eps - t27;
-        let t109 = (K0_33_eps - m_all * self.b) / (self.b + l);
-        let t112 = self.Mf.like(1.0) / self.g;
-        let t113 = self.Zf * t112;
-        let t114 = t109 + t113;
-        let t116 = self.t * t114 - t27;
-        let t117 = t89 * t109;
-        let t118 = t116 - t117;
+        let C1_34_ify = s_eps * C1_32_ify;
+        let C1_34 = self.ify * C1_34_ify;
+        let C1_42 = C1_43_eps - t26;
+        let t98 = self.Mf.like(1.0) / self.g;
+        let t100 = t98 * self.Zf;
+        let t101 = self.t * t100;
+        let t102 = self.g * t98;
+        let t103 = t26 * t102;
+        let t104 = t101 - t103;
         let K1_53 = C0_66_Cf1 * self.Cr2;
-        let t122 = self.sigma * self.sigma;
-        let K1_66_Cf1 = self.Mf.like(1.0) / t122;
+        let t108 = self.sigma * self.sigma;
+        let K1_66_Cf1 = self.Mf.like(1.0) / t108;
         let K1_55 = self.Cr1 * K1_66_Cf1;
         let K1_63 = C0_66_Cf1 * self.Cf2;
-        let K1_64_Cf1 = c * C0_66_Cf1;
-        let t129 = self.Cf1 * K1_64_Cf1;
-        let K1_64 = s * K1_63 + t129;
+        let K1_64_Cf1 = s_eps * C0_66_Cf1;
+        let K1_64 = self.Cf1 * K1_64_Cf1 + s * K1_63;
         let K1_66 = self.Cf1 * K1_66_Cf1;
-        let M_22_Mf = t12 * t12;
-        let t134 = t12 * j;
-        let M_24_Mf = t12 * K0_34_Mf;
-        let t136 = j * K0_34_Mf;
-        let M_44_Mf = K0_34_Mf * K0_34_Mf;
+        let t119 = t12 * j;
+        let M_24_Mf = t12 * t25;
+        let M_33_Mf = j * j;
+        let M_44_Mf = t25 * t25;
+        let K0_34_Mf = t25 * t102;
         let K0_44_Mf = s * K0_34_Mf;
-        let M_33_Mr = self.h * self.h;
-        let t140 = M_22_Ifx + M_33_Ifx;
-        let hz_delta_Ifz = c * t140;
-        let hx_delta_Ifz = s * t140;
-        let M_44_Ifz = t140 * t140;
-        let C1_34_ify = c * C1_32_ify;
-        let M_12_a = self.Mf * c;
+        let C1_42_ify = s * C1_32_ify;
+        let M_12_a = self.Mf * s_eps;
         let M_13_a = self.Mf * s;
-        let t147 = c * K0_33_eps;
-        let t148 = t147 + t147;
-        let t149 = j * M_12_a;
-        let t150 = t12 * M_13_a;
-        let M_23_a = t149 - t150;
-        let t152 = t50 * t87;
-        let t153 = s * t17;
-        let t157 = c * t153 - t50 * (M_33_Ifx + t140);
-        let M_24_a = t152 + t157;
-        let hx_delta_j = t153 + t153;
-        let hz_delta_f = s * t27;
-        let hx_delta_e = t17 * t140 - hz_delta_f;
-        let M_34_a = hx_delta_e - t17 * t87;
-        let Kc_26_a = t21 * C0_66;
-        let py_delta_e = self.Mf * t140;
-        let Jxx_delta_j = t22 * py_delta_e;
-        let M_24_e = t157 + Jxx_delta_j;
-        let M_44_e = c * t157 + s * hx_delta_e;
-        let t172 = t140 * M_13_a;
-        let M_22_f = t150 + t150;
-        let t174 = t147 + t153;
-        let M_33_f = t149 + t149;
-        let t176 = c * t27;
-        let M_33_h = t19 + t19;
+        let t128 = s_eps * K0_33_eps;
+        let t129 = t128 + t128;
+        let t130 = s_eps * t19;
+        let t131 = s * K0_33_eps;
+        let M_23_a = t130 - t131;
+        let M_14_e = self.Mf * t23;
+        let t135 = t25 * M_12_a;
+        let t136 = t12 * M_14_e + t135;
+        let M_24_a = K0_33_eps - t136;
+        let t138 = s * t19;
+        let M_33_a = t138 + t138;
+        let M_24_f = s * t26;
+        let t141 = t19 * t23;
+        let t143 = t19 + (M_24_f - t141);
+        let Kc_26_a = C0_66 * t76;
+        let t145 = t23 * t26;
+        let t146 = t145 + t145;
+        let t147 = t102 * M_14_e;
+        let t148 = s * t147;
+        let M_22_f = t131 + t131;
+        let t150 = t128 + t138;
+        let M_33_f = t130 + t130;
+        let M_33_h = t15 + t15;
         let C1_23_Rf = C1_32_ify * h_spin_F;
         let C1_24_Rf = s * C1_23_Rf;
-        let C1_43_Rf = c * C1_23_Rf;
-        let C1_23_Rr = C1_32_iry * t99;
-        let C0_64_t = t21 * t129;
-        let K0_34_t = t87 * t109 - t114;
-        let K0_44_t = s * K0_34_t;
-        let M_22_eps = t45 + t45;
-        let t188 = t41 * (M_22_Ifx - M_33_Ifx);
-        let M_23_eps = t29 + t188 - t60;
-        let t196 = s * t21;
-        let t197 = t22 * t196;
-        let t198 = j + t197;
-        let M_24_eps = c * (t43 + t50 * (t197 + t198))
-            - s * (t52 - M_23_eps - t22 * (K0_33_eps - t152));
-        let M_34_eps = s * (t48 - M_22_eps)
-            + c * (Jxx_delta + t188 + t12 * t50 - t17 * t198);
-        let Kc_26_eps = Kc_26 * t196;
-        let t214 = c * t118;
+        let C1_43_Rf = C1_32_ify * C1_34;
+        let C1_23_Rr = C1_32_iry * t90;
+        let t157 = s * t100;
+        let M_33_eps = t43 + t43;
+        let M_23_eps = t31 - t54 - t40 * (M_22_Ifx - M_33_Ifx);
+        let Kc_26_eps = s * t79 * Kc_26_a;
+        let t165 = s_eps * t104;
         let K1_64_Cf2 = s * C0_66_Cf1;
         let K1_64_eps = self.Cf2 * K1_64_Cf1 - self.Cf1 * K1_64_Cf2;
-        let Kc_26_Cf1 = C0_66_Cf1 * l;
+        let Kc_26_Cf1 = C0_66_Cf1 * t79;
         let C0_51_sigma = C0_66_Cf1 * C0_55;
         let Kc_25_sigma = C0_55 * C0_52_Cr1;
         let C0_61_sigma = C0_66_Cf1 * C0_66;
-        let C0_62_sigma = l * C0_61_sigma;
-        let Kc_46_sigma = C0_66_Cf1 * C0_64;
-        let t225 = C0_66_Cf1 * K1_53;
-        let t227 = self.Mf.like(1.0) / (self.sigma * t122);
-        let t228 = t227 + t227;
-        let t229 = self.Cr1 * t228;
-        let t230 = C0_66_Cf1 * K1_63;
-        let t231 = C0_66_Cf1 * K1_64;
-        let t232 = self.Cf1 * t228;
-        let t233 = self.t * t112;
-        let t234 = s * t233;
-        let K0_34_g = t113 * t233;
-        let K0_44_g = t113 * t234;
+        let C0_62_sigma = t79 * C0_61_sigma;
+        let Kc_46_sigma = self.t * C0_61_sigma;
+        let t176 = C0_66_Cf1 * K1_53;
+        let t178 = self.Mf.like(1.0) / (self.sigma * t108);
+        let t179 = t178 + t178;
+        let t180 = self.Cr1 * t179;
+        let t181 = C0_66_Cf1 * K1_63;
+        let t182 = C0_66_Cf1 * K1_64;
+        let t183 = self.Cf1 * t179;
+        let t184 = self.t * t98;
+        let t185 = s * t184;
+        let K0_34_g = t98 * (t26 + t104);
+        let K0_44_g = s * K0_34_g;
         let M_12 = -K0_33_eps;
-        let M_14 = -t27;
-        let M_23 = -(self.Crxz + t45);
-        let M_24 = -(t54 + t22 * t27);
+        let M_14 = -t26;
         let C0_51 = -C0_55;
         let C0_61 = -C0_66;
         let C0_62 = -Kc_26;
@@ -558,43 +529,43 @@ impl<T: Number> Motorcycle<T> {
         let Kc_25 = -C0_52;
         let Kc_46 = -C0_64;
         let K0_33 = -M_13;
-        let K0_34 = t117 - t116;
-        let K0_44 = -(s * t118);
+        let K0_34 = t103 - t101;
+        let K0_44 = -(s * t104);
         let M_12_Mf = t11 - t6;
-        let M_14_Mf = t25 - t24;
+        let M_14_Mf = t24 - self.a;
+        let M_34_e = t141 - M_24_f;
+        let M_24_eps = t62 - t60;
         (
             MotorcycleMatrices::from_entries([
-                m_all, M_12, M_13, M_14, zero, zero, M_12, M_22, M_23, M_24, zero, zero, M_13, M_23,
-                M_33, hx_delta, zero, zero, M_14, M_24, hx_delta, M_44, zero, zero, zero, zero,
+                M_11, M_12, M_13, M_14, zero, zero, M_12, M_22, M_23, M_24, zero, zero, M_13, M_23,
+                M_33, M_34, zero, zero, M_14, M_24, M_34, M_44, zero, zero, zero, zero, zero, zero,
                 zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
                 zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-                zero, zero, zero, self.K, zero, zero, C0_51, C0_52, zero, zero, C0_55, zero, C0_61,
-                C0_62, zero, C0_64, zero, C0_66, zero, m_all, zero, zero, zero, zero, zero, M_12,
-                C1_23, C1_24, zero, zero, zero, C1_32, zero, C1_34, zero, zero, zero, C1_42, C1_43,
+                zero, self.K, zero, zero, C0_51, C0_52, zero, zero, C0_55, zero, C0_61, C0_62, zero,
+                C0_64, zero, C0_66, zero, M_11, zero, zero, zero, zero, zero, M_12, C1_23, C1_24,
+                zero, zero, zero, C1_32, zero, C1_34, zero, zero, zero, C1_42, C1_43, zero, zero,
                 zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-                zero, zero, zero, zero, zero, C0_55, C0_66, zero, zero, zero, zero, Kc_25, Kc_26,
-                zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, Kc_46, zero, zero,
+                zero, zero, zero, C0_55, C0_66, zero, zero, zero, zero, Kc_25, Kc_26, zero, zero,
+                zero, zero, zero, zero, zero, zero, zero, zero, zero, Kc_46, zero, zero, zero, zero,
                 zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-                zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, K0_33, K0_34, zero,
-                zero, zero, zero, K0_34, K0_44, zero, zero, zero, zero, zero, zero, zero, zero,
+                zero, zero, zero, zero, zero, zero, zero, zero, K0_33, K0_34, zero, zero, zero,
+                zero, K0_34, K0_44, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
                 zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
                 zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-                zero, zero, zero, zero, K1_53, zero, K1_55, zero, zero, zero, K1_63, K1_64, zero,
-                K1_66,
+                zero, zero, K1_53, zero, K1_55, zero, zero, zero, K1_63, K1_64, zero, K1_66,
             ]),
             MotorcycleDerivatives {
                 values: [
-                    self.Mf.like(1.0), M_12_Mf, j, M_14_Mf, M_22_Mf, t134, M_24_Mf, Jxx_delta_Mf,
-                    t136, M_44_Mf, K0_34_Mf, K0_44_Mf, self.h, M_33_Mr, self.Mf.like(-1.0),
-                    M_22_Ifx, Jxz_delta_Ifz, M_33_Ifx, hz_delta_Ifz, hx_delta_Ifz, M_44_Ifz,
-                    C1_32_ify, C1_42_ify, C1_34_ify, C1_32_iry, M_12_a, M_13_a, t148, M_23_a,
-                    M_24_a, hx_delta_j, M_34_a, Kc_26_a, C0_55, py_delta_e, M_24_e, hx_delta_e,
-                    M_44_e, t172, M_22_f, t174, hz_delta_f, M_33_f, t176, self.Mr, M_33_h, C1_23_Rf,
-                    C1_24_Rf, C1_43_Rf, C1_23_Rr, C0_64_t, K0_34_t, K0_44_t, t17, K0_33_eps,
-                    M_22_eps, M_23_eps, M_24_eps, M_34_eps, Kc_26_eps, C1_34, C1_43_eps, t214,
-                    K1_64_eps, C0_66_Cf1, Kc_26_Cf1, C0_64_Cf1, K1_64_Cf1, K1_66_Cf1, K1_64_Cf2,
-                    C0_52_Cr1, C0_51_sigma, Kc_25_sigma, C0_61_sigma, C0_62_sigma, Kc_46_sigma,
-                    t225, t229, t230, t231, t232, t233, t234, K0_34_g, K0_44_g,
+                    self.Mf.like(1.0), M_12_Mf, j, M_14_Mf, M_22_Mf, t119, M_24_Mf, M_33_Mf, t61,
+                    M_44_Mf, K0_34_Mf, K0_44_Mf, self.h, M_33_Mr, self.Mf.like(-1.0), M_22_Ifx,
+                    M_23_Ifz, M_33_Ifx, M_24_Ifz, M_34_Ifz, C1_32_ify, C1_42_ify, C1_34_ify,
+                    C1_32_iry, M_12_a, M_13_a, t129, M_23_a, M_24_a, M_33_a, t143, Kc_26_a, C0_55,
+                    M_14_e, t136, M_34_e, t146, t147, t148, M_22_f, t150, M_24_f, M_33_f, t135,
+                    self.Mr, M_33_h, C1_23_Rf, C1_24_Rf, C1_43_Rf, C1_23_Rr, C0_66, t100, t157, t19,
+                    K0_33_eps, M_33_eps, M_23_eps, M_24_eps, M_24, Kc_26_eps, C1_34, C1_43_eps,
+                    t165, K1_64_eps, C0_66_Cf1, Kc_26_Cf1, C0_64_Cf1, K1_64_Cf1, K1_66_Cf1,
+                    K1_64_Cf2, C0_52_Cr1, C0_51_sigma, Kc_25_sigma, C0_61_sigma, C0_62_sigma,
+                    Kc_46_sigma, t176, t180, t181, t182, t183, t184, t185, K0_34_g, K0_44_g,
                 ],
             },
         )
@@ -1140,57 +1111,63 @@ impl MotorcycleDerivatives {
         Partial::new(MatrixName::M, 1, 2, 6, 16), Partial::new(MatrixName::M, 1, 3, 6, 18),
         Partial::new(MatrixName::M, 2, 1, 6, 16), Partial::new(MatrixName::M, 2, 2, 6, 15),
         Partial::new(MatrixName::M, 2, 3, 6, 19), Partial::new(MatrixName::M, 3, 1, 6, 18),
-        Partial::new(MatrixName::M, 3, 2, 6, 19), Partial::new(MatrixName::M, 3, 3, 6, 20),
-        Partial::new(MatrixName::C1, 1, 2, 7, 21).negative(),
-        Partial::new(MatrixName::C1, 1, 3, 7, 22).negative(),
-        Partial::new(MatrixName::C1, 2, 1, 7, 21),
-        Partial::new(MatrixName::C1, 2, 3, 7, 23),
-        Partial::new(MatrixName::C1, 3, 1, 7, 22),
-        Partial::new(MatrixName::C1, 3, 2, 7, 23).negative(),
-        Partial::new(MatrixName::C1, 1, 2, 8, 24).negative(),
-        Partial::new(MatrixName::C1, 2, 1, 8, 24), Partial::new(MatrixName::M, 0, 1, 9, 25),
-        Partial::new(MatrixName::M, 0, 2, 9, 26), Partial::new(MatrixName::M, 1, 0, 9, 25),
-        Partial::new(MatrixName::M, 1, 1, 9, 27).negative(),
-        Partial::new(MatrixName::M, 1, 2, 9, 28), Partial::new(MatrixName::M, 1, 3, 9, 29),
-        Partial::new(MatrixName::M, 2, 0, 9, 26), Partial::new(MatrixName::M, 2, 1, 9, 28),
-        Partial::new(MatrixName::M, 2, 2, 9, 30), Partial::new(MatrixName::M, 2, 3, 9, 31),
-        Partial::new(MatrixName::M, 3, 1, 9, 29), Partial::new(MatrixName::M, 3, 2, 9, 31),
-        Partial::new(MatrixName::C0, 5, 1, 9, 32).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 9, 25),
-        Partial::new(MatrixName::C1, 2, 1, 9, 26),
-        Partial::new(MatrixName::Kc, 1, 5, 9, 32),
-        Partial::new(MatrixName::K0, 2, 2, 9, 26).negative(),
-        Partial::new(MatrixName::C0, 4, 1, 10, 33),
-        Partial::new(MatrixName::Kc, 1, 4, 10, 33).negative(),
-        Partial::new(MatrixName::M, 0, 1, 11, 25), Partial::new(MatrixName::M, 0, 2, 11, 26),
-        Partial::new(MatrixName::M, 0, 3, 11, 34), Partial::new(MatrixName::M, 1, 0, 11, 25),
-        Partial::new(MatrixName::M, 1, 1, 11, 27).negative(),
-        Partial::new(MatrixName::M, 1, 2, 11, 28), Partial::new(MatrixName::M, 1, 3, 11, 35),
-        Partial::new(MatrixName::M, 2, 0, 11, 26), Partial::new(MatrixName::M, 2, 1, 11, 28),
-        Partial::new(MatrixName::M, 2, 2, 11, 30), Partial::new(MatrixName::M, 2, 3, 11, 36),
-        Partial::new(MatrixName::M, 3, 0, 11, 34), Partial::new(MatrixName::M, 3, 1, 11, 35),
-        Partial::new(MatrixName::M, 3, 2, 11, 36), Partial::new(MatrixName::M, 3, 3, 11, 37),
-        Partial::new(MatrixName::C1, 1, 1, 11, 25), Partial::new(MatrixName::C1, 2, 1, 11, 26),
-        Partial::new(MatrixName::C1, 3, 1, 11, 34),
-        Partial::new(MatrixName::K0, 2, 2, 11, 26).negative(),
-        Partial::new(MatrixName::K0, 2, 3, 11, 34).negative(),
-        Partial::new(MatrixName::K0, 3, 2, 11, 34).negative(),
+        Partial::new(MatrixName::M, 3, 2, 6, 19), Partial::new(MatrixName::M, 3, 3, 6, 0),
+        Partial::new(MatrixName::C1, 1, 2, 7, 20).negative(),
+        Partial::new(MatrixName::C1, 1, 3, 7, 21).negative(),
+        Partial::new(MatrixName::C1, 2, 1, 7, 20),
+        Partial::new(MatrixName::C1, 2, 3, 7, 22),
+        Partial::new(MatrixName::C1, 3, 1, 7, 21),
+        Partial::new(MatrixName::C1, 3, 2, 7, 22).negative(),
+        Partial::new(MatrixName::C1, 1, 2, 8, 23).negative(),
+        Partial::new(MatrixName::C1, 2, 1, 8, 23), Partial::new(MatrixName::M, 0, 1, 9, 24),
+        Partial::new(MatrixName::M, 0, 2, 9, 25), Partial::new(MatrixName::M, 1, 0, 9, 24),
+        Partial::new(MatrixName::M, 1, 1, 9, 26).negative(),
+        Partial::new(MatrixName::M, 1, 2, 9, 27), Partial::new(MatrixName::M, 1, 3, 9, 28),
+        Partial::new(MatrixName::M, 2, 0, 9, 25), Partial::new(MatrixName::M, 2, 1, 9, 27),
+        Partial::new(MatrixName::M, 2, 2, 9, 29),
+        Partial::new(MatrixName::M, 2, 3, 9, 30).negative(),
+        Partial::new(MatrixName::M, 3, 1, 9, 28),
+        Partial::new(MatrixName::M, 3, 2, 9, 30).negative(),
+        Partial::new(MatrixName::C0, 5, 1, 9, 31).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 9, 24),
+        Partial::new(MatrixName::C1, 2, 1, 9, 25),
+        Partial::new(MatrixName::Kc, 1, 5, 9, 31),
+        Partial::new(MatrixName::K0, 2, 2, 9, 25).negative(),
+        Partial::new(MatrixName::C0, 4, 1, 10, 32),
+        Partial::new(MatrixName::Kc, 1, 4, 10, 32).negative(),
+        Partial::new(MatrixName::M, 0, 1, 11, 24), Partial::new(MatrixName::M, 0, 2, 11, 25),
+        Partial::new(MatrixName::M, 0, 3, 11, 33), Partial::new(MatrixName::M, 1, 0, 11, 24),
+        Partial::new(MatrixName::M, 1, 1, 11, 26).negative(),
+        Partial::new(MatrixName::M, 1, 2, 11, 27),
+        Partial::new(MatrixName::M, 1, 3, 11, 34).negative(),
+        Partial::new(MatrixName::M, 2, 0, 11, 25), Partial::new(MatrixName::M, 2, 1, 11, 27),
+        Partial::new(MatrixName::M, 2, 2, 11, 29), Partial::new(MatrixName::M, 2, 3, 11, 35),
+        Partial::new(MatrixName::M, 3, 0, 11, 33),
+        Partial::new(MatrixName::M, 3, 1, 11, 34).negative(),
+        Partial::new(MatrixName::M, 3, 2, 11, 35),
+        Partial::new(MatrixName::M, 3, 3, 11, 36).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 11, 24),
+        Partial::new(MatrixName::C1, 2, 1, 11, 25),
+        Partial::new(MatrixName::C1, 3, 1, 11, 33),
+        Partial::new(MatrixName::K0, 2, 2, 11, 25).negative(),
+        Partial::new(MatrixName::K0, 2, 3, 11, 37).negative(),
+        Partial::new(MatrixName::K0, 3, 2, 11, 37).negative(),
         Partial::new(MatrixName::K0, 3, 3, 11, 38).negative(),
-        Partial::new(MatrixName::M, 0, 1, 12, 26).negative(),
-        Partial::new(MatrixName::M, 0, 2, 12, 25),
-        Partial::new(MatrixName::M, 1, 0, 12, 26).negative(),
+        Partial::new(MatrixName::M, 0, 1, 12, 25).negative(),
+        Partial::new(MatrixName::M, 0, 2, 12, 24),
+        Partial::new(MatrixName::M, 1, 0, 12, 25).negative(),
         Partial::new(MatrixName::M, 1, 1, 12, 39),
         Partial::new(MatrixName::M, 1, 2, 12, 40).negative(),
         Partial::new(MatrixName::M, 1, 3, 12, 41),
-        Partial::new(MatrixName::M, 2, 0, 12, 25),
+        Partial::new(MatrixName::M, 2, 0, 12, 24),
         Partial::new(MatrixName::M, 2, 1, 12, 40).negative(),
         Partial::new(MatrixName::M, 2, 2, 12, 42),
         Partial::new(MatrixName::M, 2, 3, 12, 43).negative(),
         Partial::new(MatrixName::M, 3, 1, 12, 41),
         Partial::new(MatrixName::M, 3, 2, 12, 43).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 12, 26).negative(),
-        Partial::new(MatrixName::C1, 2, 1, 12, 25),
-        Partial::new(MatrixName::K0, 2, 2, 12, 25).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 12, 25).negative(),
+        Partial::new(MatrixName::C1, 2, 1, 12, 24),
+        Partial::new(MatrixName::K0, 2, 2, 12, 24).negative(),
         Partial::new(MatrixName::M, 0, 2, 13, 44), Partial::new(MatrixName::M, 2, 0, 13, 44),
         Partial::new(MatrixName::M, 2, 2, 13, 45), Partial::new(MatrixName::C1, 2, 1, 13, 44),
         Partial::new(MatrixName::K0, 2, 2, 13, 44).negative(),
@@ -1202,24 +1179,22 @@ impl MotorcycleDerivatives {
         Partial::new(MatrixName::C1, 3, 2, 14, 48),
         Partial::new(MatrixName::C1, 1, 2, 15, 49),
         Partial::new(MatrixName::C1, 2, 1, 15, 49).negative(),
-        Partial::new(MatrixName::C0, 5, 1, 16, 32),
+        Partial::new(MatrixName::C0, 5, 1, 16, 31),
         Partial::new(MatrixName::C0, 5, 3, 16, 50),
-        Partial::new(MatrixName::Kc, 1, 5, 16, 32).negative(),
+        Partial::new(MatrixName::Kc, 1, 5, 16, 31).negative(),
         Partial::new(MatrixName::Kc, 3, 5, 16, 50).negative(),
-        Partial::new(MatrixName::K0, 2, 3, 16, 51),
-        Partial::new(MatrixName::K0, 3, 2, 16, 51),
-        Partial::new(MatrixName::K0, 3, 3, 16, 52),
+        Partial::new(MatrixName::K0, 2, 3, 16, 51).negative(),
+        Partial::new(MatrixName::K0, 3, 2, 16, 51).negative(),
+        Partial::new(MatrixName::K0, 3, 3, 16, 52).negative(),
         Partial::new(MatrixName::M, 0, 1, 17, 53).negative(),
         Partial::new(MatrixName::M, 0, 2, 17, 54).negative(),
         Partial::new(MatrixName::M, 1, 0, 17, 53).negative(),
-        Partial::new(MatrixName::M, 1, 1, 17, 55),
+        Partial::new(MatrixName::M, 1, 1, 17, 55).negative(),
         Partial::new(MatrixName::M, 1, 2, 17, 56),
         Partial::new(MatrixName::M, 1, 3, 17, 57),
         Partial::new(MatrixName::M, 2, 0, 17, 54).negative(),
-        Partial::new(MatrixName::M, 2, 1, 17, 56),
-        Partial::new(MatrixName::M, 2, 2, 17, 55).negative(),
-        Partial::new(MatrixName::M, 2, 3, 17, 58),
-        Partial::new(MatrixName::M, 3, 1, 17, 57),
+        Partial::new(MatrixName::M, 2, 1, 17, 56), Partial::new(MatrixName::M, 2, 2, 17, 55),
+        Partial::new(MatrixName::M, 2, 3, 17, 58), Partial::new(MatrixName::M, 3, 1, 17, 57),
         Partial::new(MatrixName::M, 3, 2, 17, 58),
         Partial::new(MatrixName::C0, 5, 1, 17, 59).negative(),
         Partial::new(MatrixName::C1, 1, 1, 17, 53).negative(),

@@ -207,60 +207,55 @@ pub struct RearSteeredMatrices<T = f64> {
 
 impl<T: Number> RearSteered<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 46 additions, 46 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 99 operations.
+    /// 42 additions, 43 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 91 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> RearSteeredMatrices<T> {
-        let t6 = self.zH * self.mH;
-        let t10 = self.rF * self.mF;
-        let Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
-        let t17 = self.rR * self.mR;
-        let t21 = self.zB * self.mB;
-        let M_11 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
+        let t3 = self.zB * self.mB;
+        let t7 = self.zH * self.mH;
+        let t12 = self.rR * self.mR;
+        let t19 = self.rF * self.mF;
+        let t22 = self.IHxx + (self.IFxx + self.rF * t19);
+        let M_11 = self.IRxx
+            + (self.zB * t3 + self.zH * t7 + (self.rR * t12 + (self.IBxx + t22)));
         let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t33 = self.w + self.c;
-        let t34 = t33 - self.xH;
-        let t35 = self.mH * t34;
-        let Jxz_delta = t10 * self.c - self.zH * t35 - self.IHxz;
-        let hx_delta = Jxz_delta * cos_lam - Jxx_delta * sin_lam;
-        let t44 = cos_lam / self.w;
-        let yaw_by_delta = self.c * t44;
-        let Sz_delta = t6 - t10;
-        let Jxz_all = Jxz_delta + t21 * self.xB + t33 * Sz_delta - self.IBxz;
-        let M_12 = hx_delta + yaw_by_delta * Jxz_all;
-        let t59 = self.mF * self.c;
-        let t62 = self.IFxx + self.IHzz;
-        let hz_delta = cos_lam * (t34 * t35 + self.c * t59 + t62) - sin_lam * Jxz_delta;
-        let py_delta = sin_lam * Sz_delta + cos_lam * (t35 + t59);
-        let M_yaw_delta = hz_delta - t33 * py_delta;
-        let t74 = self.mB * self.xB;
-        let t76 = self.mH * self.xH;
-        let t78 = self.mF * self.w;
-        let t85 = yaw_by_delta
-            * (self.IRxx + t62 + self.IBzz + self.xB * t74 + self.xH * t76
-                + self.w * t78);
-        let P_delta_yaw = M_yaw_delta + t85;
-        let M_22 = yaw_by_delta * (M_yaw_delta + P_delta_yaw) + cos_lam * hz_delta
-            - sin_lam * hx_delta;
+        let t31 = cos_lam / self.w;
+        let yaw_by_delta = self.c * t31;
+        let t36 = t3 * self.xB - self.IBxz;
+        let wz_delta2_delta = cos_lam + yaw_by_delta;
+        let t46 = self.zH * sin_lam
+            + (cos_lam * (self.c + self.w) - self.xH * wz_delta2_delta);
+        let t52 = wz_delta2_delta * self.IHxz + sin_lam * t22;
+        let t53 = self.mH * t46;
+        let t59 = sin_lam * self.IHxz + (self.IFxx + self.IHzz) * wz_delta2_delta;
+        let ay_all1_delta = self.mB * self.xB;
+        let t68 = yaw_by_delta * (self.IBzz + (self.IRxx + self.xB * ay_all1_delta));
+        let M_22 = t46 * t53 + wz_delta2_delta * t59
+            + (sin_lam * t52 + yaw_by_delta * t68);
         let zero = self.w.like(0.0);
+        let t74 = t7 + (t3 - t12);
         let h_spin_R = self.IFyy / self.rF;
         let h_wheels_all = h_spin_R + self.IRyy / self.rR;
-        let Sz_all = t21 + Sz_delta - t17;
-        let t100 = h_wheels_all - Sz_all;
-        let t103 = cos_lam * h_spin_R;
-        let C1_12 = yaw_by_delta * t100 + t103 - t44 * Jxz_all;
-        let t110 = yaw_by_delta * (t74 + t76 + t78);
-        let P_delta_lateral = py_delta - t110;
-        let C1_22 = yaw_by_delta * P_delta_lateral - t44 * P_delta_yaw;
-        let K0_22 = sin_lam * P_delta_lateral;
-        let K2_22 = t44 * (sin_lam * h_spin_R - P_delta_lateral);
-        let C1_21 = -(t103 + yaw_by_delta * h_wheels_all);
-        let K0_12 = t110 - py_delta;
-        let K2_12 = -(t44 * t100);
+        let t80 = t74 - h_wheels_all;
+        let t87 = t19 * wz_delta2_delta;
+        let t88 = t87 - t31 * (self.c * t80 + (t36 + (t7 * self.xH - self.IHxz)));
+        let t89 = cos_lam * h_spin_R;
+        let C1_12 = t88 + t89;
+        let t97 = t53 - yaw_by_delta * ay_all1_delta;
+        let C1_22 = (self.xH * t53 - t68 - t59 + self.c * t97) * t31 - sin_lam * t87;
+        let K0_11 = t74 - t19;
+        let t104 = t19 * sin_lam;
+        let t105 = t97 - t104;
+        let K0_22 = sin_lam * t105;
+        let K2_12 = t31 * (t80 - t19);
+        let K2_22 = t31 * (sin_lam * h_spin_R - t105);
+        let M_12 = yaw_by_delta * t36 - t7 * t46 - t52;
+        let C1_21 = -(t89 + yaw_by_delta * h_wheels_all);
+        let K0_12 = t104 - t97;
         RearSteeredMatrices::from_entries([
-            M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, Sz_all, K0_12, K0_12, K0_22, zero,
+            M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
             K2_12, zero, K2_22,
         ])
     }
@@ -330,239 +325,215 @@ pub struct RearSteeredDerivatives<T = f64> {
 
 impl<T: Number> RearSteered<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 129 additions, 208 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 347 operations.
+    /// 105 additions, 183 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 298 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (RearSteeredMatrices<T>, RearSteeredDerivatives<T>) {
-        let M_11_mF = self.rF * self.rF;
-        let Jxx_delta_mH = self.zH * self.zH;
-        let Jxx_delta = self.IHxx + self.mF * M_11_mF + self.IFxx
-            + self.mH * Jxx_delta_mH;
-        let t17 = self.zB * self.mB;
-        let M_11_mR = self.rR * self.rR;
-        let M_11 = self.IBxx + Jxx_delta + self.IRxx + self.zB * t17 + self.mR * M_11_mR;
-        let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t31 = self.mF * self.c;
-        let t34 = self.mH * self.zH;
-        let t36 = self.c + self.w;
-        let t38 = t36 - self.xH;
-        let t41 = self.rF * t31 - self.IHxz - t34 * t38;
-        let t43 = t41 * cos_lam;
-        let t44 = Jxx_delta * sin_lam - t43;
-        let t45 = self.mF * self.rF;
-        let Sz_delta = t34 - t45;
-        let t53 = t41 + t36 * Sz_delta + t17 * self.xB - self.IBxz;
-        let t54 = self.w.like(1.0) / self.w;
-        let t55 = self.c * t54;
-        let yaw_by_delta = cos_lam * t55;
-        let M_12 = t53 * yaw_by_delta - t44;
-        let t60 = sin_lam * t41;
-        let t63 = self.IFxx + self.IHzz;
-        let t64 = self.mH * t38;
-        let t67 = self.c * t31 + t63 + t38 * t64;
-        let hz_delta = cos_lam * t67 - t60;
-        let t71 = t31 + t64;
-        let py_delta = sin_lam * Sz_delta + cos_lam * t71;
-        let M_yaw_delta = hz_delta - t36 * py_delta;
-        let t77 = self.mH * self.xH;
-        let t79 = self.mF * self.w;
-        let t81 = self.mB * self.xB;
-        let t87 = self.IRxx + t63 + self.IBzz + self.xH * t77 + self.w * t79
-            + self.xB * t81;
-        let t88 = yaw_by_delta * t87;
-        let P_delta_yaw = M_yaw_delta + t88;
-        let t92 = hz_delta + t55 * (M_yaw_delta + P_delta_yaw);
-        let M_22 = sin_lam * t44 + cos_lam * t92;
-        let zero = self.w.like(0.0);
-        let t97 = self.w.like(1.0) / self.rF;
-        let h_spin_R = self.IFyy * t97;
-        let t100 = self.w.like(1.0) / self.rR;
-        let t101 = self.IRyy * t100;
-        let h_wheels_all = h_spin_R + t101;
-        let t103 = self.mR * self.rR;
-        let K0_11 = t17 + Sz_delta - t103;
-        let t106 = h_wheels_all - K0_11;
-        let t109 = t54 * (self.c * t106 - t53);
-        let t110 = h_spin_R + t109;
-        let C1_12 = cos_lam * t110;
-        let t112 = cos_lam * h_spin_R;
-        let C1_12_IBxz = cos_lam * t54;
-        let t114 = h_wheels_all * C1_12_IBxz;
-        let t118 = t77 + t79 + t81;
-        let M_22_yaw_by_delta = t54 * t118;
-        let py_delta_mF = self.c * cos_lam;
-        let t121 = M_22_yaw_by_delta * py_delta_mF;
-        let P_delta_lateral = py_delta - t121;
-        let t124 = P_delta_yaw - self.c * P_delta_lateral;
-        let K0_22 = sin_lam * P_delta_lateral;
-        let C1_12_c = t106 * C1_12_IBxz;
-        let t128 = sin_lam * h_spin_R;
-        let t129 = P_delta_lateral - t128;
-        let t130 = C1_12_IBxz * t129;
-        let M_12_Jxz_delta = cos_lam + yaw_by_delta;
-        let M_12_xH = t34 * M_12_Jxz_delta;
-        let t134 = cos_lam * Sz_delta;
-        let M_12_c = t53 * C1_12_IBxz - t134;
-        let t138 = yaw_by_delta + yaw_by_delta;
-        let t139 = C1_12_IBxz * t138;
-        let t140 = t79 * t139;
-        let t142 = P_delta_yaw * (C1_12_IBxz + C1_12_IBxz);
-        let t146 = t38 * cos_lam;
-        let M_22_hz_delta = yaw_by_delta + M_12_Jxz_delta;
-        let t148 = t146 * M_22_hz_delta;
-        let C1_22_py_delta = t36 * C1_12_IBxz;
-        let t150 = py_delta_mF * C1_22_py_delta;
-        let t151 = sin_lam * M_12_Jxz_delta;
-        let M_22_IHxz = t151 + t151;
-        let t154 = t148 + self.zH * M_22_IHxz;
-        let t158 = self.mH * (t148 + t154 - t150 - t150);
-        let t160 = py_delta * t138 - t158;
-        let M_22_w = self.c * (t140 - t54 * t142) - t160;
-        let P_delta_yaw_mB = t45 - t109;
-        let C1_12_w = C1_12_IBxz * P_delta_yaw_mB;
-        let C1_21_w = t55 * t114;
-        let t165 = self.mF - M_22_yaw_by_delta;
-        let hz_delta_mF = self.mH - t55 * t165;
-        let t169 = self.xH * cos_lam;
-        let t170 = self.zH * sin_lam;
-        let py_delta_mH = t146 + t170;
-        let t173 = self.mH * (py_delta_mH - t169);
-        let t174 = py_delta - t173;
-        let t175 = t88 + t124;
-        let P_delta_yaw_xB = t54 * t175;
-        let C1_22_w = C1_12_IBxz * (py_delta_mF * hz_delta_mF + t174 + P_delta_yaw_xB)
-            - t140;
-        let P_delta_lateral_w = cos_lam * hz_delta_mF;
-        let K0_22_w = sin_lam * P_delta_lateral_w;
-        let K2_12_w = t54 * C1_12_c;
-        let hz_delta_mH = cos_lam * P_delta_lateral_w;
-        let K2_22_w = t54 * (t130 - hz_delta_mH);
-        let t187 = M_12_Jxz_delta - C1_22_py_delta;
-        let t190 = t31 * cos_lam * (yaw_by_delta + t187);
-        let M_22_c = t142 + t190 + t190 - t160 - t45 * M_22_IHxz;
-        let t197 = self.rF * sin_lam;
-        let t198 = py_delta_mF - t197;
-        let t201 = self.mH + t165;
-        let P_delta_yaw_mF = P_delta_lateral + t174 + self.mF * (self.w * cos_lam - t198)
-            + py_delta_mF * t201 - t87 * C1_12_IBxz;
-        let C1_22_c = C1_12_IBxz * P_delta_yaw_mF;
-        let t209 = cos_lam * t201;
-        let K0_22_c = sin_lam * t209;
-        let t211 = C1_12_IBxz * t209;
-        let t213 = t60 + Jxx_delta * cos_lam;
-        let t214 = sin_lam * t54;
-        let t215 = self.c * t214;
-        let t217 = t213 + t53 * t215;
-        let py_delta_lam = t134 - sin_lam * t71;
-        let t224 = t36 * py_delta_lam;
-        let P_delta_yaw_xH = cos_lam * t44;
-        let t228 = t43 + sin_lam * t67;
-        let t231 = P_delta_yaw_xH - sin_lam * (t92 + t55 * t88 - t213) - t138 * t224;
-        let M_22_lam = t231 - M_22_hz_delta * t228;
-        let t233 = sin_lam * t110;
-        let C1_21_lam = t128 + h_wheels_all * t215;
-        let P_delta_lateral_lam = py_delta_lam + t118 * t215;
-        let C1_22_lam = t175 * t214
-            + C1_12_IBxz * (t224 + t228 + self.c * P_delta_lateral_lam);
-        let K0_22_lam = cos_lam * P_delta_lateral + sin_lam * P_delta_lateral_lam;
-        let K2_12_lam = t106 * t214;
-        let K2_22_lam = t129 * t214 + C1_12_IBxz * (t112 - P_delta_lateral_lam);
-        let M_11_rR = t103 + t103;
-        let t254 = self.mR - t100 * t101;
-        let C1_12_rR = yaw_by_delta * t254;
-        let t256 = t100 * C1_12_IBxz;
-        let C1_12_IRyy = self.c * t256;
-        let C1_21_rR = t101 * C1_12_IRyy;
-        let t259 = C1_12_IBxz * t254;
-        let t260 = self.rR * C1_12_IBxz;
-        let C1_12_mR = self.c * t260;
-        let t263 = yaw_by_delta * C1_12_IBxz;
-        let M_22_IRxx = self.c * t263;
-        let M_12_xB = t17 * yaw_by_delta;
-        let K0_12_mB = self.xB * yaw_by_delta;
-        let M_12_zB = self.mB * K0_12_mB;
-        let M_22_xB = t138 * M_12_zB;
-        let K2_12_zB = self.mB * C1_12_IBxz;
-        let t270 = self.zB * K2_12_zB;
-        let t271 = self.c + self.xB;
-        let K2_22_xB = yaw_by_delta * K2_12_zB;
-        let t274 = (self.xB + t271) * K2_22_xB;
-        let K0_12_xB = self.mB * yaw_by_delta;
-        let t276 = sin_lam * K0_12_xB;
-        let M_11_zB = t17 + t17;
-        let t278 = K2_12_zB * t271;
+        let t2 = self.zH * self.mH;
         let M_11_mB = self.zB * self.zB;
+        let M_11_mF = self.rF * self.rF;
+        let t15 = self.IHxx + self.IFxx + self.mF * M_11_mF;
+        let M_11_mR = self.rR * self.rR;
+        let M_11 = self.zH * t2 + self.mB * M_11_mB + t15 + self.IRxx + self.IBxx
+            + self.mR * M_11_mR;
+        let (sin_lam, cos_lam) = self.lam.sin_cos();
+        let t33 = self.w.like(1.0) / self.w;
+        let C1_12_IBxz = cos_lam * t33;
+        let yaw_by_delta = self.c * C1_12_IBxz;
+        let wz_delta2_delta = cos_lam + yaw_by_delta;
+        let t39 = t15 * sin_lam + wz_delta2_delta * self.IHxz;
+        let t41 = self.mB * self.zB;
+        let t44 = self.IBxz - t41 * self.xB;
+        let t46 = self.zH * sin_lam;
+        let t49 = self.c + self.w - self.xH;
+        let t51 = t46 + cos_lam * t49;
+        let t52 = C1_12_IBxz * self.xH;
+        let t53 = self.c * t52;
+        let t54 = t51 - t53;
+        let ay_all1_delta = self.mB * self.xB;
+        let t62 = self.IRxx + self.xB * ay_all1_delta + self.IBzz;
+        let t63 = yaw_by_delta * t62;
+        let t66 = sin_lam * self.IHxz;
+        let t68 = self.IFxx + self.IHzz;
+        let t70 = t66 + wz_delta2_delta * t68;
+        let t72 = self.mH * t54;
+        let M_22 = yaw_by_delta * t63 + sin_lam * t39 + wz_delta2_delta * t70
+            + t54 * t72;
+        let zero = self.w.like(0.0);
+        let t78 = self.mF * self.rF;
+        let t79 = cos_lam * t78;
+        let t81 = self.w.like(1.0) / self.rF;
+        let h_spin_R = self.IFyy * t81;
+        let t83 = cos_lam * h_spin_R;
+        let t84 = self.mR * self.rR;
+        let t86 = t2 + t41 - t84;
+        let t88 = self.w.like(1.0) / self.rR;
+        let t89 = self.IRyy * t88;
+        let h_wheels_all = h_spin_R + t89;
+        let t94 = self.IHxz + t44;
+        let t95 = t2 * self.xH - t94;
+        let t96 = self.c * (h_wheels_all - t86) - t95;
+        let t98 = yaw_by_delta * t78;
+        let t99 = C1_12_IBxz * t96 + t98;
+        let C1_12 = t79 + t83 + t99;
+        let t102 = C1_12_IBxz * h_wheels_all;
+        let t103 = self.c * t102;
+        let t105 = self.c + self.xH;
+        let K2_12_zB = self.mB * C1_12_IBxz;
+        let t109 = self.xB * K2_12_zB;
+        let M_12_zB = self.c * t109;
+        let t111 = C1_12_IBxz * t62 + M_12_zB;
+        let t112 = self.c * t111;
+        let t114 = t70 + t112 - t72 * t105;
+        let t115 = C1_12_IBxz * t114;
+        let t116 = sin_lam * wz_delta2_delta;
+        let t120 = M_12_zB - t72;
+        let K0_12_rF = self.mF * sin_lam;
+        let t122 = self.rF * K0_12_rF;
+        let K0_12 = t120 + t122;
+        let t125 = h_wheels_all + (t78 - t86);
+        let C1_12_c = C1_12_IBxz * t125;
+        let t127 = sin_lam * h_spin_R;
+        let t128 = K0_12 + t127;
+        let K2_22 = C1_12_IBxz * t128;
+        let t130 = t2 * cos_lam;
+        let t131 = t33 * yaw_by_delta;
+        let t133 = t130 + t95 * t131;
+        let t135 = cos_lam + self.xH * t131;
+        let t136 = t72 + t72;
+        let t138 = t63 + t70;
+        let M_22_yaw_by_delta = t138 + t138;
+        let M_22_w = t135 * t136 - t131 * M_22_yaw_by_delta;
+        let t142 = t33 * t99;
+        let C1_21_w = t33 * t103;
+        let t144 = yaw_by_delta + t52;
+        let t145 = self.mH * t144;
+        let t149 = t122 + C1_12_IBxz * t68;
+        let t150 = t111 + t149;
+        let C1_22_w = t135 * t145 + t33 * t115 + t131 * t150;
+        let t156 = self.mH * t135 + t33 * M_12_zB;
+        let K0_22_w = sin_lam * t156;
+        let K2_12_w = t33 * C1_12_c;
+        let t159 = t33 * t128;
+        let t161 = C1_12_IBxz * (t156 + t159);
+        let M_12_c = C1_12_IBxz * t95 - t130;
+        let t164 = cos_lam - t52;
+        let M_22_c = t136 * t164 + C1_12_IBxz * M_22_yaw_by_delta;
+        let t168 = self.mH * t164;
+        let t172 = C1_12_IBxz * (t120 + t150 - t105 * t168);
+        let K0_12_c = t109 - t168;
+        let t174 = sin_lam * K0_12_c;
+        let K2_22_c = C1_12_IBxz * K0_12_c;
+        let t177 = sin_lam * t33;
+        let t178 = self.c * t177;
+        let t182 = self.zH * cos_lam + self.xH * t178 - sin_lam * t49;
+        let t183 = self.mH * t182;
+        let M_12_lam = t66 + t94 * t178 - self.zH * t183 - t15 * cos_lam;
+        let t192 = sin_lam + t178;
+        let t197 = cos_lam * t39 + t72 * t182 - t63 * t178 - t70 * t192;
+        let M_22_lam = t197 + t197;
+        let t202 = t127 + t78 * t192 + t96 * t177;
+        let C1_21_lam = t127 + h_wheels_all * t178;
+        let C1_22_lam = t177 * (t112 + t114) + t149 * t192 + t145 * t182
+            - cos_lam * (t79 + t98 + C1_12_IBxz * self.IHxz);
+        let t216 = ay_all1_delta * t178;
+        let t217 = t79 - t183;
+        let t218 = t216 - t217;
+        let K0_22_lam = sin_lam * t218 - cos_lam * K0_12;
+        let K2_12_lam = t125 * t177;
+        let K2_22_lam = C1_12_IBxz * (t83 - t218) - sin_lam * t159;
+        let M_11_rR = t84 + t84;
+        let t228 = t88 * t89;
+        let t230 = C1_12_IBxz * (self.mR - t228);
+        let C1_12_rR = self.c * t230;
+        let C1_21_rR = yaw_by_delta * t228;
+        let t233 = self.rR * C1_12_IBxz;
+        let C1_12_mR = self.c * t233;
+        let t236 = C1_12_IBxz * yaw_by_delta;
+        let M_22_IRxx = self.c * t236;
+        let t238 = C1_12_IBxz * t88;
+        let C1_12_IRyy = self.c * t238;
+        let t240 = C1_12_IBxz * t41;
+        let M_12_xB = self.c * t240;
+        let K0_12_mB = yaw_by_delta * self.xB;
+        let K0_12_xB = self.mB * yaw_by_delta;
+        let t244 = K0_12_mB * K0_12_xB;
+        let M_22_xB = t244 + t244;
+        let K2_22_mB = self.xB * t236;
+        let t247 = self.c + self.xB;
+        let t248 = t236 * t247;
+        let t250 = self.mB * (K2_22_mB + t248);
+        let t251 = sin_lam * K0_12_xB;
+        let K2_22_xB = yaw_by_delta * K2_12_zB;
+        let M_11_zB = t41 + t41;
+        let t254 = t109 + K0_12_xB;
         let M_12_mB = self.zB * K0_12_mB;
         let M_22_mB = K0_12_mB * K0_12_mB;
         let K2_12_mB = self.zB * C1_12_IBxz;
-        let t283 = t271 * K2_12_mB;
-        let K2_22_mB = self.xB * t263;
-        let t285 = t271 * K2_22_mB;
-        let t286 = sin_lam * K0_12_mB;
-        let t287 = t77 * t139;
-        let M_22_xH = self.c * t287 - t158;
-        let t290 = t34 * C1_12_IBxz;
-        let K0_12_xH = self.mH * M_12_Jxz_delta;
-        let C1_22_xH = C1_12_IBxz * (t173 - self.c * K0_12_xH) - t287;
-        let t296 = self.mH * t151;
+        let t258 = t247 * K2_12_mB;
+        let t259 = self.xB * t248;
+        let t260 = sin_lam * K0_12_mB;
+        let K0_12_xH = self.mH * wz_delta2_delta;
+        let M_12_xH = self.zH * K0_12_xH;
+        let t263 = wz_delta2_delta * t136;
         let K2_12_zH = self.mH * C1_12_IBxz;
-        let K2_22_xH = M_12_Jxz_delta * K2_12_zH;
-        let Jxx_delta_zH = t34 + t34;
-        let t300 = t55 * t169;
-        let K0_12_mH = t300 - py_delta_mH;
-        let t303 = self.mH * (t170 - K0_12_mH);
-        let py_delta_zH = self.mH * sin_lam;
-        let t306 = (K0_12_mH + K0_12_mH) * py_delta_zH;
-        let t308 = yaw_by_delta + t54 * t169;
-        let t309 = self.mH * t308;
-        let C1_22_zH = sin_lam * t309;
-        let M_22_Jxx_delta = sin_lam * sin_lam;
-        let K0_22_zH = self.mH * M_22_Jxx_delta;
-        let t313 = sin_lam * K2_12_zH;
-        let M_12_mH = self.zH * K0_12_mH;
-        let t318 = t36 * yaw_by_delta * py_delta_mH;
-        let M_22_mH = t170 * t170 + t300 * t300 + t38 * t154 - t318 - t318;
-        let t324 = self.zH * t308;
-        let t325 = K0_12_mH * t308;
-        let t326 = sin_lam * K0_12_mH;
+        let t265 = self.zH * K2_12_zH;
+        let t268 = C1_12_IBxz * (t105 * K0_12_xH - t72);
+        let t269 = self.mH * t116;
+        let K2_22_xH = C1_12_IBxz * K0_12_xH;
+        let M_11_zH = t2 + t2;
+        let t273 = t72 + self.mH * t46;
+        let M_22_zH = sin_lam * t136;
+        let t275 = self.mH * sin_lam;
+        let C1_22_zH = t144 * t275;
+        let K0_22_zH = sin_lam * t275;
+        let t278 = C1_12_IBxz * t275;
+        let M_11_mH = self.zH * self.zH;
+        let t280 = self.zH * t54;
+        let M_22_mH = t54 * t54;
+        let t282 = self.zH * t144;
+        let t283 = C1_12_IBxz * t54;
+        let C1_22_mH = t105 * t283;
+        let K0_22_mH = sin_lam * t54;
         let K2_12_mH = self.zH * C1_12_IBxz;
-        let K2_22_mH = C1_12_IBxz * K0_12_mH;
-        let M_22_IHzz = M_22_IRxx + cos_lam * M_22_hz_delta;
-        let t331 = C1_12_IBxz * M_12_Jxz_delta;
-        let C1_22_Jxz_delta = sin_lam * C1_12_IBxz;
-        let M_11_rF = t45 + t45;
-        let t335 = self.c * t187 - t197;
-        let t337 = self.mF * (t197 - t335);
-        let t338 = self.w * yaw_by_delta;
-        let t339 = t198 - t338;
-        let K0_12_rF = self.mF * sin_lam;
-        let t342 = (t335 + t339) * K0_12_rF;
-        let C1_12_IFyy = t97 * M_12_Jxz_delta;
-        let C1_21_rF = h_spin_R * C1_12_IFyy;
-        let C1_12_rF = self.mF * C1_22_py_delta - C1_21_rF;
-        let t347 = C1_22_py_delta * K0_12_rF;
-        let t348 = sin_lam * K0_12_rF;
-        let t351 = C1_12_IBxz * (self.mF - t97 * h_spin_R);
-        let K2_22_rF = sin_lam * t351;
-        let M_12_mF = self.rF * t335;
-        let M_22_mF = t198 * t335 - t338 * t339;
-        let C1_12_mF = self.rF * C1_22_py_delta;
-        let C1_22_mF = C1_22_py_delta * t339;
-        let K0_22_mF = sin_lam * t339;
-        let t360 = self.rF * C1_12_IBxz;
-        let t361 = C1_12_IBxz * t339;
-        let M_22_IFxx = M_22_Jxx_delta + M_22_IHzz;
-        let t363 = t97 * C1_12_IBxz;
-        let K2_22_IFyy = t97 * C1_22_Jxz_delta;
-        let C1_21 = -(t112 + self.c * t114);
-        let C1_22 = -(C1_12_IBxz * t124);
-        let K0_12 = t121 - py_delta;
+        let M_22_IHxx = sin_lam * sin_lam;
+        let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+        let t289 = C1_12_IBxz * wz_delta2_delta;
+        let M_22_IHxz = t116 + t116;
+        let K2_22_h_spin_R = cos_lam * t177;
+        let M_11_rF = t78 + t78;
+        let t293 = t122 + t122;
+        let M_22_rF = sin_lam * t293;
+        let t295 = t81 * h_spin_R;
+        let t296 = self.mF - t295;
+        let C1_12_rF = wz_delta2_delta * t296;
+        let C1_21_rF = wz_delta2_delta * t295;
+        let t299 = wz_delta2_delta * K0_12_rF;
+        let t300 = self.mF * M_22_IHxx;
+        let t301 = C1_12_IBxz * t296;
+        let K2_22_rF = K2_22_h_spin_R * t296;
+        let t303 = M_11_mF * sin_lam;
+        let K0_12_mF = self.rF * sin_lam;
+        let t305 = sin_lam * K0_12_mF;
+        let M_22_mF = self.rF * t305;
+        let C1_12_mF = self.rF * wz_delta2_delta;
+        let t308 = wz_delta2_delta * K0_12_mF;
+        let t309 = self.rF * C1_12_IBxz;
+        let K2_22_mF = sin_lam * t309;
+        let M_22_IFxx = M_22_IHxx + M_22_IHzz;
+        let C1_12_IFyy = wz_delta2_delta * t81;
+        let t313 = C1_12_IBxz * t81;
+        let K2_22_IFyy = t81 * K2_22_h_spin_R;
+        let M_12 = -(t39 + yaw_by_delta * t44 + t2 * t54);
+        let C1_21 = -(t83 + t103);
+        let C1_22 = -(t115 + t78 * t116);
+        let K0_11 = t86 - t78;
+        let K0_22 = -(sin_lam * K0_12);
         let K2_12 = -C1_12_c;
-        let K2_22 = -t130;
-        let M_12_w = -(M_12_xH + t55 * M_12_c);
-        let K0_12_mF = t338 - t198;
+        let K0_12_lam = t217 - t216;
+        let K0_12_mH = t53 - t51;
         (
             RearSteeredMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
@@ -570,21 +541,21 @@ impl<T: Number> RearSteered<T> {
             ]),
             RearSteeredDerivatives {
                 values: [
-                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, P_delta_lateral_w, K0_22_w, K2_12_w,
-                    K2_22_w, M_12_c, M_22_c, C1_12_c, t114, C1_22_c, t209, K0_22_c, t211, t217,
-                    M_22_lam, t233, C1_21_lam, C1_22_lam, P_delta_lateral_lam, K0_22_lam, K2_12_lam,
-                    K2_22_lam, M_11_rR, C1_12_rR, C1_21_rR, self.mR, t259, M_11_mR, C1_12_mR,
-                    self.rR, t260, self.w.like(1.0), M_22_IRxx, t263, C1_12_IRyy, t256, M_12_xB,
-                    M_22_xB, t270, t274, K0_12_xB, t276, K2_22_xB, M_11_zB, M_12_zB, t278, self.mB,
-                    K2_12_zB, M_11_mB, M_12_mB, M_22_mB, t283, t285, self.zB, K0_12_mB, t286,
-                    K2_12_mB, K2_22_mB, yaw_by_delta, C1_12_IBxz, M_12_xH, M_22_xH, t290, C1_22_xH,
-                    K0_12_xH, t296, K2_22_xH, Jxx_delta_zH, t303, t306, t309, C1_22_zH, self.mH,
-                    py_delta_zH, K0_22_zH, K2_12_zH, t313, Jxx_delta_mH, M_12_mH, M_22_mH, t324,
-                    t325, self.zH, K0_12_mH, t326, K2_12_mH, K2_22_mH, sin_lam, M_22_Jxx_delta,
-                    M_22_IHzz, t331, M_12_Jxz_delta, M_22_IHxz, C1_22_Jxz_delta, M_11_rF, t337,
-                    t342, C1_12_rF, C1_21_rF, t347, self.mF, K0_12_rF, t348, t351, K2_22_rF,
-                    M_11_mF, M_12_mF, M_22_mF, C1_12_mF, C1_22_mF, self.rF, K0_12_mF, K0_22_mF,
-                    t360, t361, M_22_IFxx, C1_12_IFyy, t363, K2_22_IFyy,
+                    t133, M_22_w, t142, C1_21_w, C1_22_w, t156, K0_22_w, K2_12_w, t161, M_12_c,
+                    M_22_c, C1_12_c, t102, t172, K0_12_c, t174, K2_22_c, M_12_lam, M_22_lam, t202,
+                    C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, K2_12_lam, K2_22_lam, M_11_rR,
+                    C1_12_rR, C1_21_rR, self.mR, t230, M_11_mR, C1_12_mR, self.rR, t233,
+                    self.w.like(1.0), M_22_IRxx, t236, C1_12_IRyy, t238, M_12_xB, M_22_xB, t240,
+                    t250, K0_12_xB, t251, K2_22_xB, M_11_zB, M_12_zB, t254, self.mB, K2_12_zB,
+                    M_11_mB, M_12_mB, M_22_mB, t258, t259, self.zB, K0_12_mB, t260, K2_12_mB,
+                    K2_22_mB, yaw_by_delta, C1_12_IBxz, M_12_xH, t263, t265, t268, K0_12_xH, t269,
+                    K2_22_xH, M_11_zH, t273, M_22_zH, t145, C1_22_zH, self.mH, t275, K0_22_zH,
+                    K2_12_zH, t278, M_11_mH, t280, M_22_mH, t282, C1_22_mH, self.zH, K0_12_mH,
+                    K0_22_mH, K2_12_mH, t283, sin_lam, M_22_IHxx, M_22_IHzz, t289, wz_delta2_delta,
+                    M_22_IHxz, K2_22_h_spin_R, M_11_rF, t293, M_22_rF, C1_12_rF, C1_21_rF, t299,
+                    self.mF, K0_12_rF, t300, t301, K2_22_rF, M_11_mF, t303, M_22_mF, C1_12_mF, t308,
+                    self.rF, K0_12_mF, t305, t309, K2_22_mF, M_22_IFxx, C1_12_IFyy, t313,
+                    K2_22_IFyy,
                 ],
             },
         )
@@ -1014,29 +985,26 @@ impl<T: Scalar> Differentiable<2> for RearSteered<T> {
 impl RearSteeredDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 158] = &[
-        Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1), Partial::new(MatrixName::C1, 0, 1, 0, 2),
+        Partial::new(MatrixName::M, 0, 1, 0, 0).negative(),
+        Partial::new(MatrixName::M, 1, 0, 0, 0).negative(), Partial::new(MatrixName::M, 1, 1, 0, 1),
+        Partial::new(MatrixName::C1, 0, 1, 0, 2).negative(),
         Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
         Partial::new(MatrixName::K0, 0, 1, 0, 5).negative(),
         Partial::new(MatrixName::K0, 1, 0, 0, 5).negative(),
         Partial::new(MatrixName::K0, 1, 1, 0, 6), Partial::new(MatrixName::K2, 0, 1, 0, 7),
-        Partial::new(MatrixName::K2, 1, 1, 0, 8), Partial::new(MatrixName::M, 0, 1, 1, 9),
-        Partial::new(MatrixName::M, 1, 0, 1, 9), Partial::new(MatrixName::M, 1, 1, 1, 10),
-        Partial::new(MatrixName::C1, 0, 1, 1, 11),
+        Partial::new(MatrixName::K2, 1, 1, 0, 8).negative(),
+        Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
+        Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
         Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 13),
-        Partial::new(MatrixName::K0, 0, 1, 1, 14).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 1, 14).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 1, 15),
-        Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
-        Partial::new(MatrixName::M, 0, 1, 2, 17).negative(),
-        Partial::new(MatrixName::M, 1, 0, 2, 17).negative(),
-        Partial::new(MatrixName::M, 1, 1, 2, 18),
+        Partial::new(MatrixName::C1, 1, 1, 1, 13).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 1, 14),
+        Partial::new(MatrixName::K0, 1, 0, 1, 14),
+        Partial::new(MatrixName::K0, 1, 1, 1, 15).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 1, 16), Partial::new(MatrixName::M, 0, 1, 2, 17),
+        Partial::new(MatrixName::M, 1, 0, 2, 17), Partial::new(MatrixName::M, 1, 1, 2, 18),
         Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 2, 20),
-        Partial::new(MatrixName::C1, 1, 1, 2, 21),
-        Partial::new(MatrixName::K0, 0, 1, 2, 22).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 2, 22).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
+        Partial::new(MatrixName::K0, 0, 1, 2, 22), Partial::new(MatrixName::K0, 1, 0, 2, 22),
         Partial::new(MatrixName::K0, 1, 1, 2, 23), Partial::new(MatrixName::K2, 0, 1, 2, 24),
         Partial::new(MatrixName::K2, 1, 1, 2, 25), Partial::new(MatrixName::M, 0, 0, 4, 26),
         Partial::new(MatrixName::C1, 0, 1, 4, 27), Partial::new(MatrixName::C1, 1, 0, 4, 28),
@@ -1077,10 +1045,12 @@ impl RearSteeredDerivatives {
         Partial::new(MatrixName::C1, 1, 1, 13, 37).negative(),
         Partial::new(MatrixName::M, 0, 1, 14, 62).negative(),
         Partial::new(MatrixName::M, 1, 0, 14, 62).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 14, 63), Partial::new(MatrixName::M, 0, 1, 15, 64),
-        Partial::new(MatrixName::M, 1, 0, 15, 64), Partial::new(MatrixName::M, 1, 1, 15, 65),
+        Partial::new(MatrixName::C1, 0, 1, 14, 63),
+        Partial::new(MatrixName::M, 0, 1, 15, 64),
+        Partial::new(MatrixName::M, 1, 0, 15, 64),
+        Partial::new(MatrixName::M, 1, 1, 15, 65).negative(),
         Partial::new(MatrixName::C1, 0, 1, 15, 66).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 15, 67),
+        Partial::new(MatrixName::C1, 1, 1, 15, 67).negative(),
         Partial::new(MatrixName::K0, 0, 1, 15, 68),
         Partial::new(MatrixName::K0, 1, 0, 15, 68),
         Partial::new(MatrixName::K0, 1, 1, 15, 69).negative(),
@@ -1088,7 +1058,7 @@ impl RearSteeredDerivatives {
         Partial::new(MatrixName::M, 0, 0, 16, 71),
         Partial::new(MatrixName::M, 0, 1, 16, 72).negative(),
         Partial::new(MatrixName::M, 1, 0, 16, 72).negative(),
-        Partial::new(MatrixName::M, 1, 1, 16, 73).negative(),
+        Partial::new(MatrixName::M, 1, 1, 16, 73),
         Partial::new(MatrixName::C1, 0, 1, 16, 74).negative(),
         Partial::new(MatrixName::C1, 1, 1, 16, 75),
         Partial::new(MatrixName::K0, 0, 0, 16, 76),
@@ -1097,16 +1067,15 @@ impl RearSteeredDerivatives {
         Partial::new(MatrixName::K0, 1, 1, 16, 78),
         Partial::new(MatrixName::K2, 0, 1, 16, 79),
         Partial::new(MatrixName::K2, 1, 1, 16, 80).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 81), Partial::new(MatrixName::M, 0, 1, 17, 82),
-        Partial::new(MatrixName::M, 1, 0, 17, 82), Partial::new(MatrixName::M, 1, 1, 17, 83),
+        Partial::new(MatrixName::M, 0, 0, 17, 81),
+        Partial::new(MatrixName::M, 0, 1, 17, 82).negative(),
+        Partial::new(MatrixName::M, 1, 0, 17, 82).negative(),
+        Partial::new(MatrixName::M, 1, 1, 17, 83),
         Partial::new(MatrixName::C1, 0, 1, 17, 84).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 17, 85).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 17, 86),
-        Partial::new(MatrixName::K0, 0, 1, 17, 87),
-        Partial::new(MatrixName::K0, 1, 0, 17, 87),
-        Partial::new(MatrixName::K0, 1, 1, 17, 88).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 17, 89),
-        Partial::new(MatrixName::K2, 1, 1, 17, 90),
+        Partial::new(MatrixName::C1, 1, 1, 17, 85), Partial::new(MatrixName::K0, 0, 0, 17, 86),
+        Partial::new(MatrixName::K0, 0, 1, 17, 87), Partial::new(MatrixName::K0, 1, 0, 17, 87),
+        Partial::new(MatrixName::K0, 1, 1, 17, 88), Partial::new(MatrixName::K2, 0, 1, 17, 89),
+        Partial::new(MatrixName::K2, 1, 1, 17, 90).negative(),
         Partial::new(MatrixName::M, 0, 0, 18, 35),
         Partial::new(MatrixName::M, 0, 1, 18, 91).negative(),
         Partial::new(MatrixName::M, 1, 0, 18, 91).negative(),
@@ -1121,7 +1090,7 @@ impl RearSteeredDerivatives {
         Partial::new(MatrixName::M, 0, 0, 22, 98),
         Partial::new(MatrixName::M, 0, 1, 22, 99).negative(),
         Partial::new(MatrixName::M, 1, 0, 22, 99).negative(),
-        Partial::new(MatrixName::M, 1, 1, 22, 100).negative(),
+        Partial::new(MatrixName::M, 1, 1, 22, 100),
         Partial::new(MatrixName::C1, 0, 1, 22, 101),
         Partial::new(MatrixName::C1, 1, 0, 22, 102),
         Partial::new(MatrixName::C1, 1, 1, 22, 103).negative(),
@@ -1130,16 +1099,19 @@ impl RearSteeredDerivatives {
         Partial::new(MatrixName::K0, 1, 0, 22, 105),
         Partial::new(MatrixName::K0, 1, 1, 22, 106).negative(),
         Partial::new(MatrixName::K2, 0, 1, 22, 107).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 22, 108), Partial::new(MatrixName::M, 0, 0, 23, 109),
-        Partial::new(MatrixName::M, 0, 1, 23, 110), Partial::new(MatrixName::M, 1, 0, 23, 110),
-        Partial::new(MatrixName::M, 1, 1, 23, 111), Partial::new(MatrixName::C1, 0, 1, 23, 112),
-        Partial::new(MatrixName::C1, 1, 1, 23, 113),
+        Partial::new(MatrixName::K2, 1, 1, 22, 108),
+        Partial::new(MatrixName::M, 0, 0, 23, 109),
+        Partial::new(MatrixName::M, 0, 1, 23, 110).negative(),
+        Partial::new(MatrixName::M, 1, 0, 23, 110).negative(),
+        Partial::new(MatrixName::M, 1, 1, 23, 111),
+        Partial::new(MatrixName::C1, 0, 1, 23, 112),
+        Partial::new(MatrixName::C1, 1, 1, 23, 113).negative(),
         Partial::new(MatrixName::K0, 0, 0, 23, 114).negative(),
         Partial::new(MatrixName::K0, 0, 1, 23, 115),
         Partial::new(MatrixName::K0, 1, 0, 23, 115),
-        Partial::new(MatrixName::K0, 1, 1, 23, 116),
+        Partial::new(MatrixName::K0, 1, 1, 23, 116).negative(),
         Partial::new(MatrixName::K2, 0, 1, 23, 117).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 23, 118).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 23, 118),
         Partial::new(MatrixName::M, 0, 0, 24, 35),
         Partial::new(MatrixName::M, 0, 1, 24, 91).negative(),
         Partial::new(MatrixName::M, 1, 0, 24, 91).negative(),

@@ -155,15 +155,15 @@ impl<T: Number> Skateboard<T> {
         let P_gamma_lateral = self.h * self.m;
         let M_11 = self.Ixx + self.h * P_gamma_lateral;
         let (lateral_per_v_deltaR, cos_lamR) = self.lamR.sin_cos();
-        let t9 = self.L.like(1.0) / cos_lamR;
-        let t11 = t9 * lateral_per_v_deltaR;
+        let t8 = self.L.like(1.0) / cos_lamR;
+        let t10 = t8 * lateral_per_v_deltaR;
         let (sin_lamF, cos_lamF) = self.lamF.sin_cos();
-        let t14 = self.L.like(1.0) / cos_lamF;
-        let t18 = (t11 + t14 * sin_lamF) / self.L;
-        let P_gamma_yaw = P_gamma_lateral * self.x;
-        let C1_11 = t18 * (self.Ixz + P_gamma_yaw) - P_gamma_lateral * t11;
-        let Kc_11 = t14 * (t14 * self.kF) + self.kR * (t9 * t9);
-        let K2_11 = P_gamma_lateral * t18;
+        let t15 = self.L.like(1.0) / cos_lamF;
+        let t19 = (t10 + t15 * sin_lamF) / self.L;
+        let P_gamma_yaw = self.kR * (t8 * t8);
+        let Kc_11 = t15 * (t15 * self.kF) + P_gamma_yaw;
+        let K2_11 = P_gamma_lateral * t19;
+        let C1_11 = self.Ixz * t19 - P_gamma_lateral * (t10 - self.x * t19);
         let K0_11 = -P_gamma_lateral;
         SkateboardMatrices::from_entries([M_11, C1_11, Kc_11, K0_11, K2_11])
     }
@@ -275,50 +275,51 @@ impl<T: Number> Skateboard<T> {
     pub fn matrices_and_derivatives(&self) -> (SkateboardMatrices<T>, SkateboardDerivatives<T>) {
         let P_gamma_lateral = self.h * self.m;
         let M_11 = self.Ixx + self.h * P_gamma_lateral;
+        let t8 = self.L.like(1.0) / self.L;
         let (lateral_per_v_deltaR, cos_lamR) = self.lamR.sin_cos();
-        let t8 = self.L.like(1.0) / cos_lamR;
-        let t10 = t8 * lateral_per_v_deltaR;
-        let t12 = self.L.like(1.0) / self.L;
-        let t16 = self.Ixz + P_gamma_lateral * self.x;
-        let t17 = t12 * t16;
-        let t18 = P_gamma_lateral - t17;
+        let t11 = self.L.like(1.0) / cos_lamR;
+        let t13 = t11 * lateral_per_v_deltaR;
         let (sin_lamF, cos_lamF) = self.lamF.sin_cos();
-        let t22 = self.L.like(1.0) / cos_lamF;
-        let t24 = t22 * sin_lamF;
-        let C1_11 = t17 * t24 - t10 * t18;
-        let Kc_11_kF = t22 * t22;
-        let t29 = self.kF * Kc_11_kF;
-        let Kc_11_kR = t8 * t8;
-        let t32 = self.kR * Kc_11_kR;
-        let Kc_11 = t29 + t32;
-        let C1_11_Ixz = t12 * (t10 + t24);
-        let K2_11_m = self.h * C1_11_Ixz;
-        let K2_11 = self.m * K2_11_m;
-        let t38 = t17 * C1_11_Ixz;
-        let t39 = t12 * K2_11;
-        let t42 = t12 + t12 * t24 * t24;
-        let C1_11_lamF = t16 * t42;
-        let Kc_11_lamF = t29 * (t24 + t24);
-        let K2_11_lamF = P_gamma_lateral * t42;
-        let t49 = t10 * t10 + self.L.like(1.0);
-        let t50 = t18 * t49;
-        let t51 = t10 * t32;
-        let Kc_11_lamR = t51 + t51;
-        let K2_11_lamR = P_gamma_lateral * t12 * t49;
+        let t17 = self.L.like(1.0) / cos_lamF;
+        let t19 = t17 * sin_lamF;
+        let t20 = t8 * t19;
+        let C1_11_Ixz = t8 * t13 + t20;
+        let t25 = C1_11_Ixz * self.x - t13;
+        let C1_11_m = self.h * t25;
+        let C1_11 = self.Ixz * C1_11_Ixz + self.m * C1_11_m;
+        let Kc_11_kR = t11 * t11;
+        let P_gamma_yaw = self.kR * Kc_11_kR;
+        let Kc_11_kF = t17 * t17;
+        let t34 = self.kF * Kc_11_kF;
+        let Kc_11 = P_gamma_yaw + t34;
+        let K2_11 = P_gamma_lateral * C1_11_Ixz;
+        let t38 = self.Ixz + P_gamma_lateral * self.x;
+        let t39 = t8 * t38;
+        let t40 = C1_11_Ixz * t39;
+        let t41 = t8 * K2_11;
+        let t43 = t8 + t19 * t20;
+        let C1_11_lamF = t38 * t43;
+        let t45 = t19 * t34;
+        let Kc_11_lamF = t45 + t45;
+        let K2_11_lamF = P_gamma_lateral * t43;
+        let t51 = self.L.like(1.0) + t13 * t13;
+        let C1_11_lamR = (t39 - P_gamma_lateral) * t51;
+        let t53 = t13 * P_gamma_yaw;
+        let Kc_11_lamR = t53 + t53;
+        let K2_11_lamR = P_gamma_lateral * t8 * t51;
         let M_11_m = self.h * self.h;
-        let t57 = t10 - self.x * C1_11_Ixz;
-        let t58 = self.h * t57;
+        let K2_11_m = self.h * C1_11_Ixz;
         let M_11_h = P_gamma_lateral + P_gamma_lateral;
-        let t60 = self.m * t57;
+        let C1_11_h = self.m * t25;
         let K2_11_h = self.m * C1_11_Ixz;
         let K0_11 = -P_gamma_lateral;
         (
             SkateboardMatrices::from_entries([M_11, C1_11, Kc_11, K0_11, K2_11]),
             SkateboardDerivatives {
                 values: [
-                    t38, t39, C1_11_lamF, Kc_11_lamF, K2_11_lamF, t50, Kc_11_lamR, K2_11_lamR,
-                    Kc_11_kF, Kc_11_kR, M_11_m, t58, self.h, K2_11_m, K2_11, M_11_h, t60, self.m,
-                    K2_11_h, self.L.like(1.0), C1_11_Ixz,
+                    t40, t41, C1_11_lamF, Kc_11_lamF, K2_11_lamF, C1_11_lamR, Kc_11_lamR,
+                    K2_11_lamR, Kc_11_kF, Kc_11_kR, M_11_m, C1_11_m, self.h, K2_11_m, K2_11, M_11_h,
+                    C1_11_h, self.m, K2_11_h, self.L.like(1.0), C1_11_Ixz,
                 ],
             },
         )
@@ -682,17 +683,13 @@ impl SkateboardDerivatives {
         Partial::new(MatrixName::C1, 0, 0, 0, 0).negative(),
         Partial::new(MatrixName::K2, 0, 0, 0, 1).negative(),
         Partial::new(MatrixName::C1, 0, 0, 3, 2), Partial::new(MatrixName::Kc, 0, 0, 3, 3),
-        Partial::new(MatrixName::K2, 0, 0, 3, 4),
-        Partial::new(MatrixName::C1, 0, 0, 4, 5).negative(),
+        Partial::new(MatrixName::K2, 0, 0, 3, 4), Partial::new(MatrixName::C1, 0, 0, 4, 5),
         Partial::new(MatrixName::Kc, 0, 0, 4, 6), Partial::new(MatrixName::K2, 0, 0, 4, 7),
         Partial::new(MatrixName::Kc, 0, 0, 5, 8), Partial::new(MatrixName::Kc, 0, 0, 6, 9),
-        Partial::new(MatrixName::M, 0, 0, 7, 10),
-        Partial::new(MatrixName::C1, 0, 0, 7, 11).negative(),
+        Partial::new(MatrixName::M, 0, 0, 7, 10), Partial::new(MatrixName::C1, 0, 0, 7, 11),
         Partial::new(MatrixName::K0, 0, 0, 7, 12).negative(),
-        Partial::new(MatrixName::K2, 0, 0, 7, 13),
-        Partial::new(MatrixName::C1, 0, 0, 8, 14),
-        Partial::new(MatrixName::M, 0, 0, 9, 15),
-        Partial::new(MatrixName::C1, 0, 0, 9, 16).negative(),
+        Partial::new(MatrixName::K2, 0, 0, 7, 13), Partial::new(MatrixName::C1, 0, 0, 8, 14),
+        Partial::new(MatrixName::M, 0, 0, 9, 15), Partial::new(MatrixName::C1, 0, 0, 9, 16),
         Partial::new(MatrixName::K0, 0, 0, 9, 17).negative(),
         Partial::new(MatrixName::K2, 0, 0, 9, 18),
         Partial::new(MatrixName::M, 0, 0, 10, 19),

@@ -140,25 +140,26 @@ impl<T: Number> TypicalSection<T> {
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (TypicalSectionMatrices<T>, TypicalSectionDerivatives<T>) {
-        let t4 = self.e - self.a;
-        let M_12_b = self.m * t4;
-        let imbalance = self.b * M_12_b;
+        let t3 = self.e - self.a;
+        let M_12_m = t3 * self.b;
+        let imbalance = self.m * M_12_m;
         let zero = self.m.like(0.0);
         let t14 = self.m.like(3.141592653589793) + self.m.like(3.141592653589793);
-        let t15 = self.rho * t14;
-        let lift_b = self.s * t15;
-        let lift = self.b * lift_b;
+        let lift_rho = self.b * self.s * t14;
+        let lift = self.rho * lift_rho;
         let t19 = self.a + self.m.like(0.5);
         let arm = self.b * t19;
-        let lift_s = self.b * t15;
-        let t22 = arm * lift_s;
-        let M_12_m = self.b * t4;
-        let t27 = t19 * (lift + lift);
+        let t21 = self.rho * t14;
+        let lift_s = self.b * t21;
+        let t23 = arm * lift_s;
+        let M_12_b = self.m * t3;
+        let lift_b = self.s * t21;
+        let t28 = lift * t19;
+        let t29 = t28 + t28;
         let M_12_e = self.m * self.b;
-        let t29 = self.b * lift;
-        let lift_rho = self.b * self.s * t14;
-        let t32 = arm * lift_rho;
-        let K2_22 = -(self.s * t22);
+        let t31 = self.b * lift;
+        let t32 = lift_rho * arm;
+        let K2_22 = -(self.s * t23);
         (
             TypicalSectionMatrices::from_entries([
                 self.m, imbalance, imbalance, self.I, self.kh, zero, zero, self.ktheta, zero, lift,
@@ -166,7 +167,7 @@ impl<T: Number> TypicalSection<T> {
             ]),
             TypicalSectionDerivatives {
                 values: [
-                    self.m.like(1.0), M_12_m, M_12_b, lift_b, t27, lift_s, t22, M_12_e, t29,
+                    self.m.like(1.0), M_12_m, M_12_b, lift_b, t29, lift_s, t23, M_12_e, t31,
                     lift_rho, t32,
                 ],
             },

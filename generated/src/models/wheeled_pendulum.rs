@@ -129,14 +129,14 @@ impl<T: Number> WheeledPendulum<T> {
         let t7 = t4 * t6;
         let t9 = t2 + t4 * t7;
         let M_11 = self.m + t9;
-        let t12 = self.m * self.l;
-        let t15 = t12 + self.r * (self.m + t2);
+        let m_all = self.r * (self.m + t2);
+        let t14 = self.m * self.l;
+        let t15 = m_all + t14;
         let zero = self.m.like(0.0);
-        let m_all = (self.r + self.l) * t12;
-        let M_22 = self.Iyy + t6 + (m_all + self.r * t15);
-        let M_33 = self.Ir + self.b * t9 * self.b + (self.Izz + self.Ir);
+        let M_22 = self.l * t14 + (t6 + self.Iyy + self.r * (t15 + t14));
+        let M_33 = self.b * t9 * self.b + (self.Ir + self.Ir) + self.Izz;
         let M_12 = -(t7 + t15);
-        let K0_22 = -t12;
+        let K0_22 = -t14;
         WheeledPendulumMatrices::from_entries([
             M_11, M_12, zero, M_12, M_22, zero, zero, zero, M_33, zero, zero, zero, zero, K0_22,
             zero, zero, zero, zero,
@@ -1433,33 +1433,33 @@ impl<T: Number> WheeledPendulum<T> {
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WheeledPendulumMatrices<T>, WheeledPendulumDerivatives<T>) {
         let t2 = self.mW + self.mW;
-        let t5 = self.m.like(1.0) / self.r;
-        let t6 = t5 + t5;
-        let M_11_Ia = t5 * t6;
-        let t8 = self.Ia * M_11_Ia;
+        let t4 = self.m.like(1.0) / self.r;
+        let t6 = t4 + t4;
+        let m_all = self.Ia * t6;
+        let t8 = t4 * m_all;
         let t9 = t2 + t8;
         let M_11 = self.m + t9;
-        let t11 = self.r + self.r;
-        let t14 = self.r + self.l;
-        let t15 = self.m * t14;
-        let t16 = self.mW * t11 + t15;
-        let t17 = self.Ia * t6;
+        let t12 = self.r + self.l;
+        let t13 = self.m * t12;
+        let t15 = t13 + t2 * self.r;
         let zero = self.m.like(0.0);
-        let M_22_mW = self.r * t11;
-        let M_22 = self.Ia + self.Ia + self.mW * M_22_mW + self.Iyy + t14 * t15;
-        let t30 = t9 * self.b;
-        let M_33 = self.Ir + self.Ir + self.b * t30 + self.Izz;
-        let M_22_m = t14 * t14;
-        let M_22_l = t15 + t15;
-        let t41 = self.b * self.b;
-        let M_33_mW = t41 + t41;
-        let M_33_Ia = M_11_Ia * t41;
-        let t44 = M_11_Ia * t17;
+        let M_22 = self.Ia + self.Ia + self.r * t15 + self.l * t13 + self.Iyy;
+        let t26 = self.b * self.b;
+        let M_33 = t9 * t26 + self.Ir + self.Ir + self.Izz;
+        let M_22_m = t12 * t12;
+        let M_22_l = t13 + t13;
+        let t38 = self.r + self.r;
+        let M_22_mW = self.r * t38;
+        let M_33_mW = t26 + t26;
+        let M_11_Ia = t4 * t6;
+        let M_33_Ia = t26 * M_11_Ia;
+        let t43 = m_all * M_11_Ia;
         let M_12_r = t8 - self.m - t2;
-        let M_22_r = t16 + t16;
-        let t48 = t17 * M_33_Ia;
-        let M_33_b = t30 + t30;
-        let M_12 = -(t16 + t17);
+        let M_22_r = t15 + t15;
+        let t47 = m_all * M_33_Ia;
+        let t48 = t9 * self.b;
+        let M_33_b = t48 + t48;
+        let M_12 = -(m_all + t15);
         let K0_22 = -(self.m * self.l);
         (
             WheeledPendulumMatrices::from_entries([
@@ -1468,8 +1468,8 @@ impl<T: Number> WheeledPendulum<T> {
             ]),
             WheeledPendulumDerivatives {
                 values: [
-                    self.m.like(1.0), t14, M_22_m, self.l, self.m, M_22_l, self.m.like(2.0), t11,
-                    M_22_mW, M_33_mW, M_11_Ia, t6, M_33_Ia, t44, M_12_r, M_22_r, t48, M_33_b,
+                    self.m.like(1.0), t12, M_22_m, self.l, self.m, M_22_l, self.m.like(2.0), t38,
+                    M_22_mW, M_33_mW, M_11_Ia, t6, M_33_Ia, t43, M_12_r, M_22_r, t47, M_33_b,
                 ],
             },
         )

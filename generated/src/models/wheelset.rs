@@ -130,7 +130,7 @@ pub struct WheelsetDerivatives<T = f64> {
 
 impl<T: Number> Wheelset<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 4 additions, 9 multiplications, 1 division and 1 negation: 15 operations.
+    /// 3 additions, 10 multiplications, 1 division and 1 negation: 15 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -139,17 +139,16 @@ impl<T: Number> Wheelset<T> {
         let zero = self.m.like(0.0);
         let Cm1_11 = self.f22 + self.f22;
         let t7 = self.b + self.b;
-        let t8 = self.f11 * t7;
-        let Cm1_22 = self.b * t8;
-        let t13 = self.m.like(1.0) / self.r;
-        let t14 = self.lam * t13;
-        let Kc_21 = t8 * t14;
         let Cm1_22_f11 = self.b * t7;
-        let t19 = t14 + t14;
-        let Kc_21_f11 = self.b * t19;
-        let Cm1_22_b = t8 + t8;
-        let Kc_21_b = self.f11 * t19;
-        let Kc_21_lam = t8 * t13;
+        let Cm1_22 = self.f11 * Cm1_22_f11;
+        let t13 = self.m.like(1.0) / self.r;
+        let t14 = self.f11 + self.f11;
+        let t15 = t13 * t14;
+        let Kc_21_b = self.lam * t15;
+        let Kc_21 = self.b * Kc_21_b;
+        let Kc_21_f11 = t7 * self.lam * t13;
+        let Cm1_22_b = t7 * t14;
+        let Kc_21_lam = self.b * t15;
         let t25 = t13 * Kc_21;
         let Kc_12 = -Cm1_11;
         (

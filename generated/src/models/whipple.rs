@@ -197,54 +197,55 @@ pub struct WhippleMatrices<T = f64> {
 
 impl<T: Number> Whipple<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 49 additions, 50 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 105 operations.
+    /// 48 additions, 50 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 104 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleMatrices<T> {
-        let t4 = self.rR * self.mR;
-        let t8 = self.zB * self.mB;
+        let t3 = self.zB * self.mB;
+        let t7 = self.zH * self.mH;
         let t12 = self.rF * self.mF;
-        let t16 = self.zH * self.mH;
-        let t22 = self.rF * t12 + self.zH * t16 + self.IHxx + self.IFxx;
-        let ITxx = self.IRxx + self.IBxx + self.rR * t4 + self.zB * t8 + t22;
-        let t36 = self.IHxz + t12 * self.w - t16 * self.xH;
-        let ITxz = self.IBxz + t36 - t8 * self.xB;
+        let t17 = self.zH * t7 + (self.IHxx + (self.rF * t12 + self.IFxx));
+        let t22 = self.rR * self.mR;
+        let ITxx = self.IBxx + (self.zB * t3 + t17 + (self.IRxx + self.rR * t22));
+        let t28 = self.mH * self.xH;
+        let t34 = self.IHxz + t12 * self.w - self.zH * t28;
+        let ITzz = t3 * self.xB;
+        let t39 = t34 - ITzz + self.IBxz;
         let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t42 = cos_lam / self.w;
-        let mu = self.c * t42;
-        let t47 = self.w + self.c - self.xH;
-        let t51 = cos_lam * (self.IHxz + t16 * t47 - t12 * self.c);
-        let t54 = t51 + t22 * sin_lam;
-        let M_12 = ITxz * mu + t54;
-        let t57 = self.IFxx + self.IHzz;
-        let t58 = self.mH * t47;
-        let t60 = self.mF * self.c;
-        let t69 = self.mH * self.xH;
-        let IAlz = cos_lam * (t57 - self.w * t60 - t47 * t69) + t36 * sin_lam;
-        let t77 = self.mB * self.xB;
-        let t80 = self.mF * self.w;
-        let ITzz = self.IRxx + t57 + self.IBzz + self.xB * t77 + self.xH * t69
-            + self.w * t80;
-        let t88 = IAlz + mu * ITzz;
-        let M_22 = cos_lam * cos_lam * (t57 + t47 * t58 + self.c * t60)
-            + sin_lam * (t51 + t54) + mu * (IAlz + t88);
+        let t43 = cos_lam / self.w;
+        let mu = self.c * t43;
+        let t49 = self.w - self.xH + self.c;
+        let t52 = cos_lam * (t12 * self.c - self.IHxz - t7 * t49);
+        let t55 = t17 * sin_lam - t52;
+        let M_12 = t39 * mu + t55;
+        let t58 = self.IFxx + self.IHzz;
+        let t59 = self.mF * self.c;
+        let t62 = self.mH * t49;
+        let t69 = self.mF * self.w;
+        let IAlz = t34 * sin_lam - cos_lam * (self.xH * t62 - t58 + self.c * t69);
+        let t76 = self.mB * self.xB;
+        let t86 = IAlz
+            + (self.IRxx + t58
+                + (self.xB * t76 + self.xH * t28 + (self.IBzz + self.w * t69))) * mu;
+        let t89 = cos_lam * (cos_lam * (t58 + self.c * t59 + t49 * t62))
+            + mu * (IAlz + t86);
+        let M_22 = t89 + sin_lam * (t55 - t52);
         let zero = self.w.like(0.0);
         let SF = self.IFyy / self.rF;
         let SR = self.IRyy / self.rR;
         let ST = SF + SR;
-        let t100 = t12 - t16;
-        let t101 = t8 - t4;
-        let t103 = ST + (t100 - t101);
-        let C1_12 = t42 * (ITxz + self.w * SF + self.c * t103);
-        let K0_12 = cos_lam * (t58 + t60) - (mu * (t69 + t77 + t80) + sin_lam * t100);
-        let C1_22 = t42 * t88 - mu * K0_12;
+        let t99 = t7 - t12;
+        let K0_11 = t3 + t99 - t22;
+        let t102 = ST - K0_11;
+        let C1_12 = t43 * (t39 + self.c * t102 + self.w * SF);
+        let K0_12 = cos_lam * (t62 + t59) + sin_lam * t99 - mu * (t28 + t69 + t76);
+        let C1_22 = t43 * t86 - mu * K0_12;
         let K0_22 = sin_lam * K0_12;
-        let K2_12 = t42 * t103;
-        let K2_22 = t42 * (sin_lam * SF - K0_12);
-        let C1_21 = -(mu * ST + cos_lam * SF);
-        let K0_11 = t101 - t100;
+        let K2_12 = t43 * t102;
+        let K2_22 = t43 * (sin_lam * SF - K0_12);
+        let C1_21 = -(cos_lam * SF + mu * ST);
         WhippleMatrices::from_entries([
             ITxx, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
             K2_12, zero, K2_22,
@@ -264,218 +265,217 @@ pub struct WhippleDerivatives<T = f64> {
 
 impl<T: Number> Whipple<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 110 additions, 199 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 317 operations.
+    /// 107 additions, 198 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 313 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleMatrices<T>, WhippleDerivatives<T>) {
-        let t2 = self.zB * self.mB;
-        let M_11_mH = self.zH * self.zH;
-        let M_11_mF = self.rF * self.rF;
-        let t18 = self.mH * M_11_mH + self.IFxx + self.IHxx + self.mF * M_11_mF;
+        let t4 = self.zH * self.mH;
+        let t9 = self.rF * self.mF;
+        let t13 = self.IFxx + self.zH * t4 + self.IHxx + self.rF * t9;
         let M_11_mR = self.rR * self.rR;
-        let M_11 = self.zB * t2 + self.IBxx + self.IRxx + t18 + self.mR * M_11_mR;
+        let t21 = self.zB * self.mB;
+        let M_11 = self.IBxx + t13 + self.mR * M_11_mR + self.IRxx + self.zB * t21;
         let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t29 = t18 * sin_lam;
-        let t34 = self.c + self.w;
-        let t35 = self.xH - t34;
-        let t36 = self.mH * t35;
-        let t39 = self.mF * self.c;
-        let C1_12_SF = self.rF * t39;
-        let t42 = self.zH * t36 + C1_12_SF - self.IHxz;
-        let t44 = self.mB * self.xB;
-        let t47 = self.mH * self.xH;
-        let t49 = self.mF * self.rF;
-        let t52 = self.IHxz + self.w * t49 - self.zH * t47;
-        let t54 = self.zB * t44 - self.IBxz - t52;
-        let t55 = self.w.like(1.0) / self.w;
-        let t56 = self.c * t55;
-        let t57 = t54 * t56;
-        let t58 = t42 + t57;
-        let M_12 = t29 - cos_lam * t58;
-        let t61 = cos_lam + cos_lam;
-        let t63 = t29 - t42 * t61;
-        let t67 = self.IFxx + self.IHzz;
-        let ITzz_mB = self.w * t39;
-        let t76 = t67 + t35 * t47 - ITzz_mB;
-        let t79 = t55 * (sin_lam * t52 + cos_lam * t76);
-        let C1_12_IBxz = cos_lam * t55;
-        let t84 = self.mF * self.w;
-        let t91 = C1_12_IBxz
-            * (self.IRxx + t67 + self.IBzz + self.xH * t47 + self.xB * t44
-                + self.w * t84);
-        let t92 = t56 * t91;
-        let t93 = t79 + t92;
-        let t95 = cos_lam * (t35 * t36 + t67 + self.c * t39) + self.c * t93;
-        let M_22 = sin_lam * t63 + cos_lam * (t95 + self.c * t79);
+        let t33 = t9 * self.c;
+        let t36 = self.c + self.w;
+        let t37 = self.xH - t36;
+        let t38 = self.mH * t37;
+        let IAlz_rF = self.zH * t38;
+        let t41 = self.IHxz - t33 - IAlz_rF;
+        let t43 = t13 * sin_lam + cos_lam * t41;
+        let t48 = self.IHxz + t9 * self.w - t4 * self.xH;
+        let t50 = self.mB * self.xB;
+        let t53 = self.IBxz + t48 - self.zB * t50;
+        let t54 = self.w.like(1.0) / self.w;
+        let t55 = self.c * t54;
+        let t56 = t53 * t55;
+        let M_12 = t43 + cos_lam * t56;
+        let C1_12_IBxz = cos_lam * t54;
+        let t62 = self.IFxx + self.IHzz;
+        let t63 = self.mF * self.w;
+        let t65 = self.mH * self.xH;
+        let t68 = t62 + t37 * t65 - self.c * t63;
+        let t70 = sin_lam * t54;
+        let t72 = C1_12_IBxz * t68 + t48 * t70;
+        let t73 = cos_lam * self.c;
+        let t88 = C1_12_IBxz
+            * (self.IRxx + t62 + self.xB * t50 + self.IBzz + self.w * t63
+                + self.xH * t65);
+        let t89 = t55 * t88;
+        let t90 = t72 + t89;
+        let t92 = t90 + self.mF * t73;
+        let t95 = cos_lam * (t62 + t37 * t38) + sin_lam * t41 + self.c * t92;
+        let M_22 = sin_lam * t43 + t72 * t73 + cos_lam * t95;
         let zero = self.w.like(0.0);
-        let t102 = self.w.like(1.0) / self.rF;
-        let SF = self.IFyy * t102;
+        let t101 = self.w.like(1.0) / self.rF;
+        let SF = self.IFyy * t101;
         let t105 = self.w.like(1.0) / self.rR;
         let t106 = self.IRyy * t105;
         let ST = SF + t106;
         let t108 = self.mR * self.rR;
-        let t109 = self.mH * self.zH;
-        let t110 = t109 - t49;
-        let t111 = t2 + t110;
-        let t113 = ST + (t108 - t111);
-        let t117 = self.c * t113 + self.w * SF - t54;
-        let C1_12 = C1_12_IBxz * t117;
-        let t120 = SF + t56 * ST;
-        let t122 = t47 + t84;
-        let t125 = self.mF - t55 * (t44 + t122);
-        let t126 = self.c * t125;
-        let t127 = t36 - t126;
-        let K0_12 = sin_lam * t110 - cos_lam * t127;
-        let t131 = K0_12 - t91;
-        let t132 = t56 * t131;
-        let t133 = t132 - t79;
-        let K0_22 = sin_lam * K0_12;
-        let K2_12 = C1_12_IBxz * t113;
-        let t139 = t55 * (K0_12 - sin_lam * SF);
-        let t141 = cos_lam * t109;
-        let M_12_w = t141 + C1_12_IBxz * (C1_12_SF + t57);
-        let t145 = t56 + t56;
-        let t146 = self.w * C1_12_IBxz;
-        let t149 = self.rF * sin_lam;
-        let K0_12_mF = self.c * (cos_lam - t146) - t149;
-        let t151 = self.mF * K0_12_mF;
-        let t152 = t93 + t151;
-        let t157 = cos_lam * (t35 + self.xH * t56);
-        let t158 = self.zH * sin_lam;
-        let t159 = t157 - t158;
-        let t160 = self.mH * t159;
-        let t161 = t61 * t160;
-        let t162 = cos_lam * t145 * t152 + t161;
-        let t163 = t55 * t117;
-        let t166 = C1_12_IBxz * (t163 - t49 - SF);
-        let t167 = C1_12_IBxz * ST;
-        let C1_21_w = t56 * t167;
-        let t171 = self.mH - t55 * t126;
-        let t176 = t152 + cos_lam * (t47 - self.c * (t55 * t84 - t171));
-        let t178 = C1_12_IBxz * (t176 - t132);
-        let K0_12_w = cos_lam * t171;
-        let K0_22_w = sin_lam * K0_12_w;
-        let t181 = t55 * t113;
-        let t182 = C1_12_IBxz * t181;
-        let K2_22_w = C1_12_IBxz * (t139 - K0_12_w);
-        let t186 = cos_lam * t110;
-        let M_12_c = t186 - t54 * C1_12_IBxz;
-        let t189 = t61 * (t160 - t152);
-        let t190 = self.mH + t125;
-        let t195 = C1_12_IBxz * (t131 + cos_lam * (t122 + self.c * t190));
-        let K0_12_c = cos_lam * t190;
+        let t109 = t4 - t9;
+        let K0_11 = t21 + t109 - t108;
+        let t112 = ST - K0_11;
+        let t115 = t53 + self.w * SF + self.c * t112;
+        let C1_12 = C1_12_IBxz * t115;
+        let t117 = t55 * ST;
+        let t118 = SF + t117;
+        let t120 = t63 + t65;
+        let t123 = self.mF - t54 * (t50 + t120);
+        let t125 = t38 - self.c * t123;
+        let t126 = cos_lam * t125;
+        let t127 = sin_lam * t109;
+        let t128 = t126 - t127;
+        let t130 = t90 + t55 * t128;
+        let C1_22 = cos_lam * t130;
+        let K2_12 = C1_12_IBxz * t112;
+        let t135 = t128 + sin_lam * SF;
+        let K2_22 = C1_12_IBxz * t135;
+        let M_12_w = cos_lam * (t4 + t54 * (t33 - t56));
+        let t141 = self.mH * cos_lam;
+        let t144 = cos_lam * t37 - self.zH * sin_lam;
+        let t145 = t141 * t144;
+        let t146 = t145 + t145;
+        let mu = cos_lam * t55;
+        let t148 = mu + mu;
+        let t149 = self.w * mu;
+        let t150 = self.rF * sin_lam;
+        let t151 = t73 - t150;
+        let t152 = t149 - t151;
+        let t153 = self.mF * t152;
+        let t154 = self.xH * t141;
+        let t155 = t154 - t153;
+        let t158 = t146 + t148 * (t90 + t155);
+        let C1_12_SF = t54 * t115;
+        let C1_12_w = C1_12_IBxz * (t9 + SF - C1_12_SF);
+        let C1_21_w = C1_12_IBxz * t117;
+        let K0_12_w = t141 - t123 * mu;
+        let C1_22_mu = self.c * (C1_12_IBxz * t63 - K0_12_w);
+        let t169 = t89 + t130;
+        let C1_22_w = C1_12_IBxz * (C1_22_mu - t155 - t169);
+        let t174 = t54 * K2_12;
+        let t177 = t54 * (K2_22 + cos_lam * K0_12_w);
+        let t179 = cos_lam * t109;
+        let M_12_c = t53 * C1_12_IBxz + t179;
+        let t182 = t92 - t120 * mu;
+        let t183 = sin_lam + sin_lam;
+        let M_12_rF = t9 * t183;
+        let M_22_c = cos_lam * (t182 + t182 - M_12_rF) - t146;
+        let t189 = C1_12_IBxz * ST;
+        let IAlz = self.mH + t123;
+        let K0_12_c = cos_lam * IAlz;
+        let t197 = C1_12_IBxz * (self.c * K0_12_c + cos_lam * t120 - t88 - t128);
         let K0_22_c = sin_lam * K0_12_c;
-        let t198 = C1_12_IBxz * K0_12_c;
-        let M_12_lam = t18 * cos_lam + sin_lam * t58;
-        let t204 = sin_lam * (sin_lam * t42 - t95);
-        let t207 = sin_lam * t76 - cos_lam * t52;
-        let M_22_lam = t204 + t204 + cos_lam * (t29 + t63 - t145 * t207);
-        let t214 = sin_lam * t163;
-        let C1_21_lam = sin_lam * t120;
-        let K0_12_lam = t186 + sin_lam * t127;
-        let t223 = C1_12_IBxz * (t207 + self.c * K0_12_lam) + sin_lam * (t92 - t133);
-        let K0_22_lam = sin_lam * K0_12_lam + cos_lam * K0_12;
-        let t227 = sin_lam * t181;
-        let K2_22_lam = sin_lam * t139 + C1_12_IBxz * (cos_lam * SF - K0_12_lam);
+        let t199 = C1_12_IBxz * K0_12_c;
+        let M_12_lam = t13 * cos_lam - sin_lam * (t41 + t56);
+        let t206 = sin_lam * t68 - cos_lam * t48;
+        let t211 = cos_lam * (t43 - t55 * t206) - sin_lam * t95;
+        let M_22_lam = t211 + t211;
+        let t213 = sin_lam * C1_12_SF;
+        let C1_21_lam = sin_lam * t118;
+        let K0_12_lam = t179 + sin_lam * t125;
+        let t221 = sin_lam * t169 + mu * K0_12_lam + C1_12_IBxz * t206;
+        let K0_22_lam = sin_lam * K0_12_lam - cos_lam * t128;
+        let t225 = t70 * t112;
+        let K2_22_lam = C1_12_IBxz * (cos_lam * SF - K0_12_lam) - t70 * t135;
         let M_11_rR = t108 + t108;
-        let K2_12_IRyy = C1_12_IBxz * t105;
-        let t235 = t106 * K2_12_IRyy;
-        let t236 = self.mR * C1_12_IBxz;
-        let t238 = self.c * (t235 - t236);
-        let C1_12_IRyy = self.c * K2_12_IRyy;
-        let C1_21_rR = t106 * C1_12_IRyy;
+        let t232 = t105 * t106;
+        let t233 = self.mR - t232;
+        let C1_12_rR = mu * t233;
+        let C1_21_rR = mu * t232;
+        let K2_12_rR = C1_12_IBxz * t233;
+        let C1_12_mR = self.rR * mu;
         let K2_12_mR = self.rR * C1_12_IBxz;
-        let C1_12_mR = self.c * K2_12_mR;
-        let mu = self.c * C1_12_IBxz;
-        let M_22_ITzz = mu * mu;
-        let C1_22_ITzz = C1_12_IBxz * mu;
-        let t247 = t2 * C1_12_IBxz;
-        let t248 = self.c * t247;
-        let t249 = t44 + t44;
-        let M_22_xB = M_22_ITzz * t249;
-        let C1_22_xB = C1_22_ITzz * (t249 + self.mB * self.c);
-        let t254 = self.mB * C1_12_IBxz;
-        let t255 = self.c * t254;
-        let t256 = sin_lam * t255;
-        let K2_22_xB = mu * t254;
-        let M_11_zB = t2 + t2;
-        let ITzz_mF = self.xB * mu;
-        let t260 = self.mB * ITzz_mF;
-        let t261 = self.xB * C1_12_IBxz;
-        let t262 = mu + t261;
-        let t263 = self.mB * t262;
+        let M_22_IRxx = mu * mu;
+        let C1_22_IRxx = C1_12_IBxz * mu;
+        let C1_12_IRyy = t105 * mu;
+        let K2_12_IRyy = C1_12_IBxz * t105;
+        let t244 = self.mB * C1_12_IBxz;
+        let t245 = self.c * t244;
+        let t246 = self.zB * t245;
+        let t247 = self.xB * t245;
+        let M_22_xB = t148 * t247;
+        let t249 = t21 * C1_12_IBxz;
+        let t250 = self.c + self.xB;
+        let t251 = t244 * t250;
+        let C1_22_xB = C1_12_IBxz * (t247 + self.c * t251);
+        let t255 = sin_lam * t245;
+        let K2_22_xB = self.mB * C1_22_IRxx;
+        let M_11_zB = t21 + t21;
         let M_11_mB = self.zB * self.zB;
-        let t265 = self.zB * ITzz_mF;
-        let M_22_mB = ITzz_mF * ITzz_mF;
-        let t267 = self.zB * t262;
-        let C1_22_mB = ITzz_mF * t262;
-        let t269 = sin_lam * ITzz_mF;
-        let t270 = self.zB * C1_12_IBxz;
-        let K2_22_mB = mu * t261;
+        let t259 = self.xB * mu;
+        let t260 = self.zB * t259;
+        let M_22_mB = t259 * t259;
+        let t262 = self.zB * C1_12_IBxz;
+        let t263 = t250 * t262;
+        let K2_22_mB = self.xB * C1_22_IRxx;
+        let C1_22_mB = t250 * K2_22_mB;
+        let t266 = sin_lam * t259;
         let M_12_IHxz = cos_lam + mu;
-        let t273 = self.mH * M_12_IHxz;
-        let t274 = self.zH * t273;
-        let t275 = t160 * mu;
-        let M_22_xH = t161 + t275 + t275;
-        let t278 = t55 * t141;
-        let t279 = self.xH + self.c;
-        let C1_22_IHzz = C1_12_IBxz * M_12_IHxz;
-        let K2_22_mH = C1_12_IBxz * t159;
-        let C1_22_xH = self.mH * (t279 * C1_22_IHzz + K2_22_mH);
+        let t268 = t4 * M_12_IHxz;
+        let t270 = t144 + self.xH * mu;
+        let t271 = self.mH * t270;
+        let t272 = t154 + t271;
+        let M_22_xH = t146 + t148 * t272;
+        let t275 = t4 * C1_12_IBxz;
+        let t276 = self.c + self.xH;
+        let C1_22_xH = C1_12_IBxz * (t272 + self.mH * (t73 + mu * t276));
+        let t282 = self.mH * M_12_IHxz;
+        let t283 = sin_lam * t282;
+        let t284 = t54 * t141;
+        let K2_22_xH = M_12_IHxz * t284;
+        let M_11_zH = t4 + t4;
+        let M_12_zH = t4 * sin_lam - t271;
+        let t289 = t183 * t271;
+        let t290 = t276 * t284;
+        let t291 = sin_lam * t290;
         let K0_12_zH = self.mH * sin_lam;
-        let t286 = M_12_IHxz * K0_12_zH;
-        let K2_22_xH = self.mH * C1_22_IHzz;
-        let M_11_zH = t109 + t109;
-        let M_12_zH = sin_lam * t109 - t160;
-        let t292 = sin_lam * t159;
-        let t293 = (self.mH + self.mH) * t292;
-        let t294 = self.mH * C1_12_IBxz;
-        let t295 = t279 * t294;
-        let t296 = C1_12_IBxz * K0_12_zH;
-        let t297 = t279 * t296;
         let K0_22_zH = sin_lam * K0_12_zH;
-        let t299 = self.zH * t159;
-        let M_22_mH = t159 * t159;
-        let t301 = self.zH * C1_12_IBxz;
-        let t302 = t279 * t301;
-        let C1_22_mH = t279 * K2_22_mH;
+        let t294 = t70 * t141;
+        let M_11_mH = self.zH * self.zH;
+        let t296 = self.zH * t270;
+        let M_22_mH = t270 * t270;
+        let t298 = self.zH * C1_12_IBxz;
+        let t299 = t276 * t298;
+        let K2_22_mH = C1_12_IBxz * t270;
+        let C1_22_mH = t276 * K2_22_mH;
+        let t302 = sin_lam * t270;
         let M_22_IHxx = sin_lam * sin_lam;
         let M_22_IHzz = M_12_IHxz * M_12_IHxz;
-        let M_22_IHxz = sin_lam * (M_12_IHxz + M_12_IHxz);
-        let K2_22_SF = sin_lam * C1_12_IBxz;
-        let M_11_rF = t49 + t49;
-        let M_12_rF = self.mF * (t149 - K0_12_mF);
-        let t313 = sin_lam * (t151 + t151);
-        let t314 = t102 * SF;
-        let t315 = self.mF - t314;
-        let t316 = t146 + mu;
-        let C1_12_rF = t315 * t316;
-        let C1_21_rF = M_12_IHxz * t314;
-        let t319 = self.mF * sin_lam;
-        let C1_22_rF = t316 * t319;
-        let t321 = self.mF * M_22_IHxx;
-        let K2_12_rF = C1_12_IBxz * t315;
-        let K2_22_rF = sin_lam * K2_12_rF;
-        let t324 = self.rF * K0_12_mF;
-        let M_22_mF = K0_12_mF * K0_12_mF;
+        let C1_22_IHzz = C1_12_IBxz * M_12_IHxz;
+        let M_22_IHxz = t183 * M_12_IHxz;
+        let K2_22_SF = cos_lam * t70;
+        let M_11_rF = t9 + t9;
+        let M_22_rF = t153 * t183;
+        let t310 = t36 * C1_12_IBxz;
+        let t312 = self.mF - t101 * SF;
+        let C1_12_rF = t310 * t312;
+        let t314 = t101 * M_12_IHxz;
+        let C1_21_rF = SF * t314;
+        let t316 = self.mF * sin_lam;
+        let C1_22_rF = t310 * t316;
+        let t318 = sin_lam * t316;
+        let K2_12_rF = C1_12_IBxz * t312;
+        let K2_22_rF = K2_22_SF * t312;
+        let M_11_mF = self.rF * self.rF;
+        let M_12_mF = self.rF * t150;
+        let M_22_mF = t152 * t152;
+        let C1_12_mF = self.rF * t310;
+        let K2_22_mF = C1_12_IBxz * t152;
+        let C1_22_mF = t36 * K2_22_mF;
+        let t327 = sin_lam * t152;
         let K2_12_mF = self.rF * C1_12_IBxz;
-        let C1_12_mF = t34 * K2_12_mF;
-        let t328 = K0_12_mF * t316;
-        let K0_22_mF = sin_lam * K0_12_mF;
-        let t330 = C1_12_IBxz * K0_12_mF;
         let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let K2_12_IFyy = C1_12_IBxz * t102;
-        let C1_12_IFyy = t34 * K2_12_IFyy;
-        let t334 = t102 * M_12_IHxz;
-        let K2_22_IFyy = sin_lam * K2_12_IFyy;
-        let C1_21 = -(cos_lam * t120);
-        let C1_22 = -(cos_lam * t133);
-        let K0_11 = t111 - t108;
-        let K2_22 = -(cos_lam * t139);
-        let K2_12_rR = t236 - t235;
-        let K0_12_mH = t158 - t157;
+        let C1_12_IFyy = t101 * t310;
+        let K2_12_IFyy = C1_12_IBxz * t101;
+        let K2_22_IFyy = t101 * K2_22_SF;
+        let C1_21 = -(cos_lam * t118);
+        let K0_12 = t127 - t126;
+        let K0_22 = -(sin_lam * t128);
+        let t336 = -(sin_lam * K0_12_w);
+        let K0_12_mF = t151 - t149;
         (
             WhippleMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
@@ -483,20 +483,20 @@ impl<T: Number> Whipple<T> {
             ]),
             WhippleDerivatives {
                 values: [
-                    M_12_w, t162, t166, C1_21_w, t178, K0_12_w, K0_22_w, t182, K2_22_w, M_12_c,
-                    t189, K2_12, t167, t195, K0_12_c, K0_22_c, t198, M_12_lam, M_22_lam, t214,
-                    C1_21_lam, t223, K0_12_lam, K0_22_lam, t227, K2_22_lam, M_11_rR, t238, C1_21_rR,
-                    self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR, self.w.like(1.0),
-                    M_22_ITzz, C1_22_ITzz, C1_12_IRyy, K2_12_IRyy, t248, M_22_xB, t247, C1_22_xB,
-                    t255, t256, K2_22_xB, M_11_zB, t260, t263, self.mB, t254, M_11_mB, t265,
-                    M_22_mB, t267, C1_22_mB, self.zB, ITzz_mF, t269, t270, K2_22_mB, mu, C1_12_IBxz,
-                    t274, M_22_xH, t278, C1_22_xH, t273, t286, K2_22_xH, M_11_zH, M_12_zH, t293,
-                    t295, t297, self.mH, K0_12_zH, K0_22_zH, t294, t296, M_11_mH, t299, M_22_mH,
-                    t302, C1_22_mH, self.zH, K0_12_mH, t292, t301, K2_22_mH, sin_lam, M_22_IHxx,
-                    M_22_IHzz, C1_22_IHzz, M_12_IHxz, M_22_IHxz, K2_22_SF, M_11_rF, M_12_rF, t313,
-                    C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t319, t321, K2_12_rF, K2_22_rF, M_11_mF,
-                    t324, M_22_mF, C1_12_mF, t328, self.rF, K0_12_mF, K0_22_mF, K2_12_mF, t330,
-                    M_22_IFxx, C1_12_IFyy, t334, K2_12_IFyy, K2_22_IFyy,
+                    M_12_w, t158, C1_12_w, C1_21_w, C1_22_w, K0_12_w, t336, t174, t177, M_12_c,
+                    M_22_c, K2_12, t189, t197, K0_12_c, K0_22_c, t199, M_12_lam, M_22_lam, t213,
+                    C1_21_lam, t221, K0_12_lam, K0_22_lam, t225, K2_22_lam, M_11_rR, C1_12_rR,
+                    C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
+                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t246, M_22_xB,
+                    t249, C1_22_xB, t245, t255, K2_22_xB, M_11_zB, t247, t251, self.mB, t244,
+                    M_11_mB, t260, M_22_mB, t263, C1_22_mB, self.zB, t259, t266, t262, K2_22_mB, mu,
+                    C1_12_IBxz, t268, M_22_xH, t275, C1_22_xH, t282, t283, K2_22_xH, M_11_zH,
+                    M_12_zH, t289, t290, t291, self.mH, K0_12_zH, K0_22_zH, t284, t294, M_11_mH,
+                    t296, M_22_mH, t299, C1_22_mH, self.zH, t270, t302, t298, K2_22_mH, sin_lam,
+                    M_22_IHxx, M_22_IHzz, C1_22_IHzz, M_12_IHxz, M_22_IHxz, K2_22_SF, M_11_rF,
+                    M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t316, t318, K2_12_rF,
+                    K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF, C1_22_mF, self.rF, K0_12_mF,
+                    t327, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy, t314, K2_12_IFyy, K2_22_IFyy,
                 ],
             },
         )
@@ -985,16 +985,14 @@ impl WhippleDerivatives {
     pub const PARTIALS: &'static [Partial; 158] = &[
         Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
         Partial::new(MatrixName::M, 1, 1, 0, 1).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 0, 2).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 0, 3),
-        Partial::new(MatrixName::C1, 1, 1, 0, 4).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
-        Partial::new(MatrixName::K0, 1, 1, 0, 6),
+        Partial::new(MatrixName::C1, 0, 1, 0, 2), Partial::new(MatrixName::C1, 1, 0, 0, 3),
+        Partial::new(MatrixName::C1, 1, 1, 0, 4), Partial::new(MatrixName::K0, 0, 1, 0, 5),
+        Partial::new(MatrixName::K0, 1, 0, 0, 5),
+        Partial::new(MatrixName::K0, 1, 1, 0, 6).negative(),
         Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 0, 8), Partial::new(MatrixName::M, 0, 1, 1, 9),
-        Partial::new(MatrixName::M, 1, 0, 1, 9),
-        Partial::new(MatrixName::M, 1, 1, 1, 10).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 1, 11),
+        Partial::new(MatrixName::K2, 1, 1, 0, 8).negative(),
+        Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
+        Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
         Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
         Partial::new(MatrixName::C1, 1, 1, 1, 13).negative(),
         Partial::new(MatrixName::K0, 0, 1, 1, 14),
@@ -1011,10 +1009,8 @@ impl WhippleDerivatives {
         Partial::new(MatrixName::K0, 1, 0, 2, 22),
         Partial::new(MatrixName::K0, 1, 1, 2, 23),
         Partial::new(MatrixName::K2, 0, 1, 2, 24).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 2, 25),
-        Partial::new(MatrixName::M, 0, 0, 4, 26),
-        Partial::new(MatrixName::C1, 0, 1, 4, 27).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 4, 28),
+        Partial::new(MatrixName::K2, 1, 1, 2, 25), Partial::new(MatrixName::M, 0, 0, 4, 26),
+        Partial::new(MatrixName::C1, 0, 1, 4, 27), Partial::new(MatrixName::C1, 1, 0, 4, 28),
         Partial::new(MatrixName::K0, 0, 0, 4, 29).negative(),
         Partial::new(MatrixName::K2, 0, 1, 4, 30),
         Partial::new(MatrixName::M, 0, 0, 5, 31),
@@ -1076,8 +1072,10 @@ impl WhippleDerivatives {
         Partial::new(MatrixName::M, 1, 0, 17, 82).negative(),
         Partial::new(MatrixName::M, 1, 1, 17, 83),
         Partial::new(MatrixName::C1, 0, 1, 17, 84).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 17, 85), Partial::new(MatrixName::K0, 0, 0, 17, 86),
-        Partial::new(MatrixName::K0, 0, 1, 17, 87), Partial::new(MatrixName::K0, 1, 0, 17, 87),
+        Partial::new(MatrixName::C1, 1, 1, 17, 85),
+        Partial::new(MatrixName::K0, 0, 0, 17, 86),
+        Partial::new(MatrixName::K0, 0, 1, 17, 87).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 17, 87).negative(),
         Partial::new(MatrixName::K0, 1, 1, 17, 88).negative(),
         Partial::new(MatrixName::K2, 0, 1, 17, 89).negative(),
         Partial::new(MatrixName::K2, 1, 1, 17, 90), Partial::new(MatrixName::M, 0, 0, 18, 35),
@@ -1087,27 +1085,22 @@ impl WhippleDerivatives {
         Partial::new(MatrixName::M, 1, 0, 21, 95), Partial::new(MatrixName::M, 1, 1, 21, 96),
         Partial::new(MatrixName::C1, 0, 1, 21, 63), Partial::new(MatrixName::C1, 1, 1, 21, 97),
         Partial::new(MatrixName::M, 0, 0, 22, 98), Partial::new(MatrixName::M, 0, 1, 22, 99),
-        Partial::new(MatrixName::M, 1, 0, 22, 99),
-        Partial::new(MatrixName::M, 1, 1, 22, 100).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 22, 101),
-        Partial::new(MatrixName::C1, 1, 0, 22, 102),
+        Partial::new(MatrixName::M, 1, 0, 22, 99), Partial::new(MatrixName::M, 1, 1, 22, 100),
+        Partial::new(MatrixName::C1, 0, 1, 22, 101), Partial::new(MatrixName::C1, 1, 0, 22, 102),
         Partial::new(MatrixName::C1, 1, 1, 22, 103),
         Partial::new(MatrixName::K0, 0, 0, 22, 104).negative(),
         Partial::new(MatrixName::K0, 0, 1, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 0, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 1, 22, 106).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 107),
-        Partial::new(MatrixName::K2, 1, 1, 22, 108),
-        Partial::new(MatrixName::M, 0, 0, 23, 109),
-        Partial::new(MatrixName::M, 0, 1, 23, 110).negative(),
-        Partial::new(MatrixName::M, 1, 0, 23, 110).negative(),
-        Partial::new(MatrixName::M, 1, 1, 23, 111),
-        Partial::new(MatrixName::C1, 0, 1, 23, 112),
-        Partial::new(MatrixName::C1, 1, 1, 23, 113).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 22, 107), Partial::new(MatrixName::K2, 1, 1, 22, 108),
+        Partial::new(MatrixName::M, 0, 0, 23, 109), Partial::new(MatrixName::M, 0, 1, 23, 110),
+        Partial::new(MatrixName::M, 1, 0, 23, 110), Partial::new(MatrixName::M, 1, 1, 23, 111),
+        Partial::new(MatrixName::C1, 0, 1, 23, 112), Partial::new(MatrixName::C1, 1, 1, 23, 113),
         Partial::new(MatrixName::K0, 0, 0, 23, 114).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 23, 115), Partial::new(MatrixName::K0, 1, 0, 23, 115),
-        Partial::new(MatrixName::K0, 1, 1, 23, 116), Partial::new(MatrixName::K2, 0, 1, 23, 117),
-        Partial::new(MatrixName::K2, 1, 1, 23, 118).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 23, 115),
+        Partial::new(MatrixName::K0, 1, 0, 23, 115),
+        Partial::new(MatrixName::K0, 1, 1, 23, 116).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 23, 117), Partial::new(MatrixName::K2, 1, 1, 23, 118),
         Partial::new(MatrixName::M, 0, 0, 24, 35), Partial::new(MatrixName::M, 0, 1, 24, 91),
         Partial::new(MatrixName::M, 1, 0, 24, 91), Partial::new(MatrixName::M, 1, 1, 24, 119),
         Partial::new(MatrixName::C1, 1, 1, 24, 94), Partial::new(MatrixName::C1, 0, 1, 25, 120),

@@ -266,74 +266,74 @@ pub struct WhippleLeaningMatrices<T = f64> {
 
 impl<T: Number> WhippleLeaning<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 58 additions, 59 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 126 operations.
+    /// 54 additions, 55 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 116 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleLeaningMatrices<T> {
-        let t6 = self.rF * self.mF;
-        let t12 = self.zH * self.mH;
-        let Sx_all = self.IHxx + self.zH * t12;
-        let Jxx_delta = self.rF * t6 + (self.IFxx + Sx_all);
-        let t21 = self.zB * self.mB;
-        let t25 = self.rR * self.mR;
-        let t29 = self.zU * self.mU;
-        let M_11 = self.IRxx + self.IBxx + (self.IUxx + Jxx_delta)
-            + (self.zB * t21 + (self.rR * t25 + self.zU * t29));
-        let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t41 = self.c + self.w;
-        let t42 = self.xH - t41;
-        let t43 = self.mH * t42;
-        let t45 = self.mF * self.c;
-        let t48 = self.IHxz - (self.zH * t43 + self.rF * t45);
-        let hx_delta = Jxx_delta * sin_lam + t48 * cos_lam;
+        let t2 = self.zH * self.mH;
+        let t6 = self.zU * self.mU;
+        let t11 = self.zB * self.mB;
+        let t22 = self.rR * self.mR;
+        let t27 = self.rF * self.mF;
+        let t31 = self.IFxx + (self.rF * t27 + self.IHxx);
+        let M_11 = self.zH * t2 + (self.zU * t6 + (self.IBxx + self.zB * t11))
+            + (self.IRxx + self.IUxx) + (self.rR * t22 + t31);
+        let (wx_delta2_delta, cos_lam) = self.lam.sin_cos();
         let yaw_per_v_delta = cos_lam / self.w;
         let yaw_by_delta = self.c * yaw_per_v_delta;
-        let Sz_delta = t12 - t6;
-        let Sx_theta = self.mU * self.xU;
-        let t67 = self.IBxz - (t21 * self.xB + t41 * Sz_delta - (t48 + self.IUxz))
-            - self.zU * Sx_theta;
-        let M_12 = hx_delta + yaw_by_delta * t67;
-        let t71 = self.zU - self.zP;
-        let M_phi_theta = self.IUxx + t29 * t71;
-        let t76 = self.IFxx + self.IHzz;
-        let t83 = cos_lam * (t76 + (self.c * t45 + t42 * t43)) + sin_lam * t48;
-        let Jxz_theta = cos_lam * t83;
-        let t88 = sin_lam * Sz_delta - cos_lam * (t43 - t45);
-        let t90 = t83 - t41 * t88;
-        let t91 = self.mF * self.w;
-        let t96 = self.mB * self.xB;
-        let t101 = self.mH * self.xH;
-        let t108 = (t91 * self.w + (self.IUzz + t76) + self.xB * t96
-            + (self.IRxx + self.xU * Sx_theta + (self.xH * t101 + self.IBzz)))
-            * yaw_by_delta + t90;
-        let M_22 = sin_lam * hx_delta + (Jxz_theta + yaw_by_delta * (t90 + t108));
-        let t115 = (self.IUxz - Sx_theta * t71) * yaw_per_v_delta;
-        let P_delta_theta = t115 * self.c;
-        let Sz_theta = self.mU * t71;
-        let Jxx_theta = self.IUxx + Sz_theta * t71;
+        let t41 = self.mB * self.xB;
+        let t49 = self.zB * t41 - (self.IBxz + self.IUxz - t6 * self.xU);
+        let wz_delta2_delta = cos_lam + yaw_by_delta;
+        let t57 = self.c + self.w;
+        let t59 = self.zH * wx_delta2_delta - self.xH * wz_delta2_delta + cos_lam * t57;
+        let t64 = self.IHxz * wz_delta2_delta;
+        let t65 = wx_delta2_delta * t31 + t64;
+        let M_12 = t2 * t59 - yaw_by_delta * t49 + t65;
+        let t68 = self.zU - self.zP;
+        let K0_13 = self.mU * t68;
+        let ay_delta2_delta = self.zU * K0_13;
+        let M_13 = self.IUxx + ay_delta2_delta;
+        let t72 = self.mH * t59;
+        let t78 = wz_delta2_delta * (self.IFxx + self.IHzz);
+        let t81 = self.mU * self.xU;
+        let t90 = (self.xU * t81 + self.IBzz + self.xB * t41 + (self.IRxx + self.IUzz))
+            * yaw_by_delta;
+        let M_22 = t59 * t72
+            + (wx_delta2_delta * (t64 + t65) + wz_delta2_delta * t78
+                + yaw_by_delta * t90);
+        let t96 = yaw_per_v_delta * (self.IUxz - self.xU * K0_13);
+        let M_23 = self.c * t96;
+        let M_33 = self.IUxx + K0_13 * t68;
         let zero = self.w.like(0.0);
+        let t105 = self.IHxz + t27 * t57;
         let h_spin_F = self.IFyy / self.rF;
         let h_wheels_all = h_spin_F + self.IRyy / self.rR;
-        let K0_11 = t21 + t29 - (t25 - Sz_delta);
-        let t130 = h_wheels_all - K0_11;
-        let t134 = cos_lam * h_spin_F;
-        let C1_12 = yaw_by_delta * t130 + yaw_per_v_delta * t67 + t134;
-        let K0_12 = t88 - yaw_by_delta * (t96 + (t91 + (Sx_theta + t101)));
-        let K0_22 = sin_lam * K0_12;
-        let K2_12 = yaw_per_v_delta * t130;
-        let C1_21 = -(yaw_by_delta * h_wheels_all + t134);
-        let C1_22 = -(yaw_per_v_delta * (self.c * K0_12 - t108));
-        let C1_32 = t115 - Sz_theta * yaw_by_delta;
-        let K2_22 = -(yaw_per_v_delta * (K0_12 - sin_lam * h_spin_F));
-        let K2_32 = -(Sz_theta * yaw_per_v_delta);
+        let t113 = t11 + t6 - (t22 - t2);
+        let t114 = h_wheels_all - t113;
+        let t119 = cos_lam * h_spin_F;
+        let vy_all1_delta = yaw_by_delta * (t41 + t81);
+        let t125 = t72 - vy_all1_delta;
+        let ay_spin_F5_delta = wx_delta2_delta * t105;
+        let vy_theta3_delta = t90 + (ay_spin_F5_delta - self.c * t125 - self.xH * t72);
+        let C1_22 = yaw_per_v_delta * (vy_theta3_delta + t78);
+        let C1_32 = t96 - yaw_by_delta * K0_13;
+        let K0_11 = t113 - t27;
+        let K0_12 = t125 - t27 * wx_delta2_delta;
+        let K0_22 = wx_delta2_delta * K0_12;
+        let K2_12 = yaw_per_v_delta * (t27 + t114);
+        let K2_22 = yaw_per_v_delta * (wx_delta2_delta * h_spin_F - K0_12);
+        let C1_12 = t119
+            - yaw_per_v_delta * (t2 * self.xH + t49 - (t105 + self.c * t114));
+        let C1_21 = -(yaw_by_delta * h_wheels_all + t119);
+        let K2_32 = -(yaw_per_v_delta * K0_13);
         WhippleLeaningMatrices::from_entries([
-            M_11, M_12, M_phi_theta, M_12, M_22, P_delta_theta, M_phi_theta, P_delta_theta,
-            Jxx_theta, zero, zero, zero, zero, zero, zero, zero, zero, self.dU, zero, C1_12, zero,
-            C1_21, C1_22, zero, zero, C1_32, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-            self.kU, K0_11, K0_12, Sz_theta, K0_12, K0_22, zero, Sz_theta, zero, Sz_theta, zero,
-            K2_12, zero, zero, K2_22, zero, zero, K2_32, zero,
+            M_11, M_12, M_13, M_12, M_22, M_23, M_13, M_23, M_33, zero, zero, zero, zero, zero,
+            zero, zero, zero, self.dU, zero, C1_12, zero, C1_21, C1_22, zero, zero, C1_32, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, self.kU, K0_11, K0_12, K0_13, K0_12,
+            K0_22, zero, K0_13, zero, K0_13, zero, K2_12, zero, zero, K2_22, zero, zero, K2_32,
+            zero,
         ])
     }
 }
@@ -6930,336 +6930,288 @@ pub struct WhippleLeaningDerivatives<T = f64> {
 
 impl<T: Number> WhippleLeaning<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 146 additions, 247 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 402 operations.
+    /// 116 additions, 225 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 351 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleLeaningMatrices<T>, WhippleLeaningDerivatives<T>) {
-        let (
-            Sx_all_mH, t9, Jxx_delta, t18, t22, M_11_mB, M_11, sin_lam, cos_lam, t39, t43, t44, t45,
-            t48, t50, hx_delta, t52, yaw_per_v_delta, yaw_by_delta, t55, Sz_delta, t60, t65, t69,
-            M_12, K0_13_mU, Sz_theta, M_phi_theta, t78, t81, t84, t86, t88, t91, t93, t94, Sx_theta,
-            t98, t102, t109, t111, t112, t113, M_22, t119, M_23_c, P_delta_theta, M_33_mU, M_33,
-            zero, t128, h_spin_F, t131, t132, h_wheels_all, t134, M_22_yaw_by_delta, t138, t141,
-            t142, C1_12, t144, t145, t146, t150, t152, t154, C1_22, t156, t157, C1_32, K2_12, t162,
-            t163, K2_22, K2_32_zP, t166, C1_12_h_spin_F, t168, t169, t170, M_12_w, t175, t177, t178,
-            t179, t180, t183, t184, t187, t188, t190, t191, M_22_w, t195, C1_12_w, C1_21_w, t199,
-            t201, K0_12_w, t207, t208, t210, C1_22_w, t215, K0_22_w, t217, t220, K2_32_w, t222,
-            t223, t225, t227, M_22_c, t233, t235, hx_delta_mH, C1_22_c, K0_12_c, K0_22_c, t245,
-            t246, t247, hx_delta_lam, M_12_lam, t257, t261, t263, M_22_lam, t267, t268, C1_21_lam,
-            K0_12_lam, t277, C1_22_yaw_by_delta, C1_32_lam, K0_22_lam, t284, K2_22_lam, K2_32_lam,
-            M_11_rR, t291, K2_12_rR, C1_12_rR, C1_21_rR, M_11_mR, C1_12_mR, K2_12_mR, C1_22_IRxx,
-            M_22_IRxx, K2_12_IRyy, C1_12_IRyy, t304, t305, M_22_xB, t307, t308, K2_22_xB, t310,
-            C1_22_xB, t313, t314, M_11_zB, t316, t317, t318, M_22_mB, t320, t321, K2_22_mB,
-            C1_22_mB, t324, t326, M_22_xH, t329, t330, t331, C1_22_xH, K0_12_zH, t337, C1_22_IHzz,
-            K2_22_xH, Sx_all_zH, t341, t342, M_12_zH, t346, t348, t349, t350, t351, t352, t353,
-            M_22_IHxx, K0_22_zH, t356, M_22_mH, t360, K2_22_mH, C1_22_mH, t363, M_22_IHzz,
-            M_22_IHxz, K2_22_h_spin_F, Jxx_delta_rF, t370, K0_12_mF, t373, t375, t377, t378, t379,
-            C1_12_IFyy, C1_21_rF, C1_12_rF, C1_22_rF, t384, t386, K2_12_rF, K2_22_rF, Jxx_delta_mF,
-            t390, M_22_mF, K2_12_mF, C1_12_mF, t396, t397, K0_22_mF, M_22_IFxx, K2_12_IFyy,
-            K2_22_IFyy, t402, M_23_zP, M_33_zU, t405, C1_32_zP, M_11_mU, t408, M_13_mU, M_22_mU,
-            t411, t412, t413, t414, K2_22_mU, C1_22_mU, t417, t418, t419, t420, t421,
-        );
-        Sx_all_mH = self.zH * self.zH;
-        t9 = self.rF * self.mF;
-        Jxx_delta = self.IHxx + self.IFxx + self.mH * Sx_all_mH + self.rF * t9;
-        t18 = self.zU * self.mU;
-        t22 = self.rR * self.mR;
-        M_11_mB = self.zB * self.zB;
-        M_11 = self.IRxx + Jxx_delta + self.IBxx + self.IUxx + self.zU * t18
-            + self.rR * t22 + self.mB * M_11_mB;
-        (sin_lam, cos_lam) = self.lam.sin_cos();
-        t39 = self.mF * self.c;
-        t43 = self.c + self.w;
-        t44 = self.xH - t43;
-        t45 = self.mH * t44;
-        t48 = self.IHxz - self.rF * t39 - self.zH * t45;
-        t50 = t48 * cos_lam;
-        hx_delta = Jxx_delta * sin_lam + t50;
-        t52 = self.w.like(1.0) / self.w;
-        yaw_per_v_delta = cos_lam * t52;
-        yaw_by_delta = self.c * yaw_per_v_delta;
-        t55 = self.mH * self.zH;
-        Sz_delta = t55 - t9;
-        t60 = self.mB * self.xB;
-        t65 = self.IUxz - t18 * self.xU;
-        t69 = t43 * Sz_delta + self.zB * t60 - t48 - self.IBxz - t65;
-        M_12 = hx_delta - yaw_by_delta * t69;
-        K0_13_mU = self.zU - self.zP;
-        Sz_theta = self.mU * K0_13_mU;
-        M_phi_theta = self.IUxx + self.zU * Sz_theta;
-        t78 = sin_lam * t48;
-        t81 = self.IFxx + self.IHzz;
-        t84 = t44 * t45 + t81 + self.c * t39;
-        t86 = t78 + cos_lam * t84;
-        t88 = t45 - t39;
-        t91 = cos_lam * t88 - sin_lam * Sz_delta;
-        t93 = t86 + t43 * t91;
-        t94 = self.c * cos_lam;
-        Sx_theta = self.mU * self.xU;
-        t98 = self.mH * self.xH;
-        t102 = self.mF * self.w;
-        t109 = self.IRxx + t81 + self.xB * t60 + self.xU * Sx_theta + self.xH * t98
-            + self.IUzz + self.IBzz;
-        t111 = t52 * (t109 + self.w * t102);
-        t112 = t94 * t111;
-        t113 = t93 + t112;
-        M_22 = sin_lam * hx_delta + cos_lam * t86 + yaw_by_delta * (t93 + t113);
-        t119 = t65 + self.zP * Sx_theta;
-        M_23_c = yaw_per_v_delta * t119;
-        P_delta_theta = self.c * M_23_c;
-        M_33_mU = K0_13_mU * K0_13_mU;
-        M_33 = self.IUxx + self.mU * M_33_mU;
-        zero = self.w.like(0.0);
-        t128 = self.w.like(1.0) / self.rF;
-        h_spin_F = self.IFyy * t128;
-        t131 = self.w.like(1.0) / self.rR;
-        t132 = self.IRyy * t131;
-        h_wheels_all = h_spin_F + t132;
-        t134 = self.mB * self.zB;
-        M_22_yaw_by_delta = t18 + Sz_delta + t134;
-        t138 = h_wheels_all + (t22 - M_22_yaw_by_delta);
-        t141 = t52 * (t69 - self.c * t138);
-        t142 = h_spin_F - t141;
-        C1_12 = cos_lam * t142;
-        t144 = yaw_per_v_delta * h_wheels_all;
-        t145 = self.c * t144;
-        t146 = cos_lam * h_spin_F;
-        t150 = t60 + Sx_theta + t98 + t102;
-        t152 = t91 + yaw_by_delta * t150;
-        t154 = t113 + self.c * t152;
-        C1_22 = yaw_per_v_delta * t154;
-        t156 = self.mU * yaw_by_delta;
-        t157 = K0_13_mU * t156;
-        C1_32 = M_23_c - t157;
-        K2_12 = yaw_per_v_delta * t138;
-        t162 = sin_lam * h_spin_F;
-        t163 = t152 + t162;
-        K2_22 = yaw_per_v_delta * t163;
-        K2_32_zP = self.mU * yaw_per_v_delta;
-        t166 = K0_13_mU * K2_32_zP;
-        C1_12_h_spin_F = cos_lam + yaw_by_delta;
-        t168 = t55 * C1_12_h_spin_F;
-        t169 = yaw_per_v_delta * t69;
-        t170 = cos_lam * Sz_delta;
-        M_12_w = t168 + self.c * t52 * (t169 - t170);
-        t175 = yaw_by_delta + yaw_by_delta;
-        t177 = cos_lam + t175;
-        t178 = t44 * cos_lam;
-        t179 = self.zH * sin_lam;
-        t180 = t178 - t179;
-        t183 = t43 * t175;
-        t184 = t183 - t179;
-        t187 = self.mH * (t177 * (t178 + t180) + cos_lam * t184);
-        t188 = t91 * t175 - t187;
-        t190 = t113 * (t52 + t52);
-        t191 = t102 * t175;
-        M_22_w = t188 - yaw_by_delta * (t190 - t191);
-        t195 = t52 * P_delta_theta;
-        C1_12_w = yaw_per_v_delta * (t9 + t141);
-        C1_21_w = t52 * t145;
-        t199 = self.mH * cos_lam;
-        t201 = self.mF - t52 * t150;
-        K0_12_w = t199 - yaw_by_delta * t201;
-        t207 = self.mH * (t180 + self.xH * cos_lam);
-        t208 = t91 - t207;
-        t210 = t52 * (t112 + t154);
-        C1_22_w = yaw_per_v_delta * (t191 + t208 - self.c * K0_12_w - t210);
-        t215 = t52 * C1_32;
-        K0_22_w = sin_lam * K0_12_w;
-        t217 = t52 * K2_12;
-        t220 = t52 * (K2_22 + cos_lam * K0_12_w);
-        K2_32_w = t52 * t166;
-        t222 = self.rF * sin_lam;
-        t223 = t94 - t222;
-        t225 = self.mF * (t94 + t223);
-        t227 = t183 + t222;
-        M_22_c = t188 + t177 * t225 + cos_lam * (t190 - self.mF * t227);
-        t233 = self.mH + t201;
-        t235 = self.mF * t43;
-        hx_delta_mH = t152 + t208 + t225 + cos_lam * (t111 - self.c * t233 - t235);
-        C1_22_c = yaw_per_v_delta * hx_delta_mH;
-        K0_12_c = cos_lam * t233;
-        K0_22_c = sin_lam * K0_12_c;
-        t245 = yaw_per_v_delta * K0_12_c;
-        t246 = sin_lam * t52;
-        t247 = self.c * t246;
-        hx_delta_lam = Jxx_delta * cos_lam - t78;
-        M_12_lam = t69 * t247 + hx_delta_lam;
-        t257 = sin_lam * t84 - t50;
-        t261 = t170 + sin_lam * t88;
-        t263 = t257 + t43 * t261;
-        M_22_lam = sin_lam * (hx_delta_lam - t86 - self.c * t190)
-            + cos_lam * (hx_delta - t257) - t175 * t263;
-        t267 = t119 * t247;
-        t268 = sin_lam * t142;
-        C1_21_lam = t162 + h_wheels_all * t247;
-        K0_12_lam = t261 + t150 * t247;
-        t277 = sin_lam * t210 + yaw_per_v_delta * (t263 + self.c * K0_12_lam);
-        C1_22_yaw_by_delta = t119 * t246;
-        C1_32_lam = Sz_theta * t247 - C1_22_yaw_by_delta;
-        K0_22_lam = sin_lam * K0_12_lam - cos_lam * t152;
-        t284 = t138 * t246;
-        K2_22_lam = yaw_per_v_delta * (t146 - K0_12_lam) - t163 * t246;
-        K2_32_lam = Sz_theta * t246;
-        M_11_rR = t22 + t22;
-        t291 = t131 * t132;
-        K2_12_rR = yaw_per_v_delta * (self.mR - t291);
-        C1_12_rR = self.c * K2_12_rR;
-        C1_21_rR = yaw_by_delta * t291;
-        M_11_mR = self.rR * self.rR;
-        C1_12_mR = self.rR * yaw_by_delta;
-        K2_12_mR = self.rR * yaw_per_v_delta;
-        C1_22_IRxx = yaw_per_v_delta * yaw_by_delta;
-        M_22_IRxx = self.c * C1_22_IRxx;
-        K2_12_IRyy = yaw_per_v_delta * t131;
-        C1_12_IRyy = self.c * K2_12_IRyy;
-        t304 = yaw_by_delta * t134;
-        t305 = yaw_by_delta * t60;
-        M_22_xB = t175 * t305;
-        t307 = self.mB * yaw_per_v_delta;
-        t308 = self.zB * t307;
-        K2_22_xB = yaw_by_delta * t307;
-        t310 = self.c + self.xB;
-        C1_22_xB = K2_22_xB * (self.xB + t310);
-        t313 = self.c * t307;
-        t314 = sin_lam * t313;
-        M_11_zB = t134 + t134;
-        t316 = t307 * t310;
-        t317 = yaw_by_delta * self.xB;
-        t318 = self.zB * t317;
-        M_22_mB = t317 * t317;
-        t320 = self.zB * yaw_per_v_delta;
-        t321 = t310 * t320;
-        K2_22_mB = yaw_per_v_delta * t317;
-        C1_22_mB = t310 * K2_22_mB;
-        t324 = sin_lam * t317;
-        t326 = t98 * (C1_22_IRxx + C1_22_IRxx);
-        M_22_xH = t187 + self.c * t326;
-        t329 = self.zH * yaw_per_v_delta;
-        t330 = self.mH * t329;
-        t331 = self.mH * C1_12_h_spin_F;
-        C1_22_xH = t326 + yaw_per_v_delta * (t207 + self.c * t331);
-        K0_12_zH = self.mH * sin_lam;
-        t337 = C1_12_h_spin_F * K0_12_zH;
-        C1_22_IHzz = yaw_per_v_delta * C1_12_h_spin_F;
-        K2_22_xH = self.mH * C1_22_IHzz;
-        Sx_all_zH = t55 + t55;
-        t341 = self.xH * yaw_by_delta;
-        t342 = t180 + t341;
-        M_12_zH = self.mH * (t179 - t342);
-        t346 = t184 + t44 * t177;
-        t348 = K0_12_zH * (t180 + t346);
-        t349 = t52 * t199;
-        t350 = self.c + self.xH;
-        t351 = t349 * t350;
-        t352 = t199 * t246;
-        t353 = t350 * t352;
-        M_22_IHxx = sin_lam * sin_lam;
-        K0_22_zH = self.mH * M_22_IHxx;
-        t356 = self.zH * t342;
-        M_22_mH = t180 * t346 + t341 * t341;
-        t360 = t329 * t350;
-        K2_22_mH = yaw_per_v_delta * t342;
-        C1_22_mH = t350 * K2_22_mH;
-        t363 = sin_lam * t342;
-        M_22_IHzz = M_22_IRxx + cos_lam * t177;
-        M_22_IHxz = sin_lam * (cos_lam + t177);
-        K2_22_h_spin_F = cos_lam * t246;
-        Jxx_delta_rF = t9 + t9;
-        t370 = self.w * yaw_by_delta;
-        K0_12_mF = t223 - t370;
-        t373 = self.mF * (K0_12_mF - t222);
-        t375 = self.c * t177 - t227;
-        t377 = self.mF * sin_lam;
-        t378 = (t223 + t375) * t377;
-        t379 = yaw_per_v_delta * t235;
-        C1_12_IFyy = t128 * C1_12_h_spin_F;
-        C1_21_rF = h_spin_F * C1_12_IFyy;
-        C1_12_rF = t379 - C1_21_rF;
-        C1_22_rF = sin_lam * t379;
-        t384 = sin_lam * t377;
-        t386 = self.mF - t128 * h_spin_F;
-        K2_12_rF = yaw_per_v_delta * t386;
-        K2_22_rF = K2_22_h_spin_F * t386;
-        Jxx_delta_mF = self.rF * self.rF;
-        t390 = self.rF * K0_12_mF;
-        M_22_mF = t223 * t375 + t370 * t370;
-        K2_12_mF = self.rF * yaw_per_v_delta;
-        C1_12_mF = t43 * K2_12_mF;
-        t396 = yaw_per_v_delta * K0_12_mF;
-        t397 = t43 * t396;
-        K0_22_mF = sin_lam * K0_12_mF;
-        M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        K2_12_IFyy = yaw_per_v_delta * t128;
-        K2_22_IFyy = sin_lam * K2_12_IFyy;
-        t402 = yaw_by_delta * self.xU;
-        M_23_zP = self.mU * t402;
-        M_33_zU = Sz_theta + Sz_theta;
-        t405 = self.xU * K2_32_zP;
-        C1_32_zP = t156 + t405;
-        M_11_mU = self.zU * self.zU;
-        t408 = self.zU * t402;
-        M_13_mU = self.zU * K0_13_mU;
-        M_22_mU = t402 * t402;
-        t411 = K0_13_mU * t402;
-        t412 = self.c + self.xU;
-        t413 = self.zU * yaw_per_v_delta;
-        t414 = t412 * t413;
-        K2_22_mU = yaw_per_v_delta * t402;
-        C1_22_mU = t412 * K2_22_mU;
-        t417 = yaw_per_v_delta * K0_13_mU;
-        t418 = t412 * t417;
-        t419 = sin_lam * t402;
-        t420 = self.mU * t413;
-        t421 = self.c * t420;
-        let (
-            t422, M_22_xU, C1_22_xU, t426, K2_22_xU, M_11_zU, M_13_zU, C1_21, K0_11, K0_12, K0_22,
-            K2_32, M_12_c,
-        );
-        t422 = t175 * t405;
-        M_22_xU = self.c * t422;
-        C1_22_xU = t422 + self.mU * M_22_IRxx;
-        t426 = sin_lam * t156;
-        K2_22_xU = yaw_by_delta * K2_32_zP;
-        M_11_zU = t18 + t18;
-        M_13_zU = t18 + Sz_theta;
-        C1_21 = -(t145 + t146);
-        K0_11 = M_22_yaw_by_delta - t22;
-        K0_12 = -t152;
-        K0_22 = -(sin_lam * t152);
-        K2_32 = -t166;
-        M_12_c = t170 - t169;
+        let t4 = self.zU * self.mU;
+        let M_11_mB = self.zB * self.zB;
+        let t14 = self.rF * self.mF;
+        let t17 = self.IHxx + self.IFxx + self.rF * t14;
+        let t21 = self.rR * self.mR;
+        let t25 = self.zH * self.mH;
+        let t32 = self.IRxx + self.IUxx + self.zU * t4 + self.mB * M_11_mB + t17
+            + self.IBxx + self.rR * t21;
+        let M_11 = t32 + self.zH * t25;
+        let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
+        let t39 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = wx_delta2_delta_lam * t39;
+        let yaw_by_delta = self.c * yaw_per_v_delta;
+        let wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
+        let t46 = self.IHxz * wz_delta2_delta + t17 * wx_delta2_delta;
+        let t50 = self.mB * self.xB;
+        let t56 = self.IBxz + self.IUxz - self.zB * t50 - t4 * self.xU;
+        let t59 = self.c * t39;
+        let t61 = self.c + self.w;
+        let t62 = self.xH - t61;
+        let t64 = wx_delta2_delta_lam * (self.xH * t59 + t62);
+        let t65 = self.zH * wx_delta2_delta;
+        let t66 = t64 - t65;
+        let t67 = self.mH * t66;
+        let M_12 = t46 + yaw_by_delta * t56 - self.zH * t67;
+        let K0_13_mU = self.zU - self.zP;
+        let K0_13 = self.mU * K0_13_mU;
+        let M_23_yaw_per_v_delta = self.zU * K0_13;
+        let M_13 = self.IUxx + M_23_yaw_per_v_delta;
+        let t76 = self.IHxz * wx_delta2_delta;
+        let t78 = self.IFxx + self.IHzz;
+        let t80 = t76 + wz_delta2_delta * t78;
+        let t84 = self.mU * self.xU;
+        let t89 = self.IRxx + self.xB * t50 + self.IUzz + self.IBzz + self.xU * t84;
+        let t91 = t80 + yaw_by_delta * t89;
+        let M_12_yaw_per_v_delta = wx_delta2_delta_lam * (t80 + t59 * t91);
+        let M_22 = M_12_yaw_per_v_delta + wx_delta2_delta * t46 + t66 * t67;
+        let t100 = self.IUxz - self.xU * K0_13;
+        let M_23 = yaw_by_delta * t100;
+        let M_33_mU = K0_13_mU * K0_13_mU;
+        let M_33 = self.IUxx + self.mU * M_33_mU;
+        let zero = self.w.like(0.0);
+        let t108 = self.w.like(1.0) / self.rF;
+        let h_spin_F = self.IFyy * t108;
+        let t110 = wx_delta2_delta_lam * h_spin_F;
+        let t111 = t14 * self.w;
+        let t114 = t25 * self.xH - self.IHxz - t56;
+        let t116 = self.w.like(1.0) / self.rR;
+        let t117 = self.IRyy * t116;
+        let h_wheels_all = h_spin_F + t117;
+        let t119 = self.mB * self.zB;
+        let K0_11 = t4 + t25 + t119 - t14 - t21;
+        let K2_12_yaw_per_v_delta = h_wheels_all - K0_11;
+        let t127 = t111 + self.c * K2_12_yaw_per_v_delta - t114;
+        let t128 = yaw_per_v_delta * t127;
+        let C1_12 = t110 + t128;
+        let t130 = yaw_per_v_delta * h_wheels_all;
+        let t133 = self.mH * self.xH;
+        let t135 = t91 + t66 * t133;
+        let t136 = t39 * t135;
+        let t137 = t39 * wx_delta2_delta;
+        let t139 = t136 + t111 * t137;
+        let M_23_zP = yaw_by_delta * t84;
+        let vy_all1_delta_mB = yaw_by_delta * self.xB;
+        let t142 = self.mB * vy_all1_delta_mB;
+        let t143 = M_23_zP + t142;
+        let t144 = t14 * wx_delta2_delta;
+        let t146 = t67 + t143 + t144;
+        let C1_22 = wx_delta2_delta_lam * (t139 + t59 * t146);
+        let M_23_c = yaw_per_v_delta * t100;
+        let t151 = yaw_per_v_delta * K0_13;
+        let t152 = self.c * t151;
+        let C1_32 = M_23_c - t152;
+        let K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
+        let t157 = wx_delta2_delta * h_spin_F;
+        let K2_22_yaw_per_v_delta = t146 + t157;
+        let K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
+        let t160 = self.mH * wx_delta2_delta_lam;
+        let t161 = self.zH * t160;
+        let t162 = yaw_per_v_delta * t114;
+        let M_12_w = t161 + t59 * t162;
+        let t165 = t66 + t66;
+        let t166 = t160 * t165;
+        let t167 = yaw_per_v_delta + yaw_per_v_delta;
+        let t168 = self.c * t136;
+        let t170 = t166 + t167 * t168;
+        let t171 = t59 * M_23_c;
+        let t172 = t14 * wx_delta2_delta_lam;
+        let t174 = t39 * (t128 - t172);
+        let C1_21_w = t59 * t130;
+        let t176 = self.c + self.xH;
+        let t182 = t143 + t146 + yaw_per_v_delta * (t78 + t89 + t133 * t176);
+        let t184 = t139 + t59 * t182;
+        let t185 = t160 * t176;
+        let t188 = yaw_per_v_delta * (t184 + t185 - t144);
+        let t189 = t39 * C1_32;
+        let t191 = t50 + t84 + t133;
+        let t192 = yaw_per_v_delta * t191;
+        let K0_12_w = t160 + t59 * t192;
+        let K0_22_w = wx_delta2_delta * K0_12_w;
+        let t196 = t39 * K2_12;
+        let t197 = t39 * K2_22_yaw_per_v_delta;
+        let t199 = yaw_per_v_delta * (K0_12_w + t197);
+        let K2_32_w = t39 * t151;
+        let M_12_c = t161 - t162;
+        let M_22_c = t135 * t167 - t166;
+        let C1_22_c = yaw_per_v_delta * (t182 - t185);
+        let K0_12_c = t160 - t192;
+        let K0_22_c = wx_delta2_delta * K0_12_c;
+        let t208 = yaw_per_v_delta * K0_12_c;
+        let t209 = wx_delta2_delta * t59;
+        let t214 = wx_delta2_delta * t62 + self.zH * wx_delta2_delta_lam;
+        let t215 = self.mH * t214;
+        let M_12_lam = t114 * t209 + t17 * wx_delta2_delta_lam + self.zH * t215 - t76;
+        let t223 = wx_delta2_delta * (t80 + t168) - wx_delta2_delta_lam * t46;
+        let t226 = t223 + t223 + t165 * t215;
+        let t227 = t100 * t209;
+        let t229 = t157 + t127 * t137;
+        let C1_21_lam = t157 + h_wheels_all * t209;
+        let t232 = t39 * t185;
+        let M_22_yaw_per_v_delta = t78 * t137;
+        let C1_32_yaw_per_v_delta = yaw_per_v_delta * (self.IHxz + t14 * t61);
+        let t242 = t214 * t232 + wx_delta2_delta * t184
+            + wx_delta2_delta_lam * (M_22_yaw_per_v_delta - C1_32_yaw_per_v_delta);
+        let t243 = self.c + self.xU;
+        let t246 = t137 * (self.IUxz - K0_13 * t243);
+        let K0_12_lam = t215 + t191 * t209 - t172;
+        let K0_22_lam = wx_delta2_delta * K0_12_lam - wx_delta2_delta_lam * t146;
+        let t253 = K2_12_yaw_per_v_delta * t137;
+        let C1_22_yaw_by_delta = t110 - K0_12_lam;
+        let K2_22_lam = yaw_per_v_delta * C1_22_yaw_by_delta - wx_delta2_delta * t197;
+        let K2_32_lam = K0_13 * t137;
+        let M_11_rR = t21 + t21;
+        let M_22_wz_delta2_delta = self.mR - t116 * t117;
+        let C1_12_rR = yaw_by_delta * M_22_wz_delta2_delta;
+        let K2_12_IRyy = yaw_per_v_delta * t116;
+        let C1_12_IRyy = self.c * K2_12_IRyy;
+        let C1_21_rR = t117 * C1_12_IRyy;
+        let K2_12_rR = yaw_per_v_delta * M_22_wz_delta2_delta;
+        let M_11_mR = self.rR * self.rR;
+        let K2_12_mR = self.rR * yaw_per_v_delta;
+        let C1_12_mR = self.c * K2_12_mR;
+        let C1_22_IRxx = yaw_per_v_delta * yaw_by_delta;
+        let M_22_IRxx = self.c * C1_22_IRxx;
+        let t273 = self.mB * yaw_per_v_delta;
+        let t274 = self.zB * t273;
+        let t275 = self.c * t274;
+        let M_22_xB = t142 * (yaw_by_delta + yaw_by_delta);
+        let K2_22_mB = self.xB * C1_22_IRxx;
+        let t280 = self.c + self.xB;
+        let K2_22_xB = yaw_by_delta * t273;
+        let C1_22_xB = self.mB * K2_22_mB + t280 * K2_22_xB;
+        let vy_all1_delta_xB = self.mB * yaw_by_delta;
+        let t285 = wx_delta2_delta * vy_all1_delta_xB;
+        let M_11_zB = t119 + t119;
+        let t287 = t273 * t280;
+        let t288 = self.zB * vy_all1_delta_mB;
+        let M_22_mB = vy_all1_delta_mB * vy_all1_delta_mB;
+        let t290 = self.zB * yaw_per_v_delta;
+        let t291 = t280 * t290;
+        let C1_22_mB = K2_22_mB * t280;
+        let t293 = wx_delta2_delta * vy_all1_delta_mB;
+        let t294 = t25 * wz_delta2_delta;
+        let t295 = self.mH * wz_delta2_delta;
+        let M_22_xH = t165 * t295;
+        let t297 = self.zH * yaw_per_v_delta;
+        let t298 = self.mH * t297;
+        let K2_22_mH = yaw_per_v_delta * t66;
+        let C1_22_xH = self.mH * K2_22_mH + wz_delta2_delta * t232;
+        let K0_12_zH = self.mH * wx_delta2_delta;
+        let t304 = wz_delta2_delta * K0_12_zH;
+        let t305 = t39 * t160;
+        let K2_22_xH = wz_delta2_delta * t305;
+        let M_11_zH = t25 + t25;
+        let M_12_zH = self.mH * (t65 - t66);
+        let t310 = t165 * K0_12_zH;
+        let t311 = t137 * t160;
+        let t312 = t176 * t311;
+        let K0_22_zH = wx_delta2_delta * K0_12_zH;
+        let M_11_mH = self.zH * self.zH;
+        let t315 = self.zH * t66;
+        let M_22_mH = t66 * t66;
+        let t317 = t176 * t297;
+        let C1_22_mH = t176 * K2_22_mH;
+        let t319 = wx_delta2_delta * t66;
+        let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+        let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+        let C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
+        let t323 = wz_delta2_delta * wx_delta2_delta;
+        let M_22_IHxz = t323 + t323;
+        let K2_22_h_spin_F = yaw_per_v_delta * wx_delta2_delta;
+        let M_11_rF = t14 + t14;
+        let M_12_rF = t144 + t144;
+        let M_22_rF = wx_delta2_delta * M_12_rF;
+        let C1_12_IFyy = wz_delta2_delta * t108;
+        let C1_21_rF = h_spin_F * C1_12_IFyy;
+        let t331 = self.mF * yaw_per_v_delta;
+        let t332 = t61 * t331;
+        let C1_12_rF = t332 - C1_21_rF;
+        let C1_22_rF = wx_delta2_delta * t332;
+        let t335 = self.mF * wx_delta2_delta;
+        let t336 = self.mF * M_22_IHxx;
+        let K2_12_IFyy = yaw_per_v_delta * t108;
+        let K2_12_rF = t331 - h_spin_F * K2_12_IFyy;
+        let M_11_mF = self.rF * self.rF;
+        let t342 = self.rF * wx_delta2_delta;
+        let M_12_mF = self.rF * t342;
+        let M_22_mF = M_22_IHxx * M_11_mF;
+        let K2_12_mF = self.rF * yaw_per_v_delta;
+        let C1_12_mF = t61 * K2_12_mF;
+        let K2_22_mF = self.rF * K2_22_h_spin_F;
+        let C1_22_mF = t61 * K2_22_mF;
+        let t349 = wx_delta2_delta * t342;
+        let M_22_IFxx = M_22_IHxx + M_22_IHzz;
+        let K2_22_IFyy = wx_delta2_delta * K2_12_IFyy;
+        let M_33_zU = K0_13 + K0_13;
+        let K2_32_zP = self.mU * yaw_per_v_delta;
+        let C1_32_zP = t243 * K2_32_zP;
+        let M_11_mU = self.zU * self.zU;
+        let vy_all1_delta_mU = yaw_by_delta * self.xU;
+        let t357 = self.zU * vy_all1_delta_mU;
+        let M_13_mU = self.zU * K0_13_mU;
+        let M_22_mU = vy_all1_delta_mU * vy_all1_delta_mU;
+        let t360 = K0_13_mU * vy_all1_delta_mU;
+        let t361 = self.zU * yaw_per_v_delta;
+        let t362 = t243 * t361;
+        let K2_22_mU = yaw_per_v_delta * vy_all1_delta_mU;
+        let C1_22_mU = t243 * K2_22_mU;
+        let t365 = yaw_per_v_delta * K0_13_mU;
+        let t366 = t243 * t365;
+        let t367 = wx_delta2_delta * vy_all1_delta_mU;
+        let t368 = t4 * yaw_by_delta;
+        let t369 = M_23_zP * t167;
+        let M_22_xU = self.c * t369;
+        let t371 = t4 * yaw_per_v_delta;
+        let vy_all1_delta_xU = self.mU * yaw_by_delta;
+        let C1_22_xU = t369 + yaw_by_delta * vy_all1_delta_xU;
+        let t375 = wx_delta2_delta * vy_all1_delta_xU;
+        let K2_22_xU = yaw_by_delta * K2_32_zP;
+        let M_11_zU = t4 + t4;
+        let M_13_zU = t4 + K0_13;
+        let C1_21 = -(t110 + self.c * t130);
+        let K0_12 = -t146;
+        let K0_22 = -(wx_delta2_delta * t146);
+        let K2_32 = -t151;
+        let K0_12_mH = t65 - t64;
+        let t384 = -(wx_delta2_delta * K2_12_rF);
         (
             WhippleLeaningMatrices::from_entries([
-                M_11, M_12, M_phi_theta, M_12, M_22, P_delta_theta, M_phi_theta, P_delta_theta,
-                M_33, zero, zero, zero, zero, zero, zero, zero, zero, self.dU, zero, C1_12, zero,
-                C1_21, C1_22, zero, zero, C1_32, zero, zero, zero, zero, zero, zero, zero, zero,
-                zero, self.kU, K0_11, K0_12, Sz_theta, K0_12, K0_22, zero, Sz_theta, zero, Sz_theta,
-                zero, K2_12, zero, zero, K2_22, zero, zero, K2_32, zero,
+                M_11, M_12, M_13, M_12, M_22, M_23, M_13, M_23, M_33, zero, zero, zero, zero, zero,
+                zero, zero, zero, self.dU, zero, C1_12, zero, C1_21, C1_22, zero, zero, C1_32, zero,
+                zero, zero, zero, zero, zero, zero, zero, zero, self.kU, K0_11, K0_12, K0_13, K0_12,
+                K0_22, zero, K0_13, zero, K0_13, zero, K2_12, zero, zero, K2_22, zero, zero, K2_32,
+                zero,
             ]),
             WhippleLeaningDerivatives {
                 values: [
-                    M_12_w, M_22_w, t195, C1_12_w, C1_21_w, C1_22_w, t215, K0_12_w, K0_22_w, t217,
-                    t220, K2_32_w, M_12_c, M_22_c, M_23_c, K2_12, t144, C1_22_c, t166, K0_12_c,
-                    K0_22_c, t245, M_12_lam, M_22_lam, t267, t268, C1_21_lam, t277, C1_32_lam,
-                    K0_12_lam, K0_22_lam, t284, K2_22_lam, K2_32_lam, M_11_rR, C1_12_rR, C1_21_rR,
-                    self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR, self.w.like(1.0),
-                    M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t304, M_22_xB, t308, C1_22_xB,
-                    t313, t314, K2_22_xB, M_11_zB, t305, t316, self.mB, t307, M_11_mB, t318,
-                    M_22_mB, t321, C1_22_mB, self.zB, t317, t324, t320, K2_22_mB, yaw_by_delta,
-                    yaw_per_v_delta, t168, M_22_xH, t330, C1_22_xH, t331, t337, K2_22_xH, Sx_all_zH,
-                    M_12_zH, t348, t351, t353, self.mH, K0_12_zH, K0_22_zH, t349, t352, Sx_all_mH,
-                    t356, M_22_mH, t360, C1_22_mH, self.zH, t342, t363, t329, K2_22_mH, sin_lam,
-                    M_22_IHxx, M_22_IHzz, C1_22_IHzz, C1_12_h_spin_F, M_22_IHxz, K2_22_h_spin_F,
-                    Jxx_delta_rF, t373, t378, C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t377, t384,
-                    K2_12_rF, K2_22_rF, Jxx_delta_mF, t390, M_22_mF, C1_12_mF, t397, self.rF,
-                    K0_12_mF, K0_22_mF, K2_12_mF, t396, M_22_IFxx, C1_12_IFyy, K2_12_IFyy,
-                    K2_22_IFyy, t18, M_23_zP, M_33_zU, C1_32_zP, self.mU, K2_32_zP, M_11_mU, t408,
-                    M_13_mU, M_22_mU, t411, M_33_mU, t414, C1_22_mU, t418, self.zU, t402, K0_13_mU,
-                    t419, t413, K2_22_mU, t417, t421, M_22_xU, t157, t420, C1_22_xU, t156, t426,
-                    K2_22_xU, M_11_zU, M_13_zU,
+                    M_12_w, t170, t171, t174, C1_21_w, t188, t189, K0_12_w, K0_22_w, t196, t199,
+                    K2_32_w, M_12_c, M_22_c, M_23_c, K2_12, t130, C1_22_c, t151, K0_12_c, K0_22_c,
+                    t208, M_12_lam, t226, t227, t229, C1_21_lam, t242, t246, K0_12_lam, K0_22_lam,
+                    t253, K2_22_lam, K2_32_lam, M_11_rR, C1_12_rR, C1_21_rR, self.mR, K2_12_rR,
+                    M_11_mR, C1_12_mR, self.rR, K2_12_mR, self.w.like(1.0), M_22_IRxx, C1_22_IRxx,
+                    C1_12_IRyy, K2_12_IRyy, t275, M_22_xB, t274, C1_22_xB, vy_all1_delta_xB, t285,
+                    K2_22_xB, M_11_zB, t142, t287, self.mB, t273, M_11_mB, t288, M_22_mB, t291,
+                    C1_22_mB, self.zB, vy_all1_delta_mB, t293, t290, K2_22_mB, yaw_by_delta,
+                    yaw_per_v_delta, t294, M_22_xH, t298, C1_22_xH, t295, t304, K2_22_xH, M_11_zH,
+                    M_12_zH, t310, t232, t312, self.mH, K0_12_zH, K0_22_zH, t305, t311, M_11_mH,
+                    t315, M_22_mH, t317, C1_22_mH, self.zH, K0_12_mH, t319, t297, K2_22_mH,
+                    wx_delta2_delta, M_22_IHxx, M_22_IHzz, C1_22_IHzz, wz_delta2_delta, M_22_IHxz,
+                    K2_22_h_spin_F, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF,
+                    self.mF, t335, t336, K2_12_rF, t384, M_11_mF, M_12_mF, M_22_mF, C1_12_mF,
+                    C1_22_mF, self.rF, t342, t349, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy,
+                    K2_12_IFyy, K2_22_IFyy, t4, M_23_zP, M_33_zU, C1_32_zP, self.mU, K2_32_zP,
+                    M_11_mU, t357, M_13_mU, M_22_mU, t360, M_33_mU, t362, C1_22_mU, t366, self.zU,
+                    vy_all1_delta_mU, K0_13_mU, t367, t361, K2_22_mU, t365, t368, M_22_xU, t152,
+                    t371, C1_22_xU, vy_all1_delta_xU, t375, K2_22_xU, M_11_zU, M_13_zU,
                 ],
             },
         )
@@ -7786,10 +7738,12 @@ impl WhippleLeaningDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 243] = &[
         Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1), Partial::new(MatrixName::M, 1, 2, 0, 2).negative(),
+        Partial::new(MatrixName::M, 1, 1, 0, 1).negative(),
+        Partial::new(MatrixName::M, 1, 2, 0, 2).negative(),
         Partial::new(MatrixName::M, 2, 1, 0, 2).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 0, 3), Partial::new(MatrixName::C1, 1, 0, 0, 4),
-        Partial::new(MatrixName::C1, 1, 1, 0, 5),
+        Partial::new(MatrixName::C1, 0, 1, 0, 3).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 0, 4),
+        Partial::new(MatrixName::C1, 1, 1, 0, 5).negative(),
         Partial::new(MatrixName::C1, 2, 1, 0, 6).negative(),
         Partial::new(MatrixName::K0, 0, 1, 0, 7), Partial::new(MatrixName::K0, 1, 0, 0, 7),
         Partial::new(MatrixName::K0, 1, 1, 0, 8),
@@ -7807,14 +7761,16 @@ impl WhippleLeaningDerivatives {
         Partial::new(MatrixName::K0, 1, 1, 1, 20),
         Partial::new(MatrixName::K2, 1, 1, 1, 21).negative(),
         Partial::new(MatrixName::M, 0, 1, 2, 22), Partial::new(MatrixName::M, 1, 0, 2, 22),
-        Partial::new(MatrixName::M, 1, 1, 2, 23),
+        Partial::new(MatrixName::M, 1, 1, 2, 23).negative(),
         Partial::new(MatrixName::M, 1, 2, 2, 24).negative(),
         Partial::new(MatrixName::M, 2, 1, 2, 24).negative(),
         Partial::new(MatrixName::C1, 0, 1, 2, 25).negative(),
         Partial::new(MatrixName::C1, 1, 0, 2, 26),
         Partial::new(MatrixName::C1, 1, 1, 2, 27).negative(),
-        Partial::new(MatrixName::C1, 2, 1, 2, 28), Partial::new(MatrixName::K0, 0, 1, 2, 29),
-        Partial::new(MatrixName::K0, 1, 0, 2, 29), Partial::new(MatrixName::K0, 1, 1, 2, 30),
+        Partial::new(MatrixName::C1, 2, 1, 2, 28).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 2, 29),
+        Partial::new(MatrixName::K0, 1, 0, 2, 29),
+        Partial::new(MatrixName::K0, 1, 1, 2, 30),
         Partial::new(MatrixName::K2, 0, 1, 2, 31).negative(),
         Partial::new(MatrixName::K2, 1, 1, 2, 32), Partial::new(MatrixName::K2, 2, 1, 2, 33),
         Partial::new(MatrixName::M, 0, 0, 4, 34), Partial::new(MatrixName::C1, 0, 1, 4, 35),
@@ -7880,10 +7836,8 @@ impl WhippleLeaningDerivatives {
         Partial::new(MatrixName::M, 1, 0, 17, 90).negative(),
         Partial::new(MatrixName::M, 1, 1, 17, 91),
         Partial::new(MatrixName::C1, 0, 1, 17, 92).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 17, 93),
-        Partial::new(MatrixName::K0, 0, 0, 17, 94),
-        Partial::new(MatrixName::K0, 0, 1, 17, 95).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 17, 95).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 93), Partial::new(MatrixName::K0, 0, 0, 17, 94),
+        Partial::new(MatrixName::K0, 0, 1, 17, 95), Partial::new(MatrixName::K0, 1, 0, 17, 95),
         Partial::new(MatrixName::K0, 1, 1, 17, 96).negative(),
         Partial::new(MatrixName::K2, 0, 1, 17, 97).negative(),
         Partial::new(MatrixName::K2, 1, 1, 17, 98), Partial::new(MatrixName::M, 0, 0, 18, 43),
@@ -7892,29 +7846,24 @@ impl WhippleLeaningDerivatives {
         Partial::new(MatrixName::C1, 1, 1, 20, 102), Partial::new(MatrixName::M, 0, 1, 21, 103),
         Partial::new(MatrixName::M, 1, 0, 21, 103), Partial::new(MatrixName::M, 1, 1, 21, 104),
         Partial::new(MatrixName::C1, 0, 1, 21, 71), Partial::new(MatrixName::C1, 1, 1, 21, 105),
-        Partial::new(MatrixName::M, 0, 0, 22, 106),
-        Partial::new(MatrixName::M, 0, 1, 22, 107).negative(),
-        Partial::new(MatrixName::M, 1, 0, 22, 107).negative(),
-        Partial::new(MatrixName::M, 1, 1, 22, 108).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 22, 109),
-        Partial::new(MatrixName::C1, 1, 0, 22, 110),
+        Partial::new(MatrixName::M, 0, 0, 22, 106), Partial::new(MatrixName::M, 0, 1, 22, 107),
+        Partial::new(MatrixName::M, 1, 0, 22, 107), Partial::new(MatrixName::M, 1, 1, 22, 108),
+        Partial::new(MatrixName::C1, 0, 1, 22, 109), Partial::new(MatrixName::C1, 1, 0, 22, 110),
         Partial::new(MatrixName::C1, 1, 1, 22, 111),
         Partial::new(MatrixName::K0, 0, 0, 22, 112).negative(),
         Partial::new(MatrixName::K0, 0, 1, 22, 113).negative(),
         Partial::new(MatrixName::K0, 1, 0, 22, 113).negative(),
         Partial::new(MatrixName::K0, 1, 1, 22, 114).negative(),
         Partial::new(MatrixName::K2, 0, 1, 22, 115),
-        Partial::new(MatrixName::K2, 1, 1, 22, 116),
-        Partial::new(MatrixName::M, 0, 0, 23, 117),
-        Partial::new(MatrixName::M, 0, 1, 23, 118).negative(),
-        Partial::new(MatrixName::M, 1, 0, 23, 118).negative(),
-        Partial::new(MatrixName::M, 1, 1, 23, 119),
-        Partial::new(MatrixName::C1, 0, 1, 23, 120),
-        Partial::new(MatrixName::C1, 1, 1, 23, 121).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 22, 116).negative(),
+        Partial::new(MatrixName::M, 0, 0, 23, 117), Partial::new(MatrixName::M, 0, 1, 23, 118),
+        Partial::new(MatrixName::M, 1, 0, 23, 118), Partial::new(MatrixName::M, 1, 1, 23, 119),
+        Partial::new(MatrixName::C1, 0, 1, 23, 120), Partial::new(MatrixName::C1, 1, 1, 23, 121),
         Partial::new(MatrixName::K0, 0, 0, 23, 122).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 23, 123), Partial::new(MatrixName::K0, 1, 0, 23, 123),
-        Partial::new(MatrixName::K0, 1, 1, 23, 124), Partial::new(MatrixName::K2, 0, 1, 23, 125),
-        Partial::new(MatrixName::K2, 1, 1, 23, 126).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 23, 123).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 23, 123).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 23, 124).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 23, 125), Partial::new(MatrixName::K2, 1, 1, 23, 126),
         Partial::new(MatrixName::M, 0, 0, 24, 43), Partial::new(MatrixName::M, 0, 1, 24, 99),
         Partial::new(MatrixName::M, 1, 0, 24, 99), Partial::new(MatrixName::M, 1, 1, 24, 127),
         Partial::new(MatrixName::C1, 1, 1, 24, 102), Partial::new(MatrixName::C1, 0, 1, 25, 128),

@@ -210,62 +210,58 @@ pub struct WhippleMechanismMatrices<T = f64> {
 
 impl<T: Number> WhippleMechanism<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 47 additions, 44 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 98 operations.
+    /// 40 additions, 43 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 89 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleMechanismMatrices<T> {
-        let t6 = self.zH * self.mH;
-        let t10 = self.rF * self.mF;
-        let Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
-        let t17 = self.rR * self.mR;
-        let t21 = self.zB * self.mB;
-        let M_11 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
-        let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t35 = self.c + self.w;
-        let t36 = t35 - self.xH;
-        let Jxz_delta = self.IHxz + t6 * t36 - t10 * self.c;
-        let hx_delta = Jxx_delta * sin_lam + Jxz_delta * cos_lam;
+        let t3 = self.rF * self.mF;
+        let t8 = self.rF * t3 + (self.IHxx + self.IFxx);
+        let t13 = self.zB * self.mB;
+        let t19 = self.rR * self.mR;
+        let t23 = self.zH * self.mH;
+        let M_11 = self.IBxx + t8 + (self.IRxx + self.zB * t13)
+            + (self.rR * t19 + self.zH * t23);
+        let (wx_delta2_delta, cos_lam) = self.lam.sin_cos();
         let yaw_per_v_delta = cos_lam / self.w;
         let mu = self.c * yaw_per_v_delta;
-        let Sz_delta = t6 - t10;
-        let Jxz_all = Jxz_delta + self.IBxz - t21 * self.xB - t35 * Sz_delta;
-        let M_12 = hx_delta + mu * Jxz_all;
-        let t57 = self.mH * t36;
-        let t59 = self.mF * self.c;
-        let Jzz_delta = self.IFxx + self.IHzz + t36 * t57 + self.c * t59;
-        let hz_delta = sin_lam * Jxz_delta + cos_lam * Jzz_delta;
-        let t67 = t57 + t59;
-        let t69 = sin_lam * Sz_delta + cos_lam * t67;
-        let M_yaw_delta = hz_delta - t35 * t69;
-        let t73 = self.mB * self.xB;
-        let mA = self.mH + self.mF;
-        let t77 = t67 - t35 * mA;
-        let P_delta_yaw = M_yaw_delta
-            + mu
-                * (self.IRxx + Jzz_delta + self.IBzz + self.xB * t73
-                    - t35 * (t67 + t77));
-        let M_22 = mu * (M_yaw_delta + P_delta_yaw) + sin_lam * hx_delta
-            + cos_lam * hz_delta;
+        let wz_delta2_delta = cos_lam + mu;
+        let t37 = self.IHxz * wz_delta2_delta;
+        let t38 = wx_delta2_delta * t8 + t37;
+        let t45 = self.zH * wx_delta2_delta
+            - (self.xH * wz_delta2_delta - cos_lam * (self.c + self.w));
+        let t46 = self.mH * t45;
+        let vy_all1_delta = t13 * self.xB;
+        let t52 = vy_all1_delta - self.IBxz;
+        let M_12 = t38 + self.zH * t46 - mu * t52;
+        let t57 = wz_delta2_delta * (self.IFxx + self.IHzz);
+        let t62 = mu * (self.mB * self.xB);
+        let t65 = t57 + ((self.IRxx + self.IBzz) * mu + self.xB * t62);
+        let ay_delta2_delta = mu * t65;
+        let M_22 = ay_delta2_delta + (t45 * t46 + wx_delta2_delta * (t37 + t38))
+            + cos_lam * t57;
         let zero = self.w.like(0.0);
+        let ay_all1_delta = t13 + t23;
+        let t79 = ay_all1_delta - t19;
+        let t84 = yaw_per_v_delta * self.IHxz + t3 * wz_delta2_delta;
+        let SR = self.IRyy / self.rR;
         let SF = self.IFyy / self.rF;
-        let ST = SF + self.IRyy / self.rR;
-        let Sz_all = t21 + Sz_delta - t17;
-        let t100 = ST - Sz_all;
-        let t103 = cos_lam * SF;
-        let C1_12 = mu * t100 + yaw_per_v_delta * Jxz_all + t103;
-        let Sx_all = t73 - t77;
-        let t109 = mu * Sx_all;
-        let P_delta_lateral = t109 - t69;
-        let C1_22 = mu * P_delta_lateral + yaw_per_v_delta * P_delta_yaw;
-        let K2_12 = yaw_per_v_delta * t100;
-        let K2_22 = yaw_per_v_delta * (P_delta_lateral + sin_lam * SF);
-        let C1_21 = -(t103 + mu * ST);
-        let K0_12 = t69 - t109;
-        let K0_22 = -(sin_lam * P_delta_lateral);
+        let t91 = mu * SR + wz_delta2_delta * SF;
+        let t93 = t46 - t62;
+        let vy_spin_F4_delta = self.c * t93;
+        let C1_22 = yaw_per_v_delta * (t65 - (vy_spin_F4_delta + self.xH * t46))
+            + wx_delta2_delta * t84;
+        let K0_11 = t79 - t3;
+        let K0_12 = t93 - t3 * wx_delta2_delta;
+        let K0_22 = wx_delta2_delta * K0_12;
+        let ST = SR + SF;
+        let K2_12 = yaw_per_v_delta * (ST - K0_11);
+        let K2_22 = yaw_per_v_delta * (wx_delta2_delta * SF - K0_12);
+        let C1_12 = t84 + t91 - (yaw_per_v_delta * (t23 * self.xH + t52) + mu * t79);
+        let C1_21 = -t91;
         WhippleMechanismMatrices::from_entries([
-            M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, Sz_all, K0_12, K0_12, K0_22, zero,
+            M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
             K2_12, zero, K2_22,
         ])
     }
@@ -4906,240 +4902,208 @@ pub struct WhippleMechanismDerivatives<T = f64> {
 
 impl<T: Number> WhippleMechanism<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 142 additions, 199 multiplications, 3 divisions, 6 negations and 2 trigonometric functions: 352 operations.
+    /// 96 additions, 181 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 285 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleMechanismMatrices<T>, WhippleMechanismDerivatives<T>) {
-        let M_11_mH = self.zH * self.zH;
-        let t10 = self.rF * self.mF;
-        let M_22_mA = self.rF * t10;
-        let Jxx_delta = self.IHxx + self.IFxx + self.mH * M_11_mH + M_22_mA;
-        let t17 = self.zB * self.mB;
-        let t21 = self.rR * self.mR;
-        let M_11 = self.IBxx + self.IRxx + Jxx_delta + self.zB * t17 + self.rR * t21;
-        let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t32 = self.mF * self.c;
-        let t35 = self.c + self.w;
-        let t37 = t35 - self.xH;
-        let t38 = self.mH * t37;
-        let t41 = self.IHxz + self.zH * t38 - self.rF * t32;
-        let t43 = t41 * cos_lam;
-        let hx_delta = Jxx_delta * sin_lam + t43;
-        let t45 = self.w.like(1.0) / self.w;
-        let t46 = self.c * t45;
-        let mu = cos_lam * t46;
-        let t51 = self.mH * self.zH;
-        let Sz_delta = t51 - t10;
-        let t56 = t41 + self.IBxz - t17 * self.xB - t35 * Sz_delta;
-        let M_12 = hx_delta + mu * t56;
-        let t59 = sin_lam * t41;
-        let Jzz_delta = self.IFxx + self.IHzz + self.c * t32 + t37 * t38;
-        let t67 = t59 + cos_lam * Jzz_delta;
-        let t69 = t32 + t38;
-        let t71 = sin_lam * Sz_delta + cos_lam * t69;
-        let P_delta_yaw_mB = t35 * t71;
-        let t73 = P_delta_yaw_mB - t67;
-        let yaw_per_v_delta = cos_lam * t45;
-        let t76 = self.mB * self.xB;
-        let mA = self.mH + self.mF;
-        let t80 = t69 - t35 * mA;
-        let t87 = yaw_per_v_delta
-            * (self.IRxx + Jzz_delta + self.IBzz + self.xB * t76 - t35 * (t69 + t80));
-        let t89 = t73 - self.c * t87;
-        let M_22 = sin_lam * hx_delta - cos_lam * (t46 * (t73 + t89) - t67);
-        let zero = self.w.like(0.0);
-        let t98 = self.w.like(1.0) / self.rF;
-        let SF = self.IFyy * t98;
-        let t100 = cos_lam * SF;
-        let t102 = self.w.like(1.0) / self.rR;
-        let t103 = self.IRyy * t102;
-        let ST = SF + t103;
-        let t105 = t17 + Sz_delta;
-        let t107 = ST + (t21 - t105);
-        let t109 = t56 + self.c * t107;
-        let t110 = yaw_per_v_delta * t109;
-        let C1_12 = t100 + t110;
-        let t112 = yaw_per_v_delta * ST;
-        let t113 = self.c * t112;
-        let t115 = yaw_per_v_delta * t89;
-        let t116 = mu * t80;
-        let t117 = t71 + t116;
-        let t118 = mu * t76;
-        let K0_12 = t117 - t118;
-        let K0_22 = sin_lam * K0_12;
-        let K2_12 = yaw_per_v_delta * t107;
-        let t124 = sin_lam * SF;
-        let t126 = t45 * (K0_12 - t124);
-        let M_12_Jxz_delta = cos_lam + mu;
-        let t129 = t51 * M_12_Jxz_delta;
-        let t131 = cos_lam * Sz_delta;
-        let M_12_c = t56 * yaw_per_v_delta + t131;
-        let M_12_w = t129 - t46 * M_12_c;
-        let t135 = mu * t117;
-        let t136 = mu + mu;
-        let M_22_hz_delta = cos_lam + t136;
-        let C1_22_IRxx = mu * yaw_per_v_delta;
-        let M_22_IRxx = self.c * C1_22_IRxx;
-        let M_22_Jzz_delta = cos_lam * M_22_hz_delta + M_22_IRxx;
-        let t142 = t37 * M_22_Jzz_delta;
-        let t143 = cos_lam + M_22_hz_delta;
-        let t144 = self.w * yaw_per_v_delta;
-        let t145 = mu + t144;
-        let t146 = self.c * t145;
-        let t147 = t143 * t146;
-        let t148 = t142 - t147;
-        let t149 = self.zH * sin_lam;
-        let t153 = self.mH * (t142 + t148 + t143 * t149);
-        let t155 = t135 + t135 - t153;
-        let t156 = t45 * t89;
-        let M_22_w = t136 * t156 - t155;
-        let t159 = self.zH * yaw_per_v_delta;
-        let t160 = self.mH * t159;
-        let C1_12_w = t160 - t45 * (t110 + t131);
-        let C1_21_w = t45 * t113;
-        let t165 = t37 * M_12_Jxz_delta;
-        let t166 = yaw_per_v_delta * t165;
-        let t167 = sin_lam * t159;
-        let t168 = t166 + t167;
-        let t169 = M_22_hz_delta * t145;
-        let t170 = t169 - t166;
-        let t172 = self.mH * (t168 - t170);
-        let t173 = self.mH * M_12_Jxz_delta;
-        let t174 = t80 - t76;
-        let K0_12_c = cos_lam * (mA + t45 * t174);
-        let t178 = self.c * K0_12_c;
-        let K0_12_w = t173 - t45 * t178;
-        let t182 = t116 + t117;
-        let t183 = K0_12 - t87;
-        let t185 = t156 + t46 * t183;
-        let C1_22_w = t172 - yaw_per_v_delta * (self.c * K0_12_w + t182 - t185);
-        let K0_22_w = sin_lam * K0_12_w;
-        let t191 = t45 * K2_12;
-        let K2_22_w = yaw_per_v_delta * (t126 - K0_12_w);
-        let t194 = self.c * M_22_Jzz_delta;
-        let t195 = t147 - t194;
-        let M_22_Jxz_delta = sin_lam * t143;
-        let t203 = t115 + t115 + t155
-            - self.mF * (t194 - t195 - self.rF * M_22_Jxz_delta);
-        let C1_22_Jzz_delta = yaw_per_v_delta * M_12_Jxz_delta;
-        let t208 = self.c * C1_22_Jzz_delta;
-        let t209 = t169 - t208;
-        let t210 = self.rF * sin_lam;
-        let t211 = yaw_per_v_delta * t210;
-        let C1_22_c = t172 - yaw_per_v_delta * (t178 + t182 + t183)
-            - self.mF * (t209 + t211 - t208);
-        let K0_22_c = sin_lam * K0_12_c;
-        let t218 = yaw_per_v_delta * K0_12_c;
-        let hx_delta_lam = Jxx_delta * cos_lam - t59;
-        let t221 = sin_lam * t46;
-        let M_12_lam = hx_delta_lam - t56 * t221;
-        let t225 = t131 - sin_lam * t69;
-        let t228 = sin_lam * Jzz_delta - t43;
-        let t229 = t35 * t225 + t228;
-        let t231 = t89 * t221;
-        let M_22_lam = t231 + t231 + cos_lam * (hx_delta - t228)
-            + sin_lam * (hx_delta_lam - t67) - t136 * t229;
-        let t240 = sin_lam * t45;
-        let t242 = t124 + t109 * t240;
-        let C1_21_lam = t124 + ST * t221;
-        let K0_12_lam = t225 - t174 * t221;
-        let P_delta_yaw_mA = self.c * K0_12_lam;
-        let P_delta_yaw_xB = t229 + P_delta_yaw_mA;
-        let C1_22_lam = sin_lam * t185 - yaw_per_v_delta * P_delta_yaw_xB;
-        let K0_22_lam = sin_lam * K0_12_lam + cos_lam * K0_12;
-        let t255 = t107 * t240;
-        let K2_22_lam = sin_lam * t126 + yaw_per_v_delta * (t100 - K0_12_lam);
-        let M_11_rR = t21 + t21;
-        let t261 = t102 * t103;
-        let t262 = self.mR - t261;
-        let C1_12_rR = mu * t262;
-        let C1_21_rR = mu * t261;
-        let K2_12_rR = yaw_per_v_delta * t262;
-        let M_11_mR = self.rR * self.rR;
-        let C1_12_mR = self.rR * mu;
-        let K2_12_mR = self.rR * yaw_per_v_delta;
-        let C1_12_IRyy = mu * t102;
-        let K2_12_IRyy = yaw_per_v_delta * t102;
-        let t272 = t17 * yaw_per_v_delta;
-        let t273 = self.c * t272;
-        let M_22_xB = t118 * t136;
-        let t275 = self.mB * yaw_per_v_delta;
-        let K2_22_xB = mu * t275;
-        let t277 = self.c + self.xB;
-        let C1_22_xB = K2_22_xB * (self.xB + t277);
-        let t280 = self.c * t275;
-        let t281 = sin_lam * t280;
-        let M_11_zB = t17 + t17;
-        let t283 = t275 * t277;
-        let M_11_mB = self.zB * self.zB;
-        let t285 = mu * self.xB;
-        let t286 = self.zB * t285;
-        let M_22_mB = t285 * t285;
-        let t288 = self.zB * yaw_per_v_delta;
-        let t289 = t277 * t288;
-        let K2_22_mB = yaw_per_v_delta * t285;
-        let C1_22_mB = t277 * K2_22_mB;
-        let t292 = sin_lam * t285;
-        let t293 = t170 + t208;
-        let C1_22_xH = self.mH * (t293 - t168);
-        let t296 = sin_lam * t173;
-        let K2_22_xH = self.mH * C1_22_Jzz_delta;
-        let M_11_zH = t51 + t51;
-        let t299 = t146 - t165;
-        let K0_12_mH = t149 - t299;
-        let M_12_zH = self.mH * (t149 + K0_12_mH);
-        let t303 = t299 - K0_12_mH;
-        let K0_12_zH = self.mH * sin_lam;
-        let t306 = (t303 - t149) * K0_12_zH;
-        let t307 = self.c + self.xH;
-        let t308 = self.mH * yaw_per_v_delta;
-        let t309 = t307 * t308;
-        let C1_22_Jxz_delta = cos_lam * t240;
-        let t311 = self.mH * C1_22_Jxz_delta;
-        let t312 = t307 * t311;
-        let M_22_Jxx_delta = sin_lam * sin_lam;
-        let K0_22_zH = self.mH * M_22_Jxx_delta;
-        let t316 = t146 * t146;
-        let M_22_mH = t316 + t37 * t148 - t149 * t303;
-        let t321 = t159 * t307;
-        let C1_22_mH = t146 * (mu + t145) - t37 * t293 - t167 * t307;
-        let M_11_rF = t10 + t10;
-        let t332 = self.c * (cos_lam - t144);
-        let t333 = t210 - t332;
-        let M_12_rF = self.mF * (t210 + t333);
-        let P_delta_lateral_rF = self.mF * sin_lam;
-        let t337 = t332 - t333;
-        let t339 = P_delta_lateral_rF * (t337 - t210);
-        let t340 = self.mF * t145;
-        let C1_12_IFyy = t98 * M_12_Jxz_delta;
-        let C1_21_rF = SF * C1_12_IFyy;
-        let C1_12_rF = t340 - C1_21_rF;
-        let C1_22_rF = sin_lam * t340;
-        let t345 = self.mF * M_22_Jxx_delta;
-        let K2_12_IFyy = yaw_per_v_delta * t98;
-        let K2_12_rF = self.mF * yaw_per_v_delta - SF * K2_12_IFyy;
-        let K2_22_rF = sin_lam * K2_12_rF;
         let M_11_mF = self.rF * self.rF;
-        let M_12_mF = self.rF * t333;
-        let M_22_mF = t316 - self.c * t195 - t210 * t337;
-        let C1_12_mF = self.rF * t145;
-        let K2_22_mF = yaw_per_v_delta * t333;
-        let C1_22_mA = t145 * t146;
-        let C1_22_mF = self.w * t211 + C1_22_mA - self.c * (t209 - K2_22_mF);
-        let t365 = sin_lam * t333;
+        let t8 = self.IFxx + self.IHxx + self.mF * M_11_mF;
+        let t12 = self.zH * self.mH;
+        let t16 = self.rR * self.mR;
+        let t20 = self.zB * self.mB;
+        let M_11 = self.IRxx + t8 + self.IBxx + self.zH * t12 + self.rR * t16
+            + self.zB * t20;
+        let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
+        let t31 = self.w.like(1.0) / self.w;
+        let t32 = self.c * t31;
+        let mu = wx_delta2_delta_lam * t32;
+        let t36 = self.mB * self.xB;
+        let t38 = self.IBxz - self.zB * t36;
+        let wz_delta2_delta = wx_delta2_delta_lam + mu;
+        let t45 = self.IHxz * wz_delta2_delta + t8 * wx_delta2_delta;
+        let t46 = self.zH * wx_delta2_delta;
+        let t48 = t32 * self.xH;
+        let t51 = self.c + self.w - self.xH - t48;
+        let t52 = wx_delta2_delta_lam * t51;
+        let K0_12_mH = t46 + t52;
+        let t54 = self.mH * K0_12_mH;
+        let t56 = t45 + self.zH * t54;
+        let M_12 = mu * t38 + t56;
+        let yaw_per_v_delta = wx_delta2_delta_lam * t31;
+        let t65 = (self.IRxx + self.xB * t36 + self.IBzz) * yaw_per_v_delta;
+        let t66 = self.c * t65;
+        let t69 = self.IFxx + self.IHzz;
+        let t71 = self.IHxz * wx_delta2_delta;
+        let t72 = wz_delta2_delta * t69 + t71;
+        let M_22 = wx_delta2_delta * t56 + t52 * t54 + mu * t66 + wz_delta2_delta * t72;
+        let zero = self.w.like(0.0);
+        let M_12_mu = t38 + self.IHxz;
+        let t80 = self.mF * self.rF;
+        let K0_11 = t12 + t20 - t16 - t80;
+        let t85 = self.w.like(1.0) / self.rR;
+        let SR = self.IRyy * t85;
+        let t88 = self.w.like(1.0) / self.rF;
+        let SF = self.IFyy * t88;
+        let ST = SR + SF;
+        let K2_12_yaw_per_v_delta = ST - K0_11;
+        let t94 = M_12_mu + self.c * K2_12_yaw_per_v_delta - t12 * self.xH;
+        let t95 = yaw_per_v_delta * t94;
+        let t96 = wx_delta2_delta_lam * t80;
+        let t97 = wx_delta2_delta_lam * SF;
+        let C1_12 = t95 + t96 + t97;
+        let t100 = mu * ST;
+        let t102 = t66 + t72;
+        let t103 = self.c + self.xH;
+        let t105 = self.mB * yaw_per_v_delta;
+        let t106 = self.c * t105;
+        let t107 = self.xB * t106;
+        let C1_22_yaw_per_v_delta = t102 + self.c * t107 - t54 * t103;
+        let t111 = t31 * C1_22_yaw_per_v_delta;
+        let C1_12_mF = self.rF * wz_delta2_delta;
+        let t114 = self.mF * C1_12_mF;
+        let C1_22 = wx_delta2_delta_lam * t111 + wx_delta2_delta * t114;
+        let t117 = t107 - t54;
+        let t118 = self.mF * wx_delta2_delta;
+        let t119 = self.rF * t118;
+        let t120 = t117 + t119;
+        let K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
+        let t123 = wx_delta2_delta * SF;
+        let t124 = t119 + t123;
+        let K2_22_yaw_per_v_delta = t117 + t124;
+        let K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
+        let t127 = yaw_per_v_delta * M_12_mu;
+        let t129 = self.mH * wx_delta2_delta_lam;
+        let t130 = t31 * t129;
+        let M_22_wz_delta2_delta = t48 * t130;
+        let t132 = t129 + M_22_wz_delta2_delta;
+        let M_12_w = self.zH * t132 - t32 * t127;
+        let t135 = yaw_per_v_delta * t102;
+        let t136 = t32 * t135;
+        let t137 = t46 + K0_12_mH;
+        let t138 = t52 + t137;
+        let M_22_w = t132 * t138 - t136 - t136;
+        let t142 = t31 * t95;
+        let C1_21_w = t31 * t100;
+        let C1_22_wz_delta2_delta = t119 + yaw_per_v_delta * t69;
+        let C1_22_mu = t65 + t107 + C1_22_wz_delta2_delta;
+        let t149 = t111 + t32 * C1_22_mu;
+        let t152 = yaw_per_v_delta * (t149 + t103 * t132);
+        let K0_12_w = t132 + t31 * t107;
+        let K0_22_w = wx_delta2_delta * K0_12_w;
+        let t156 = t31 * K2_12;
+        let t157 = t31 * K2_22_yaw_per_v_delta;
+        let t159 = yaw_per_v_delta * (K0_12_w + t157);
+        let t161 = t129 - self.xH * t130;
+        let M_12_c = t127 + self.zH * t161;
+        let M_22_c = t135 + t135 + t138 * t161;
+        let t167 = yaw_per_v_delta * ST;
+        let C1_22_c = yaw_per_v_delta * (t117 + C1_22_mu - t103 * t161);
+        let t172 = t36 * yaw_per_v_delta;
+        let K0_12_c = t161 - t172;
+        let K0_22_c = wx_delta2_delta * K0_12_c;
+        let t175 = yaw_per_v_delta * K0_12_c;
+        let t178 = self.zH * wx_delta2_delta_lam - wx_delta2_delta * t51;
+        let t179 = self.mH * t178;
+        let t181 = t31 * wx_delta2_delta;
+        let t182 = self.c * t181;
+        let t187 = t71 + M_12_mu * t182 - self.zH * t179 - t8 * wx_delta2_delta_lam;
+        let t194 = t102 * t182 + wx_delta2_delta * t72 - wx_delta2_delta_lam * t45
+            - t54 * t178;
+        let t195 = t194 + t194;
+        let t197 = t124 + t94 * t181;
+        let C1_21_lam = t123 + ST * t182;
+        let t205 = t103 * t130;
+        let C1_22_lam = wx_delta2_delta_lam * (t114 + self.IHxz * yaw_per_v_delta)
+            - wx_delta2_delta * (C1_22_wz_delta2_delta + t149) - t178 * t205;
+        let K0_12_lam = t179 + t36 * t182 - t96;
+        let K0_22_lam = wx_delta2_delta * K0_12_lam - wx_delta2_delta_lam * t120;
+        let t215 = K2_12_yaw_per_v_delta * t181;
+        let K2_22_lam = yaw_per_v_delta * (t97 - K0_12_lam) - wx_delta2_delta * t157;
+        let M_11_rR = t16 + t16;
+        let K2_12_IRyy = yaw_per_v_delta * t85;
+        let K2_12_rR = self.mR * yaw_per_v_delta - SR * K2_12_IRyy;
+        let C1_12_rR = self.c * K2_12_rR;
+        let C1_12_IRyy = mu * t85;
+        let C1_21_rR = SR * C1_12_IRyy;
+        let M_11_mR = self.rR * self.rR;
+        let K2_12_mR = self.rR * yaw_per_v_delta;
+        let C1_12_mR = self.c * K2_12_mR;
+        let M_22_IRxx = mu * mu;
+        let C1_22_IRxx = mu * yaw_per_v_delta;
+        let t234 = t20 * mu;
+        let t235 = self.xB * yaw_per_v_delta;
+        let t236 = self.c * t235;
+        let t237 = t106 * t236;
+        let M_22_xB = t237 + t237;
+        let t239 = self.zB * yaw_per_v_delta;
+        let t240 = self.mB * t239;
+        let t241 = mu + t235;
+        let C1_22_xB = t106 * (t235 + t241);
+        let t244 = wx_delta2_delta * t106;
+        let K2_22_xB = yaw_per_v_delta * t106;
+        let M_11_zB = t20 + t20;
+        let t247 = t106 + t172;
+        let M_11_mB = self.zB * self.zB;
+        let t249 = self.zB * t236;
+        let M_22_mB = t236 * t236;
+        let t251 = self.zB * t241;
+        let C1_22_mB = t236 * t241;
+        let t253 = wx_delta2_delta * t236;
+        let K2_22_mB = mu * t235;
+        let t255 = t12 * wz_delta2_delta;
+        let t256 = self.mH * wz_delta2_delta;
+        let t257 = t138 * t256;
+        let t258 = self.zH * yaw_per_v_delta;
+        let t259 = self.mH * t258;
+        let C1_22_IHzz = wz_delta2_delta * yaw_per_v_delta;
+        let K2_22_xH = self.mH * C1_22_IHzz;
+        let C1_22_xH = t103 * K2_22_xH - K0_12_mH * t130;
+        let t265 = wz_delta2_delta * wx_delta2_delta;
+        let t266 = self.mH * t265;
+        let M_11_zH = t12 + t12;
+        let M_12_zH = self.mH * t137;
+        let K0_12_zH = self.mH * wx_delta2_delta;
+        let M_22_zH = t138 * K0_12_zH;
+        let t271 = t129 * t181;
+        let t272 = t103 * t271;
+        let K0_22_zH = wx_delta2_delta * K0_12_zH;
+        let M_11_mH = self.zH * self.zH;
+        let M_12_mH = self.zH * K0_12_mH;
+        let M_22_mH = K0_12_mH * K0_12_mH;
+        let t277 = t103 * t258;
+        let t278 = K0_12_mH * yaw_per_v_delta;
+        let t279 = t103 * t278;
+        let K0_22_mH = wx_delta2_delta * K0_12_mH;
+        let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+        let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+        let M_22_IHxz = t265 + t265;
+        let K2_22_SF = wx_delta2_delta * yaw_per_v_delta;
+        let M_11_rF = t80 + t80;
+        let M_12_rF = t119 + t119;
+        let M_22_rF = wx_delta2_delta * M_12_rF;
+        let t289 = self.mF - t88 * SF;
+        let C1_12_rF = wz_delta2_delta * t289;
+        let C1_12_IFyy = wz_delta2_delta * t88;
+        let C1_21_rF = SF * C1_12_IFyy;
+        let C1_22_rF = self.mF * t265;
+        let t294 = wx_delta2_delta * t118;
+        let K2_12_rF = yaw_per_v_delta * t289;
+        let K2_22_rF = K2_22_SF * t289;
+        let t297 = self.rF * wx_delta2_delta;
+        let M_12_mF = self.rF * t297;
+        let M_22_mF = wx_delta2_delta * M_12_mF;
+        let C1_22_mF = wz_delta2_delta * t297;
+        let t301 = wx_delta2_delta * t297;
         let K2_12_mF = self.rF * yaw_per_v_delta;
-        let M_22_IFxx = M_22_Jzz_delta + M_22_Jxx_delta;
-        let K2_22_IFyy = t98 * C1_22_Jxz_delta;
-        let C1_21 = -(t100 + t113);
-        let C1_22 = -(t115 + mu * K0_12);
-        let K0_11 = t105 - t21;
-        let K2_22 = -(cos_lam * t126);
-        let t373 = -(self.zH * K0_12_mH);
-        let t374 = -(sin_lam * K0_12_mH);
-        let K2_22_mH = -(yaw_per_v_delta * K0_12_mH);
-        let K0_12_mF = t332 - t210;
+        let K2_22_mF = wx_delta2_delta * K2_12_mF;
+        let M_22_IFxx = M_22_IHxx + M_22_IHzz;
+        let K2_12_IFyy = yaw_per_v_delta * t88;
+        let K2_22_IFyy = t88 * K2_22_SF;
+        let C1_21 = -(t97 + t100);
+        let K0_12 = -t120;
+        let K0_22 = -(wx_delta2_delta * t120);
         (
             WhippleMechanismMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
@@ -5147,21 +5111,21 @@ impl<T: Number> WhippleMechanism<T> {
             ]),
             WhippleMechanismDerivatives {
                 values: [
-                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_12_w, K0_22_w, t191, K2_22_w,
-                    M_12_c, t203, K2_12, t112, C1_22_c, K0_12_c, K0_22_c, t218, M_12_lam, M_22_lam,
-                    t242, C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t255, K2_22_lam, M_11_rR,
-                    C1_12_rR, C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
-                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t273, M_22_xB,
-                    t272, C1_22_xB, t280, t281, K2_22_xB, M_11_zB, t118, t283, self.mB, t275,
-                    M_11_mB, t286, M_22_mB, t289, C1_22_mB, self.zB, t285, t292, t288, K2_22_mB, mu,
-                    yaw_per_v_delta, t129, t153, t160, C1_22_xH, t173, t296, K2_22_xH, M_11_zH,
-                    M_12_zH, t306, t309, t312, self.mH, K0_12_zH, K0_22_zH, t308, t311, M_11_mH,
-                    t373, M_22_mH, t321, C1_22_mH, self.zH, K0_12_mH, t374, t159, K2_22_mH, sin_lam,
-                    M_22_Jxx_delta, M_22_Jzz_delta, C1_22_Jzz_delta, M_12_Jxz_delta, M_22_Jxz_delta,
-                    C1_22_Jxz_delta, M_11_rF, M_12_rF, t339, C1_12_rF, C1_21_rF, C1_22_rF, self.mF,
-                    P_delta_lateral_rF, t345, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF,
-                    C1_12_mF, C1_22_mF, self.rF, K0_12_mF, t365, K2_12_mF, K2_22_mF, M_22_IFxx,
-                    C1_12_IFyy, K2_12_IFyy, K2_22_IFyy,
+                    M_12_w, M_22_w, t142, C1_21_w, t152, K0_12_w, K0_22_w, t156, t159, M_12_c,
+                    M_22_c, K2_12, t167, C1_22_c, K0_12_c, K0_22_c, t175, t187, t195, t197,
+                    C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t215, K2_22_lam, M_11_rR, C1_12_rR,
+                    C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
+                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t234, M_22_xB,
+                    t240, C1_22_xB, t106, t244, K2_22_xB, M_11_zB, t107, t247, self.mB, t105,
+                    M_11_mB, t249, M_22_mB, t251, C1_22_mB, self.zB, t236, t253, t239, K2_22_mB, mu,
+                    yaw_per_v_delta, t255, t257, t259, C1_22_xH, t256, t266, K2_22_xH, M_11_zH,
+                    M_12_zH, M_22_zH, t205, t272, self.mH, K0_12_zH, K0_22_zH, t130, t271, M_11_mH,
+                    M_12_mH, M_22_mH, t277, t279, self.zH, K0_12_mH, K0_22_mH, t258, t278,
+                    wx_delta2_delta, M_22_IHxx, M_22_IHzz, C1_22_IHzz, wz_delta2_delta, M_22_IHxz,
+                    K2_22_SF, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF, self.mF,
+                    t118, t294, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF, C1_22_mF,
+                    self.rF, t297, t301, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy, K2_12_IFyy,
+                    K2_22_IFyy,
                 ],
             },
         )
@@ -5697,22 +5661,23 @@ impl WhippleMechanismDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 158] = &[
         Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1), Partial::new(MatrixName::C1, 0, 1, 0, 2),
-        Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
+        Partial::new(MatrixName::M, 1, 1, 0, 1),
+        Partial::new(MatrixName::C1, 0, 1, 0, 2).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 0, 3),
+        Partial::new(MatrixName::C1, 1, 1, 0, 4).negative(),
         Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
         Partial::new(MatrixName::K0, 1, 1, 0, 6),
         Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 0, 8), Partial::new(MatrixName::M, 0, 1, 1, 9),
-        Partial::new(MatrixName::M, 1, 0, 1, 9),
-        Partial::new(MatrixName::M, 1, 1, 1, 10).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 1, 11),
+        Partial::new(MatrixName::K2, 1, 1, 0, 8).negative(),
+        Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
+        Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
         Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
         Partial::new(MatrixName::C1, 1, 1, 1, 13), Partial::new(MatrixName::K0, 0, 1, 1, 14),
         Partial::new(MatrixName::K0, 1, 0, 1, 14), Partial::new(MatrixName::K0, 1, 1, 1, 15),
         Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
-        Partial::new(MatrixName::M, 0, 1, 2, 17),
-        Partial::new(MatrixName::M, 1, 0, 2, 17),
-        Partial::new(MatrixName::M, 1, 1, 2, 18),
+        Partial::new(MatrixName::M, 0, 1, 2, 17).negative(),
+        Partial::new(MatrixName::M, 1, 0, 2, 17).negative(),
+        Partial::new(MatrixName::M, 1, 1, 2, 18).negative(),
         Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
         Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
         Partial::new(MatrixName::K0, 0, 1, 2, 22), Partial::new(MatrixName::K0, 1, 0, 2, 22),
@@ -5769,34 +5734,30 @@ impl WhippleMechanismDerivatives {
         Partial::new(MatrixName::K0, 1, 1, 15, 69).negative(),
         Partial::new(MatrixName::K2, 1, 1, 15, 70), Partial::new(MatrixName::M, 0, 0, 16, 71),
         Partial::new(MatrixName::M, 0, 1, 16, 72), Partial::new(MatrixName::M, 1, 0, 16, 72),
-        Partial::new(MatrixName::M, 1, 1, 16, 73).negative(),
+        Partial::new(MatrixName::M, 1, 1, 16, 73),
         Partial::new(MatrixName::C1, 0, 1, 16, 74).negative(),
         Partial::new(MatrixName::C1, 1, 1, 16, 75).negative(),
         Partial::new(MatrixName::K0, 0, 0, 16, 76), Partial::new(MatrixName::K0, 0, 1, 16, 77),
         Partial::new(MatrixName::K0, 1, 0, 16, 77), Partial::new(MatrixName::K0, 1, 1, 16, 78),
         Partial::new(MatrixName::K2, 0, 1, 16, 79).negative(),
         Partial::new(MatrixName::K2, 1, 1, 16, 80).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 81),
-        Partial::new(MatrixName::M, 0, 1, 17, 82).negative(),
-        Partial::new(MatrixName::M, 1, 0, 17, 82).negative(),
-        Partial::new(MatrixName::M, 1, 1, 17, 83),
+        Partial::new(MatrixName::M, 0, 0, 17, 81), Partial::new(MatrixName::M, 0, 1, 17, 82),
+        Partial::new(MatrixName::M, 1, 0, 17, 82), Partial::new(MatrixName::M, 1, 1, 17, 83),
         Partial::new(MatrixName::C1, 0, 1, 17, 84).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 17, 85), Partial::new(MatrixName::K0, 0, 0, 17, 86),
-        Partial::new(MatrixName::K0, 0, 1, 17, 87), Partial::new(MatrixName::K0, 1, 0, 17, 87),
-        Partial::new(MatrixName::K0, 1, 1, 17, 88).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 85).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 17, 86), Partial::new(MatrixName::K0, 0, 1, 17, 87),
+        Partial::new(MatrixName::K0, 1, 0, 17, 87), Partial::new(MatrixName::K0, 1, 1, 17, 88),
         Partial::new(MatrixName::K2, 0, 1, 17, 89).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 17, 90), Partial::new(MatrixName::M, 0, 0, 18, 35),
-        Partial::new(MatrixName::M, 0, 1, 18, 91), Partial::new(MatrixName::M, 1, 0, 18, 91),
-        Partial::new(MatrixName::M, 1, 1, 18, 92), Partial::new(MatrixName::M, 1, 1, 20, 93),
-        Partial::new(MatrixName::C1, 1, 1, 20, 94), Partial::new(MatrixName::M, 0, 1, 21, 95),
-        Partial::new(MatrixName::M, 1, 0, 21, 95), Partial::new(MatrixName::M, 1, 1, 21, 96),
-        Partial::new(MatrixName::C1, 0, 1, 21, 63), Partial::new(MatrixName::C1, 1, 1, 21, 97),
-        Partial::new(MatrixName::M, 0, 0, 22, 98), Partial::new(MatrixName::M, 0, 1, 22, 99),
-        Partial::new(MatrixName::M, 1, 0, 22, 99),
-        Partial::new(MatrixName::M, 1, 1, 22, 100).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 22, 101),
-        Partial::new(MatrixName::C1, 1, 0, 22, 102),
-        Partial::new(MatrixName::C1, 1, 1, 22, 103),
+        Partial::new(MatrixName::K2, 1, 1, 17, 90).negative(),
+        Partial::new(MatrixName::M, 0, 0, 18, 35), Partial::new(MatrixName::M, 0, 1, 18, 91),
+        Partial::new(MatrixName::M, 1, 0, 18, 91), Partial::new(MatrixName::M, 1, 1, 18, 92),
+        Partial::new(MatrixName::M, 1, 1, 20, 93), Partial::new(MatrixName::C1, 1, 1, 20, 94),
+        Partial::new(MatrixName::M, 0, 1, 21, 95), Partial::new(MatrixName::M, 1, 0, 21, 95),
+        Partial::new(MatrixName::M, 1, 1, 21, 96), Partial::new(MatrixName::C1, 0, 1, 21, 63),
+        Partial::new(MatrixName::C1, 1, 1, 21, 97), Partial::new(MatrixName::M, 0, 0, 22, 98),
+        Partial::new(MatrixName::M, 0, 1, 22, 99), Partial::new(MatrixName::M, 1, 0, 22, 99),
+        Partial::new(MatrixName::M, 1, 1, 22, 100), Partial::new(MatrixName::C1, 0, 1, 22, 101),
+        Partial::new(MatrixName::C1, 1, 0, 22, 102), Partial::new(MatrixName::C1, 1, 1, 22, 103),
         Partial::new(MatrixName::K0, 0, 0, 22, 104).negative(),
         Partial::new(MatrixName::K0, 0, 1, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 0, 22, 105).negative(),
@@ -5806,8 +5767,8 @@ impl WhippleMechanismDerivatives {
         Partial::new(MatrixName::M, 1, 0, 23, 110), Partial::new(MatrixName::M, 1, 1, 23, 111),
         Partial::new(MatrixName::C1, 0, 1, 23, 112), Partial::new(MatrixName::C1, 1, 1, 23, 113),
         Partial::new(MatrixName::K0, 0, 0, 23, 114).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 23, 115),
-        Partial::new(MatrixName::K0, 1, 0, 23, 115),
+        Partial::new(MatrixName::K0, 0, 1, 23, 115).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 23, 115).negative(),
         Partial::new(MatrixName::K0, 1, 1, 23, 116).negative(),
         Partial::new(MatrixName::K2, 0, 1, 23, 117), Partial::new(MatrixName::K2, 1, 1, 23, 118),
         Partial::new(MatrixName::M, 0, 0, 24, 35), Partial::new(MatrixName::M, 0, 1, 24, 91),

@@ -221,62 +221,56 @@ pub struct WhippleSprungMatrices<T = f64> {
 
 impl<T: Number> WhippleSprung<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 45 additions, 46 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 99 operations.
+    /// 40 additions, 43 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 89 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleSprungMatrices<T> {
-        let t6 = self.zH * self.mH;
-        let t10 = self.rF * self.mF;
-        let Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
-        let t17 = self.rR * self.mR;
-        let t21 = self.zB * self.mB;
-        let M_11 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
-        let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t35 = self.c + self.w;
-        let t36 = self.xH - t35;
-        let t37 = self.mH * t36;
-        let Jxz_delta = self.IHxz - t10 * self.c - self.zH * t37;
-        let hx_delta = Jxx_delta * sin_lam + Jxz_delta * cos_lam;
+        let t2 = self.rR * self.mR;
+        let t7 = self.zH * self.mH;
+        let t13 = self.zB * self.mB;
+        let t18 = self.rF * self.mF;
+        let t23 = self.rF * t18 + (self.IHxx + self.IFxx);
+        let M_11 = self.rR * t2 + (self.IBxx + self.zH * t7)
+            + (self.zB * t13 + (self.IRxx + t23));
+        let (wx_delta2_delta, cos_lam) = self.lam.sin_cos();
         let yaw_per_v_delta = cos_lam / self.w;
         let yaw_by_delta = self.c * yaw_per_v_delta;
-        let Sz_delta = t6 - t10;
-        let Jxz_all = Jxz_delta + self.IBxz - t21 * self.xB - t35 * Sz_delta;
-        let M_12 = hx_delta + yaw_by_delta * Jxz_all;
-        let t58 = self.mF * self.c;
-        let t61 = self.IFxx + self.IHzz;
-        let hz_delta = sin_lam * Jxz_delta + cos_lam * (t36 * t37 + self.c * t58 + t61);
-        let Sx_delta = t37 - t58;
-        let py_delta = cos_lam * Sx_delta - sin_lam * Sz_delta;
-        let M_yaw_delta = hz_delta + t35 * py_delta;
-        let t73 = self.mB * self.xB;
-        let t75 = self.mH * self.xH;
-        let t77 = self.mF * self.w;
-        let t84 = yaw_by_delta
-            * (self.IRxx + t61 + self.IBzz + self.xB * t73 + self.xH * t75
-                + self.w * t77);
-        let P_delta_yaw = M_yaw_delta + t84;
-        let M_22 = yaw_by_delta * (M_yaw_delta + P_delta_yaw) + sin_lam * hx_delta
-            + cos_lam * hz_delta;
+        let t35 = self.mB * self.xB;
+        let t37 = self.IBxz - self.zB * t35;
+        let wz_delta2_delta = cos_lam + yaw_by_delta;
+        let t41 = self.IHxz * wz_delta2_delta;
+        let ay_all1_delta = t23 * wx_delta2_delta;
+        let t44 = t41 + ay_all1_delta;
+        let t52 = self.zH * wx_delta2_delta
+            - (self.xH * wz_delta2_delta - cos_lam * (self.c + self.w));
+        let t53 = self.mH * t52;
+        let M_12 = yaw_by_delta * t37 + t44 + self.zH * t53;
+        let h_wheels_all = wx_delta2_delta * (t41 + t44);
+        let t60 = wz_delta2_delta * (self.IFxx + self.IHzz);
+        let t67 = yaw_by_delta * (self.IRxx + (self.xB * t35 + self.IBzz));
+        let M_22 = h_wheels_all + wz_delta2_delta * t60
+            + (t67 * yaw_by_delta + t52 * t53);
         let zero = self.w.like(0.0);
+        let t77 = t13 + t7 - t2;
         let h_spin_F = self.IFyy / self.rF;
-        let h_wheels_all = h_spin_F + self.IRyy / self.rR;
-        let Sz_all = t21 + Sz_delta - t17;
-        let t101 = h_wheels_all - Sz_all;
-        let t104 = cos_lam * h_spin_F;
-        let C1_12 = yaw_by_delta * t101 + yaw_per_v_delta * Jxz_all + t104;
-        let Sx_all = t73 + t75 + t77;
-        let P_delta_lateral = py_delta + yaw_by_delta * Sx_all;
-        let C1_22 = yaw_by_delta * P_delta_lateral + yaw_per_v_delta * P_delta_yaw;
-        let K2_12 = yaw_per_v_delta * t101;
-        let K2_22 = yaw_per_v_delta * (P_delta_lateral + sin_lam * h_spin_F);
-        let C1_21 = -(t104 + yaw_by_delta * h_wheels_all);
-        let K0_12 = -P_delta_lateral;
-        let K0_22 = -(sin_lam * P_delta_lateral);
+        let h_spin_R = self.IRyy / self.rR;
+        let t87 = wz_delta2_delta * h_spin_F + yaw_by_delta * h_spin_R;
+        let t90 = t18 * wz_delta2_delta + yaw_per_v_delta * self.IHxz;
+        let t96 = t53 - yaw_by_delta * t35;
+        let K0_11 = t77 - t18;
+        let K0_12 = t96 - t18 * wx_delta2_delta;
+        let K0_22 = wx_delta2_delta * K0_12;
+        let K2_12 = yaw_per_v_delta * (h_spin_F - (K0_11 - h_spin_R));
+        let K2_22 = yaw_per_v_delta * (wx_delta2_delta * h_spin_F - K0_12);
+        let C1_12 = t87 + t90 - yaw_per_v_delta * (t7 * self.xH - t37 + self.c * t77);
+        let C1_21 = -t87;
+        let C1_22 = wx_delta2_delta * t90
+            - yaw_per_v_delta * (self.c * t96 - (t67 + (t60 - self.xH * t53)));
         WhippleSprungMatrices::from_entries([
             M_11, M_12, M_12, M_22, zero, zero, zero, self.d, zero, C1_12, C1_21, C1_22, zero, zero,
-            zero, self.k, Sz_all, K0_12, K0_12, K0_22, zero, K2_12, zero, K2_22,
+            zero, self.k, K0_11, K0_12, K0_12, K0_22, zero, K2_12, zero, K2_22,
         ])
     }
 }
@@ -345,232 +339,208 @@ pub struct WhippleSprungDerivatives<T = f64> {
 
 impl<T: Number> WhippleSprung<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 121 additions, 194 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 324 operations.
+    /// 98 additions, 179 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 285 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleSprungMatrices<T>, WhippleSprungDerivatives<T>) {
-        let M_11_mB = self.zB * self.zB;
-        let hx_delta_rF = self.mB * M_11_mB;
-        let t7 = self.zH * self.mH;
-        let t13 = self.rF * self.mF;
-        let Jxx_delta = self.zH * t7 + self.IHxx + self.IFxx + self.rF * t13;
+        let t2 = self.zH * self.mH;
+        let t8 = self.rF * self.mF;
+        let t13 = self.rF * t8 + self.IHxx + self.IFxx;
         let M_11_mR = self.rR * self.rR;
-        let M_11 = self.IRxx + hx_delta_rF + Jxx_delta + self.IBxx + self.mR * M_11_mR;
-        let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t31 = self.w.like(1.0) / self.w;
-        let t32 = self.c * t31;
-        let yaw_by_delta = cos_lam * t32;
-        let t34 = t13 * self.c;
-        let t37 = self.c + self.w;
-        let t38 = self.xH - t37;
-        let t39 = self.mH * t38;
-        let t42 = t34 + self.zH * t39 - self.IHxz;
-        let t44 = self.mB * self.xB;
-        let Sz_delta = t7 - t13;
-        let t51 = t42 + self.zB * t44 + t37 * Sz_delta - self.IBxz;
-        let t52 = yaw_by_delta * t51;
-        let t55 = cos_lam * t42;
-        let hx_delta = Jxx_delta * sin_lam - t55;
-        let M_12 = hx_delta - t52;
-        let t58 = t42 * sin_lam;
-        let t61 = self.IFxx + self.IHzz;
-        let t62 = self.mF * self.c;
-        let t65 = t38 * t39 + t61 + self.c * t62;
-        let t67 = t58 - cos_lam * t65;
-        let t68 = self.mF * cos_lam;
-        let t69 = self.c * t68;
-        let t71 = t69 - t13 * sin_lam;
-        let t73 = self.zH * sin_lam;
-        let t74 = cos_lam * t38 - t73;
-        let t75 = self.mH * t74;
-        let t76 = t75 - t71;
-        let t78 = t67 - t37 * t76;
-        let yaw_per_v_delta = cos_lam * t31;
-        let t81 = self.mH * self.xH;
-        let t83 = self.mF * self.w;
-        let t91 = yaw_per_v_delta
-            * (self.IRxx + t61 + self.xB * t44 + self.xH * t81 + self.w * t83
-                + self.IBzz);
-        let t92 = self.c * t91;
-        let t93 = t78 - t92;
-        let M_22 = sin_lam * hx_delta - cos_lam * (t67 + t32 * (t78 + t93));
+        let t20 = self.zB * self.mB;
+        let M_11 = self.zH * t2 + self.IRxx + self.IBxx + t13 + self.mR * M_11_mR
+            + self.zB * t20;
+        let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
+        let t34 = self.w.like(1.0) / self.w;
+        let t35 = self.c * t34;
+        let t39 = self.xH + self.xH * t35 - self.c - self.w;
+        let K0_12_mH = self.zH * wx_delta2_delta - wx_delta2_delta_lam * t39;
+        let M_12_mH = self.zH * K0_12_mH;
+        let yaw_by_delta = wx_delta2_delta_lam * t35;
+        let wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
+        let t49 = t13 * wx_delta2_delta + self.IHxz * wz_delta2_delta;
+        let t53 = self.IBxz - t20 * self.xB;
+        let M_12 = self.mH * M_12_mH + t49 + yaw_by_delta * t53;
+        let t58 = self.IFxx + self.IHzz;
+        let t60 = wx_delta2_delta * self.IHxz;
+        let t61 = wz_delta2_delta * t58 + t60;
+        let t63 = self.mB * self.xB;
+        let C1_12_yaw_by_delta = self.xB * t63;
+        let t66 = self.IRxx + self.IBzz + C1_12_yaw_by_delta;
+        let t68 = t61 + yaw_by_delta * t66;
+        let t70 = t61 + t35 * t68;
+        let t73 = self.mH * K0_12_mH;
+        let M_22 = wx_delta2_delta_lam * t70 + wx_delta2_delta * t49 + K0_12_mH * t73;
         let zero = self.w.like(0.0);
-        let t103 = self.w.like(1.0) / self.rF;
-        let h_spin_F = self.IFyy * t103;
-        let t105 = cos_lam * h_spin_F;
-        let t107 = self.w.like(1.0) / self.rR;
-        let t108 = self.IRyy * t107;
-        let h_wheels_all = h_spin_F + t108;
-        let t110 = self.mR * self.rR;
-        let t111 = self.mB * self.zB;
-        let K0_11 = Sz_delta + t111 - t110;
-        let t114 = h_wheels_all - K0_11;
-        let t116 = t51 - self.c * t114;
-        let t117 = yaw_per_v_delta * t116;
-        let C1_12 = t105 - t117;
-        let t120 = h_spin_F + t32 * h_wheels_all;
-        let Sx_all = t44 + t81 + t83;
-        let t124 = yaw_by_delta * Sx_all;
-        let t125 = t76 + t124;
-        let t127 = t93 - self.c * t125;
-        let K2_12 = yaw_per_v_delta * t114;
-        let t132 = sin_lam * h_spin_F;
-        let t133 = t125 + t132;
-        let K2_22 = yaw_per_v_delta * t133;
-        let C1_12_h_spin_F = cos_lam + yaw_by_delta;
-        let P_delta_lateral_xH = self.mH * C1_12_h_spin_F;
-        let t138 = self.zH * P_delta_lateral_xH;
-        let t139 = yaw_by_delta * Sz_delta - t138;
-        let hx_delta_mH = t31 * t52;
-        let M_12_w = hx_delta_mH - t139;
-        let t142 = t75 + t75;
-        let t143 = cos_lam * t142;
-        let t144 = yaw_by_delta + yaw_by_delta;
-        let t145 = t31 * t93;
-        let P_delta_lateral_yaw_per_v_delta = self.w * yaw_per_v_delta;
-        let t147 = t62 * P_delta_lateral_yaw_per_v_delta;
-        let t148 = self.mH * cos_lam;
-        let t149 = self.xH * t148;
-        let t151 = t147 - t71 - t149;
-        let hz_delta_mF = t145 + t151;
-        let M_22_w = t144 * hz_delta_mF - t143;
-        let t155 = t13 * cos_lam;
-        let C1_12_w = t31 * (t117 + t155);
-        let t158 = yaw_per_v_delta * h_wheels_all;
-        let C1_21_w = t32 * t158;
-        let K0_12_w = t148 - t31 * (t69 - t124);
-        let t165 = t31 * (t92 - t127);
-        let C1_22_w = yaw_per_v_delta * (t147 + t151 - self.c * K0_12_w - t165);
-        let K0_22_w = sin_lam * K0_12_w;
-        let t171 = t31 * K2_12;
-        let t172 = t31 * t133;
-        let t174 = yaw_per_v_delta * (K0_12_w + t172);
-        let t178 = t139 + t155 + yaw_per_v_delta * (t34 + t51);
-        let t179 = t145 + t145;
-        let t183 = t37 * t68;
-        let t185 = t69 - t149 - t183;
-        let M_22_c = t144 * t185 - cos_lam * (t76 + t76 + t179);
-        let K0_12_c = t68 + t148 - yaw_per_v_delta * Sx_all;
-        let C1_22_c = yaw_per_v_delta * (t91 + t125 + t185 - self.c * K0_12_c);
-        let K0_22_c = sin_lam * K0_12_c;
-        let t197 = yaw_per_v_delta * K0_12_c;
-        let hx_delta_lam = t58 + Jxx_delta * cos_lam;
-        let t200 = t31 * sin_lam;
-        let t201 = self.c * t200;
-        let P_delta_yaw_mH = t51 * t201;
-        let M_12_lam = hx_delta_lam + P_delta_yaw_mH;
-        let t205 = t55 + sin_lam * t65;
-        let t209 = cos_lam * Sz_delta - sin_lam * (t62 - t39);
-        let t211 = t205 + t37 * t209;
-        let M_22_lam = sin_lam * (t67 + hx_delta_lam + self.c * t179)
-            + cos_lam * (hx_delta - t205) - t144 * t211;
-        let C1_12_lam = t116 * t200 - t132;
-        let C1_21_lam = sin_lam * t120;
-        let K0_12_lam = t209 + Sx_all * t201;
-        let t230 = yaw_per_v_delta * (t211 + self.c * K0_12_lam) + sin_lam * t165;
-        let K0_22_lam = sin_lam * K0_12_lam - cos_lam * t125;
-        let t234 = t114 * t200;
-        let K2_22_lam = yaw_per_v_delta * (t105 - K0_12_lam) - sin_lam * t172;
-        let M_11_rR = t110 + t110;
-        let t241 = self.mR - t107 * t108;
-        let C1_12_rR = yaw_by_delta * t241;
-        let K2_12_IRyy = yaw_per_v_delta * t107;
-        let C1_12_IRyy = self.c * K2_12_IRyy;
-        let C1_21_rR = t108 * C1_12_IRyy;
-        let K2_12_rR = yaw_per_v_delta * t241;
+        let t80 = self.w.like(1.0) / self.rF;
+        let h_spin_F = self.IFyy * t80;
+        let t82 = wx_delta2_delta_lam * h_spin_F;
+        let yaw_per_v_delta = wx_delta2_delta_lam * t34;
+        let t85 = self.w.like(1.0) / self.rR;
+        let h_spin_R = self.IRyy * t85;
+        let t87 = h_spin_F + h_spin_R;
+        let t88 = yaw_per_v_delta * t87;
+        let C1_12_yaw_per_v_delta = self.c * t88;
+        let t90 = t82 + C1_12_yaw_per_v_delta;
+        let t91 = self.IHxz + t53;
+        let t93 = self.mR * self.rR;
+        let K0_11 = t20 - (t8 + t93 - t2);
+        let t99 = t91 - self.c * K0_11 - t2 * self.xH;
+        let t100 = yaw_per_v_delta * t99;
+        let t101 = t8 * wx_delta2_delta_lam;
+        let C1_12 = t90 + t100 + t101;
+        let t104 = self.rF * wx_delta2_delta;
+        let t105 = self.mF * t104;
+        let t107 = yaw_by_delta * t63;
+        let t108 = t107 - t73;
+        let t111 = t68 - self.xH * t73;
+        let C1_22 = wz_delta2_delta * t105 + yaw_by_delta * t108
+            + yaw_per_v_delta * t111;
+        let t116 = t105 + t108;
+        let K2_12_yaw_per_v_delta = t87 - K0_11;
+        let K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
+        let t120 = wx_delta2_delta * h_spin_F;
+        let K2_22_yaw_per_v_delta = t116 + t120;
+        let K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
+        let t123 = yaw_per_v_delta * t91;
+        let t125 = self.xH * yaw_per_v_delta;
+        let t127 = wx_delta2_delta_lam + t35 * t125;
+        let M_22_yaw_by_delta = t2 * t127;
+        let M_12_w = M_22_yaw_by_delta - t35 * t123;
+        let t130 = t73 + t73;
+        let t132 = t68 * yaw_per_v_delta;
+        let t133 = t132 + t132;
+        let M_22_w = t127 * t130 - t35 * t133;
+        let t137 = t34 * (C1_12_yaw_per_v_delta + t100);
+        let C1_21_w = t35 * t88;
+        let t139 = self.xH + self.c;
+        let t140 = self.mH * t127;
+        let t142 = t58 * yaw_per_v_delta;
+        let C1_22_yaw_per_v_delta = t107 + t116 + t142 + t66 * yaw_per_v_delta;
+        let t149 = t34 * (t111 + self.c * C1_22_yaw_per_v_delta);
+        let t151 = yaw_per_v_delta * (t139 * t140 + t149);
+        let t152 = t63 * yaw_per_v_delta;
+        let K0_12_w = t140 + t35 * t152;
+        let K0_22_w = wx_delta2_delta * K0_12_w;
+        let t156 = t34 * K2_12;
+        let t159 = t34 * (K2_22 + wx_delta2_delta_lam * K0_12_w);
+        let t160 = wx_delta2_delta_lam - t125;
+        let M_12_c = t123 + t2 * t160;
+        let M_22_c = t133 + t130 * t160;
+        let t165 = self.mH * t160;
+        let C1_22_c = yaw_per_v_delta * (C1_22_yaw_per_v_delta - t139 * t165);
+        let K0_12_c = t165 - t152;
+        let K0_22_c = wx_delta2_delta * K0_12_c;
+        let t171 = yaw_per_v_delta * K0_12_c;
+        let C1_22_wz_delta2_delta = t13 * wx_delta2_delta_lam;
+        let t173 = wx_delta2_delta * t34;
+        let t174 = self.c * t173;
+        let t177 = self.zH * wx_delta2_delta_lam;
+        let t178 = wx_delta2_delta * t39 + t177;
+        let t182 = t60 + t91 * t174 - C1_22_wz_delta2_delta - t2 * t178;
+        let t187 = wx_delta2_delta * t70 - wx_delta2_delta_lam * t49 - t73 * t178;
+        let t188 = t187 + t187;
+        let C1_21_lam = t120 + t87 * t174;
+        let t193 = t105 + t99 * t173 + C1_21_lam;
+        let t194 = wx_delta2_delta_lam * yaw_per_v_delta;
+        let t200 = self.mH * t178;
+        let t201 = yaw_by_delta + t125;
+        let C1_22_lam = self.IHxz * t194 + wz_delta2_delta * t101
+            - wx_delta2_delta * (t105 + t142 + t149) - t200 * t201;
+        let K0_12_lam = t200 + t63 * t174 - t101;
+        let K0_22_lam = wx_delta2_delta * K0_12_lam - wx_delta2_delta_lam * t116;
+        let t212 = K2_12_yaw_per_v_delta * t173;
+        let K2_22_lam = yaw_per_v_delta * (t82 - K0_12_lam)
+            - K2_22_yaw_per_v_delta * t173;
+        let M_11_rR = t93 + t93;
+        let K2_12_rR = yaw_per_v_delta * (self.mR - t85 * h_spin_R);
+        let C1_12_rR = self.c * K2_12_rR;
+        let C1_12_IRyy = yaw_by_delta * t85;
+        let C1_21_rR = h_spin_R * C1_12_IRyy;
+        let C1_12_mR = self.rR * yaw_by_delta;
         let K2_12_mR = self.rR * yaw_per_v_delta;
-        let C1_12_mR = self.c * K2_12_mR;
+        let M_22_IRxx = yaw_by_delta * yaw_by_delta;
         let C1_22_IRxx = yaw_by_delta * yaw_per_v_delta;
-        let M_22_IRxx = self.c * C1_22_IRxx;
-        let t252 = yaw_by_delta * t111;
-        let P_delta_lateral_mB = yaw_by_delta * self.xB;
-        let t254 = self.mB * P_delta_lateral_mB;
-        let M_22_xB = t144 * t254;
-        let t256 = self.zB * yaw_per_v_delta;
-        let t257 = self.mB * t256;
-        let K2_22_xB = self.mB * C1_22_IRxx;
-        let P_delta_yaw_mB = self.c + self.xB;
-        let C1_22_xB = K2_22_xB * (self.xB + P_delta_yaw_mB);
-        let P_delta_lateral_xB = self.mB * yaw_by_delta;
-        let t263 = sin_lam * P_delta_lateral_xB;
-        let M_11_zB = t111 + t111;
-        let t265 = self.mB * yaw_per_v_delta;
-        let t266 = P_delta_yaw_mB * t265;
-        let t267 = self.zB * P_delta_lateral_mB;
-        let M_22_mB = P_delta_lateral_mB * P_delta_lateral_mB;
-        let t269 = t256 * P_delta_yaw_mB;
-        let K2_22_mB = yaw_per_v_delta * P_delta_lateral_mB;
-        let C1_22_mB = P_delta_yaw_mB * K2_22_mB;
-        let t272 = sin_lam * P_delta_lateral_mB;
-        let t273 = t75 + t149;
-        let t274 = t81 * t144;
-        let t275 = t273 + t274;
-        let M_22_xH = t143 + yaw_by_delta * (t273 + t275);
-        let t279 = t7 * yaw_per_v_delta;
-        let C1_22_xH = yaw_per_v_delta * (t275 + self.c * P_delta_lateral_xH);
-        let K0_12_zH = self.mH * sin_lam;
-        let t284 = C1_12_h_spin_F * K0_12_zH;
-        let C1_22_IHzz = yaw_per_v_delta * C1_12_h_spin_F;
+        let K2_12_IRyy = yaw_per_v_delta * t85;
+        let t230 = self.mB * yaw_per_v_delta;
+        let t231 = self.c * t230;
+        let t232 = self.zB * t231;
+        let t233 = yaw_by_delta * self.xB;
+        let t234 = t231 * t233;
+        let M_22_xB = t234 + t234;
+        let t236 = self.zB * yaw_per_v_delta;
+        let t237 = self.mB * t236;
+        let t238 = t152 + t231;
+        let C1_22_xB = yaw_by_delta * (t152 + t238);
+        let t241 = wx_delta2_delta * t231;
+        let K2_22_xB = yaw_by_delta * t230;
+        let M_11_zB = t20 + t20;
+        let M_11_mB = self.zB * self.zB;
+        let t245 = self.zB * t233;
+        let M_22_mB = t233 * t233;
+        let t247 = self.c + self.xB;
+        let t248 = t236 * t247;
+        let K2_22_mB = yaw_per_v_delta * t233;
+        let C1_22_mB = t247 * K2_22_mB;
+        let t251 = wx_delta2_delta * t233;
+        let t252 = t2 * wz_delta2_delta;
+        let t253 = self.mH * wz_delta2_delta;
+        let t254 = K0_12_mH * t253;
+        let t255 = t254 + t254;
+        let t256 = t2 * yaw_per_v_delta;
+        let C1_22_IHzz = t194 + C1_22_IRxx;
+        let t259 = K0_12_mH * yaw_per_v_delta;
+        let C1_22_xH = self.mH * (t139 * C1_22_IHzz - t259);
+        let t262 = wx_delta2_delta * t253;
         let K2_22_xH = self.mH * C1_22_IHzz;
-        let Jxx_delta_zH = t7 + t7;
-        let t289 = t74 + yaw_by_delta * self.xH;
-        let M_12_zH = self.mH * (t73 - t289);
-        let t293 = sin_lam * (t142 + t274);
-        let t294 = self.c + self.xH;
-        let t295 = t31 * t148;
-        let t296 = t294 * t295;
-        let t297 = sin_lam * t295;
-        let t298 = t294 * t297;
-        let K0_22_zH = sin_lam * K0_12_zH;
-        let Jxx_delta_mH = self.zH * self.zH;
-        let t301 = self.zH * t289;
-        let M_22_mH = t289 * t289;
-        let t303 = self.zH * yaw_per_v_delta;
-        let t304 = t294 * t303;
-        let K2_22_mH = yaw_per_v_delta * t289;
-        let C1_22_mH = t294 * K2_22_mH;
-        let t307 = sin_lam * t289;
-        let M_22_IHxx = sin_lam * sin_lam;
-        let t309 = yaw_by_delta + C1_12_h_spin_F;
-        let M_22_yaw_per_v_delta = cos_lam * t309;
-        let M_22_IHzz = M_22_IRxx + M_22_yaw_per_v_delta;
-        let M_22_IHxz = sin_lam * (cos_lam + t309);
-        let K2_22_h_spin_F = sin_lam * yaw_per_v_delta;
-        let t315 = self.mF + self.mF;
-        let M_11_rF = self.rF * t315;
-        let t317 = self.rF * sin_lam;
-        let t319 = self.c * (cos_lam - P_delta_lateral_yaw_per_v_delta);
-        let P_delta_lateral_mF = t317 - t319;
-        let M_12_rF = self.mF * (t317 + P_delta_lateral_mF);
-        let t323 = sin_lam * P_delta_lateral_mF;
-        let M_22_rF = t315 * t323;
-        let C1_12_IFyy = t103 * C1_12_h_spin_F;
+        let M_11_zH = t2 + t2;
+        let M_12_zH = t73 + t2 * wx_delta2_delta;
+        let t267 = wx_delta2_delta + wx_delta2_delta;
+        let M_22_zH = t73 * t267;
+        let t269 = self.mH * yaw_per_v_delta;
+        let t270 = t139 * t269;
+        let K2_22_h_spin_F = wx_delta2_delta * yaw_per_v_delta;
+        let t272 = self.mH * K2_22_h_spin_F;
+        let t273 = t139 * t272;
+        let K0_12_zH = self.mH * wx_delta2_delta;
+        let K0_22_zH = wx_delta2_delta * K0_12_zH;
+        let M_11_mH = self.zH * self.zH;
+        let M_22_mH = K0_12_mH * K0_12_mH;
+        let t278 = self.zH * t201;
+        let t279 = K0_12_mH * t201;
+        let K0_22_mH = wx_delta2_delta * K0_12_mH;
+        let t281 = t34 * t177;
+        let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+        let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+        let M_22_IHxz = wz_delta2_delta * t267;
+        let M_11_rF = t8 + t8;
+        let M_12_rF = t105 + t105;
+        let M_22_rF = t105 * t267;
+        let t289 = self.mF - t80 * h_spin_F;
+        let C1_12_rF = wz_delta2_delta * t289;
+        let C1_12_IFyy = wz_delta2_delta * t80;
         let C1_21_rF = h_spin_F * C1_12_IFyy;
-        let t327 = t31 * t183;
-        let C1_12_rF = t327 - C1_21_rF;
-        let C1_22_rF = sin_lam * t327;
-        let P_delta_lateral_rF = self.mF * sin_lam;
-        let t331 = self.mF * M_22_IHxx;
-        let t333 = t103 * t105 - t68;
-        let t334 = t31 * t333;
-        let t335 = t200 * t333;
+        let t293 = self.mF * wx_delta2_delta;
+        let C1_22_rF = wz_delta2_delta * t293;
+        let t295 = wx_delta2_delta * t293;
+        let K2_12_rF = yaw_per_v_delta * t289;
+        let K2_22_rF = wx_delta2_delta * K2_12_rF;
         let M_11_mF = self.rF * self.rF;
-        let M_12_mF = self.rF * P_delta_lateral_mF;
-        let M_22_mF = P_delta_lateral_mF * P_delta_lateral_mF;
+        let M_12_mF = self.rF * t104;
+        let t300 = wx_delta2_delta * t104;
+        let M_22_mF = self.rF * t300;
+        let C1_12_mF = self.rF * wz_delta2_delta;
+        let C1_22_mF = wz_delta2_delta * t104;
         let K2_12_mF = self.rF * yaw_per_v_delta;
-        let C1_12_mF = t37 * K2_12_mF;
-        let K2_22_mF = yaw_per_v_delta * P_delta_lateral_mF;
-        let C1_22_mF = t37 * K2_22_mF;
+        let K2_22_mF = wx_delta2_delta * K2_12_mF;
         let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let K2_12_IFyy = yaw_per_v_delta * t103;
-        let K2_22_IFyy = t103 * K2_22_h_spin_F;
-        let C1_21 = -(cos_lam * t120);
-        let C1_22 = -(yaw_per_v_delta * t127);
-        let K0_12 = -t125;
-        let K0_22 = -(sin_lam * t125);
-        let K0_12_mF = t319 - t317;
+        let K2_12_IFyy = t80 * yaw_per_v_delta;
+        let K2_22_IFyy = t80 * K2_22_h_spin_F;
+        let C1_21 = -t90;
+        let K0_12 = -t116;
+        let K0_22 = -(wx_delta2_delta * t116);
         (
             WhippleSprungMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, zero, zero, self.d, zero, C1_12, C1_21, C1_22, zero,
@@ -578,22 +548,21 @@ impl<T: Number> WhippleSprung<T> {
             ]),
             WhippleSprungDerivatives {
                 values: [
-                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_12_w, K0_22_w, t171, t174, t178,
-                    M_22_c, K2_12, t158, C1_22_c, K0_12_c, K0_22_c, t197, M_12_lam, M_22_lam,
-                    C1_12_lam, C1_21_lam, t230, K0_12_lam, K0_22_lam, t234, K2_22_lam, M_11_rR,
-                    C1_12_rR, C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
-                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t252, M_22_xB,
-                    t257, C1_22_xB, P_delta_lateral_xB, t263, K2_22_xB, M_11_zB, t254, t266,
-                    self.mB, t265, M_11_mB, t267, M_22_mB, t269, C1_22_mB, self.zB,
-                    P_delta_lateral_mB, t272, t256, K2_22_mB, yaw_by_delta, yaw_per_v_delta, t138,
-                    M_22_xH, t279, C1_22_xH, P_delta_lateral_xH, t284, K2_22_xH, Jxx_delta_zH,
-                    M_12_zH, t293, t296, t298, self.mH, K0_12_zH, K0_22_zH, t295, t297,
-                    Jxx_delta_mH, t301, M_22_mH, t304, C1_22_mH, self.zH, t289, t307, t303,
-                    K2_22_mH, sin_lam, M_22_IHxx, M_22_IHzz, C1_22_IHzz, C1_12_h_spin_F, M_22_IHxz,
+                    M_12_w, M_22_w, t137, C1_21_w, t151, K0_12_w, K0_22_w, t156, t159, M_12_c,
+                    M_22_c, K2_12, t88, C1_22_c, K0_12_c, K0_22_c, t171, t182, t188, t193,
+                    C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t212, K2_22_lam, M_11_rR, C1_12_rR,
+                    C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
+                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t232, M_22_xB,
+                    t237, C1_22_xB, t231, t241, K2_22_xB, M_11_zB, t107, t238, self.mB, t230,
+                    M_11_mB, t245, M_22_mB, t248, C1_22_mB, self.zB, t233, t251, t236, K2_22_mB,
+                    yaw_by_delta, yaw_per_v_delta, t252, t255, t256, C1_22_xH, t253, t262, K2_22_xH,
+                    M_11_zH, M_12_zH, M_22_zH, t270, t273, self.mH, K0_12_zH, K0_22_zH, t269, t272,
+                    M_11_mH, M_12_mH, M_22_mH, t278, t279, self.zH, K0_12_mH, K0_22_mH, t281, t259,
+                    wx_delta2_delta, M_22_IHxx, M_22_IHzz, C1_22_IHzz, wz_delta2_delta, M_22_IHxz,
                     K2_22_h_spin_F, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF,
-                    self.mF, P_delta_lateral_rF, t331, t334, t335, M_11_mF, M_12_mF, M_22_mF,
-                    C1_12_mF, C1_22_mF, self.rF, K0_12_mF, t323, K2_12_mF, K2_22_mF, M_22_IFxx,
-                    C1_12_IFyy, K2_12_IFyy, K2_22_IFyy,
+                    self.mF, t293, t295, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF,
+                    C1_22_mF, self.rF, t104, t300, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy,
+                    K2_12_IFyy, K2_22_IFyy,
                 ],
             },
         )
@@ -1110,25 +1079,26 @@ impl WhippleSprungDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 160] = &[
         Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1), Partial::new(MatrixName::C1, 0, 1, 0, 2),
-        Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
+        Partial::new(MatrixName::M, 1, 1, 0, 1),
+        Partial::new(MatrixName::C1, 0, 1, 0, 2).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 0, 3),
+        Partial::new(MatrixName::C1, 1, 1, 0, 4).negative(),
         Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
         Partial::new(MatrixName::K0, 1, 1, 0, 6),
         Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
         Partial::new(MatrixName::K2, 1, 1, 0, 8).negative(),
-        Partial::new(MatrixName::M, 0, 1, 1, 9).negative(),
-        Partial::new(MatrixName::M, 1, 0, 1, 9).negative(),
+        Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
         Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
         Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
         Partial::new(MatrixName::C1, 1, 1, 1, 13), Partial::new(MatrixName::K0, 0, 1, 1, 14),
         Partial::new(MatrixName::K0, 1, 0, 1, 14), Partial::new(MatrixName::K0, 1, 1, 1, 15),
         Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
-        Partial::new(MatrixName::M, 0, 1, 2, 17), Partial::new(MatrixName::M, 1, 0, 2, 17),
-        Partial::new(MatrixName::M, 1, 1, 2, 18), Partial::new(MatrixName::C1, 0, 1, 2, 19),
-        Partial::new(MatrixName::C1, 1, 0, 2, 20),
-        Partial::new(MatrixName::C1, 1, 1, 2, 21).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 2, 22),
-        Partial::new(MatrixName::K0, 1, 0, 2, 22),
+        Partial::new(MatrixName::M, 0, 1, 2, 17).negative(),
+        Partial::new(MatrixName::M, 1, 0, 2, 17).negative(),
+        Partial::new(MatrixName::M, 1, 1, 2, 18).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
+        Partial::new(MatrixName::K0, 0, 1, 2, 22), Partial::new(MatrixName::K0, 1, 0, 2, 22),
         Partial::new(MatrixName::K0, 1, 1, 2, 23),
         Partial::new(MatrixName::K2, 0, 1, 2, 24).negative(),
         Partial::new(MatrixName::K2, 1, 1, 2, 25), Partial::new(MatrixName::M, 0, 0, 4, 26),
@@ -1174,7 +1144,7 @@ impl WhippleSprungDerivatives {
         Partial::new(MatrixName::C1, 0, 1, 14, 63),
         Partial::new(MatrixName::M, 0, 1, 15, 64).negative(),
         Partial::new(MatrixName::M, 1, 0, 15, 64).negative(),
-        Partial::new(MatrixName::M, 1, 1, 15, 65),
+        Partial::new(MatrixName::M, 1, 1, 15, 65).negative(),
         Partial::new(MatrixName::C1, 0, 1, 15, 66).negative(),
         Partial::new(MatrixName::C1, 1, 1, 15, 67),
         Partial::new(MatrixName::K0, 0, 1, 15, 68).negative(),
@@ -1182,46 +1152,41 @@ impl WhippleSprungDerivatives {
         Partial::new(MatrixName::K0, 1, 1, 15, 69).negative(),
         Partial::new(MatrixName::K2, 1, 1, 15, 70), Partial::new(MatrixName::M, 0, 0, 16, 71),
         Partial::new(MatrixName::M, 0, 1, 16, 72), Partial::new(MatrixName::M, 1, 0, 16, 72),
-        Partial::new(MatrixName::M, 1, 1, 16, 73).negative(),
+        Partial::new(MatrixName::M, 1, 1, 16, 73),
         Partial::new(MatrixName::C1, 0, 1, 16, 74).negative(),
         Partial::new(MatrixName::C1, 1, 1, 16, 75).negative(),
         Partial::new(MatrixName::K0, 0, 0, 16, 76), Partial::new(MatrixName::K0, 0, 1, 16, 77),
         Partial::new(MatrixName::K0, 1, 0, 16, 77), Partial::new(MatrixName::K0, 1, 1, 16, 78),
         Partial::new(MatrixName::K2, 0, 1, 16, 79).negative(),
         Partial::new(MatrixName::K2, 1, 1, 16, 80).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 81),
-        Partial::new(MatrixName::M, 0, 1, 17, 82).negative(),
-        Partial::new(MatrixName::M, 1, 0, 17, 82).negative(),
-        Partial::new(MatrixName::M, 1, 1, 17, 83),
+        Partial::new(MatrixName::M, 0, 0, 17, 81), Partial::new(MatrixName::M, 0, 1, 17, 82),
+        Partial::new(MatrixName::M, 1, 0, 17, 82), Partial::new(MatrixName::M, 1, 1, 17, 83),
         Partial::new(MatrixName::C1, 0, 1, 17, 84).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 17, 85),
-        Partial::new(MatrixName::K0, 0, 0, 17, 86),
-        Partial::new(MatrixName::K0, 0, 1, 17, 87).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 17, 87).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 17, 88).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 85).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 17, 86), Partial::new(MatrixName::K0, 0, 1, 17, 87),
+        Partial::new(MatrixName::K0, 1, 0, 17, 87), Partial::new(MatrixName::K0, 1, 1, 17, 88),
         Partial::new(MatrixName::K2, 0, 1, 17, 89).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 17, 90), Partial::new(MatrixName::M, 0, 0, 18, 35),
-        Partial::new(MatrixName::M, 0, 1, 18, 91), Partial::new(MatrixName::M, 1, 0, 18, 91),
-        Partial::new(MatrixName::M, 1, 1, 18, 92), Partial::new(MatrixName::M, 1, 1, 20, 93),
-        Partial::new(MatrixName::C1, 1, 1, 20, 94), Partial::new(MatrixName::M, 0, 1, 21, 95),
-        Partial::new(MatrixName::M, 1, 0, 21, 95), Partial::new(MatrixName::M, 1, 1, 21, 96),
-        Partial::new(MatrixName::C1, 0, 1, 21, 63), Partial::new(MatrixName::C1, 1, 1, 21, 97),
-        Partial::new(MatrixName::M, 0, 0, 22, 98), Partial::new(MatrixName::M, 0, 1, 22, 99),
-        Partial::new(MatrixName::M, 1, 0, 22, 99), Partial::new(MatrixName::M, 1, 1, 22, 100),
-        Partial::new(MatrixName::C1, 0, 1, 22, 101), Partial::new(MatrixName::C1, 1, 0, 22, 102),
-        Partial::new(MatrixName::C1, 1, 1, 22, 103),
+        Partial::new(MatrixName::K2, 1, 1, 17, 90).negative(),
+        Partial::new(MatrixName::M, 0, 0, 18, 35), Partial::new(MatrixName::M, 0, 1, 18, 91),
+        Partial::new(MatrixName::M, 1, 0, 18, 91), Partial::new(MatrixName::M, 1, 1, 18, 92),
+        Partial::new(MatrixName::M, 1, 1, 20, 93), Partial::new(MatrixName::C1, 1, 1, 20, 94),
+        Partial::new(MatrixName::M, 0, 1, 21, 95), Partial::new(MatrixName::M, 1, 0, 21, 95),
+        Partial::new(MatrixName::M, 1, 1, 21, 96), Partial::new(MatrixName::C1, 0, 1, 21, 63),
+        Partial::new(MatrixName::C1, 1, 1, 21, 97), Partial::new(MatrixName::M, 0, 0, 22, 98),
+        Partial::new(MatrixName::M, 0, 1, 22, 99), Partial::new(MatrixName::M, 1, 0, 22, 99),
+        Partial::new(MatrixName::M, 1, 1, 22, 100), Partial::new(MatrixName::C1, 0, 1, 22, 101),
+        Partial::new(MatrixName::C1, 1, 0, 22, 102), Partial::new(MatrixName::C1, 1, 1, 22, 103),
         Partial::new(MatrixName::K0, 0, 0, 22, 104).negative(),
         Partial::new(MatrixName::K0, 0, 1, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 0, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 1, 22, 106).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 107).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 22, 108).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 22, 107), Partial::new(MatrixName::K2, 1, 1, 22, 108),
         Partial::new(MatrixName::M, 0, 0, 23, 109), Partial::new(MatrixName::M, 0, 1, 23, 110),
         Partial::new(MatrixName::M, 1, 0, 23, 110), Partial::new(MatrixName::M, 1, 1, 23, 111),
         Partial::new(MatrixName::C1, 0, 1, 23, 112), Partial::new(MatrixName::C1, 1, 1, 23, 113),
         Partial::new(MatrixName::K0, 0, 0, 23, 114).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 23, 115),
-        Partial::new(MatrixName::K0, 1, 0, 23, 115),
+        Partial::new(MatrixName::K0, 0, 1, 23, 115).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 23, 115).negative(),
         Partial::new(MatrixName::K0, 1, 1, 23, 116).negative(),
         Partial::new(MatrixName::K2, 0, 1, 23, 117), Partial::new(MatrixName::K2, 1, 1, 23, 118),
         Partial::new(MatrixName::M, 0, 0, 24, 35), Partial::new(MatrixName::M, 0, 1, 24, 91),

@@ -225,64 +225,62 @@ pub struct WhippleTyresMatrices<T = f64> {
 
 impl<T: Number> WhippleTyres<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 52 additions, 52 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 112 operations.
+    /// 49 additions, 47 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 102 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleTyresMatrices<T> {
-        let t2 = self.rR * self.mR;
-        let t7 = self.rF * self.mF;
-        let t13 = self.zH * self.mH;
-        let Jxx_delta = self.IHxx + self.rF * t7 + (self.IFxx + self.zH * t13);
-        let t19 = self.zB * self.mB;
-        let M_11 = self.rR * t2 + (Jxx_delta + self.zB * t19) + (self.IRxx + self.IBxx);
-        let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t34 = self.c + self.w;
-        let t35 = self.xH - t34;
-        let t39 = self.IHxz - t13 * t35 - t7 * self.c;
-        let hx_delta = Jxx_delta * sin_lam + t39 * cos_lam;
-        let Sz_delta = t13 - t7;
-        let t50 = t34 * Sz_delta + t19 * self.xB - (t39 + self.IBxz);
-        let t51 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = cos_lam * t51;
+        let t2 = self.zB * self.mB;
+        let t6 = self.rR * self.mR;
+        let t11 = self.rF * self.mF;
+        let t15 = self.IFxx + (self.rF * t11 + self.IHxx);
+        let t20 = self.zH * self.mH;
+        let M_11 = self.zB * t2 + (self.rR * t6 + t15)
+            + (self.zH * t20 + (self.IRxx + self.IBxx));
+        let t29 = self.w.like(1.0) / self.w;
+        let (wx_delta2_delta, cos_lam) = self.lam.sin_cos();
+        let yaw_per_v_delta = t29 * cos_lam;
         let yaw_by_delta = self.c * yaw_per_v_delta;
-        let M_12 = hx_delta - t50 * yaw_by_delta;
-        let t58 = self.IFxx + self.IHzz;
-        let t59 = self.mF * self.c;
-        let t62 = self.mH * t35;
-        let t67 = (t58 + self.c * t59 + t35 * t62) * cos_lam + sin_lam * t39;
-        let t71 = t62 - t59;
-        let t73 = sin_lam * Sz_delta - cos_lam * t71;
-        let t75 = t34 * t73 - t67;
-        let t79 = self.mB * self.xB;
-        let t88 = (self.IRxx + self.mF * (self.w * self.w) + self.xB * t79
-            + (self.xH * (self.mH * self.xH) + self.IBzz + t58)) * yaw_by_delta;
-        let t89 = t75 - t88;
-        let M_22 = sin_lam * hx_delta + cos_lam * t67 - (t75 + t89) * yaw_by_delta;
+        let t37 = t2 * self.xB - self.IBxz;
+        let wz_delta2_delta = cos_lam + yaw_by_delta;
+        let t43 = self.IHxz * wz_delta2_delta;
+        let t44 = wx_delta2_delta * t15 + t43;
+        let t47 = self.w + self.c;
+        let t52 = self.zH * wx_delta2_delta
+            - (self.xH * wz_delta2_delta - cos_lam * t47);
+        let t54 = self.mB * self.xB;
+        let vy_spin_F4_delta = self.IRxx + self.xB * t54;
+        let t62 = wz_delta2_delta * (self.IFxx + self.IHzz);
+        let t63 = yaw_by_delta * (vy_spin_F4_delta + self.IBzz) + t62;
+        let t65 = self.mH * t52;
+        let M_22 = yaw_by_delta * t63
+            + (t52 * t65 + (cos_lam * t62 + wx_delta2_delta * (t43 + t44)));
         let zero = self.w.like(0.0);
+        let t75 = self.IHxz + t11 * t47;
+        let t78 = t20 + (t2 - t6);
+        let h_spin_R = self.IRyy / self.rR;
         let h_spin_F = self.IFyy / self.rF;
-        let t96 = cos_lam * h_spin_F;
-        let t99 = h_spin_F + self.IRyy / self.rR;
-        let t101 = t2 - (t19 + Sz_delta);
-        let t102 = t99 + t101;
-        let h_wheels_all = yaw_per_v_delta * (t50 - self.c * t102);
-        let C1_12 = t96 - h_wheels_all;
-        let m_delta = self.mH + self.mF;
-        let Sx_all = t71 + (t34 * m_delta + t79);
-        let t114 = t73 - Sx_all * yaw_by_delta;
-        let t120 = t51 * Sx_all;
-        let t125 = self.rhoF * t120;
-        let K0_11 = self.rhoR * (self.mR + (self.mB + m_delta - t120)) - (t101 - t125);
-        let K_phi_delta = sin_lam * t125 + t114;
-        let K0_22 = sin_lam * K_phi_delta;
-        let K2_12 = yaw_per_v_delta * t102;
-        let C1_21 = -(t99 * yaw_by_delta + t96);
-        let C1_22 = -(yaw_per_v_delta * (t89 + self.c * t114));
-        let K2_22 = -(yaw_per_v_delta * (t114 - sin_lam * h_spin_F));
+        let h_wheels_all = h_spin_R + h_spin_F;
+        let t84 = h_wheels_all - t78;
+        let t86 = self.mH * self.xH;
+        let t91 = cos_lam * h_spin_F;
+        let t95 = t65 - yaw_by_delta * t54;
+        let C1_22 = yaw_per_v_delta
+            * (wx_delta2_delta * t75 - (self.c * t95 - t63 + self.xH * t65));
+        let t105 = t29 * (t86 + t54);
+        let t113 = self.rhoF * (self.mF + t105) - t11;
+        let K0_11 = t78 + ((self.mR + self.mB + (self.mH - t105)) * self.rhoR + t113);
+        let K0_12 = t95 + wx_delta2_delta * t113;
+        let K0_22 = wx_delta2_delta * K0_12;
+        let K2_12 = yaw_per_v_delta * (t11 + t84);
+        let K2_22 = yaw_per_v_delta * (wx_delta2_delta * (t11 + h_spin_F) - t95);
+        let M_12 = t20 * t52 - (yaw_by_delta * t37 - t44);
+        let C1_12 = t91 - (t37 - t75 - (self.c * t84 - self.zH * t86)) * yaw_per_v_delta;
+        let C1_21 = -(t91 + yaw_by_delta * h_wheels_all);
         WhippleTyresMatrices::from_entries([
-            M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K_phi_delta, K_phi_delta,
-            K0_22, zero, K2_12, zero, K2_22,
+            M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
+            K2_12, zero, K2_22,
         ])
     }
 }
@@ -5209,281 +5207,252 @@ pub struct WhippleTyresDerivatives<T = f64> {
 
 impl<T: Number> WhippleTyres<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 158 additions, 231 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 396 operations.
+    /// 113 additions, 195 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 316 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleTyresMatrices<T>, WhippleTyresDerivatives<T>) {
-        let t2 = self.rF * self.mF;
-        let t8 = self.zH * self.mH;
-        let Jxx_delta = self.rF * t2 + self.IHxx + self.IFxx + self.zH * t8;
-        let t17 = self.rR * self.mR;
-        let t21 = self.zB * self.mB;
-        let M_11 = Jxx_delta + self.IRxx + self.IBxx + self.rR * t17 + self.zB * t21;
-        let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t35 = self.c + self.w;
-        let t36 = self.xH - t35;
-        let t37 = self.mH * t36;
-        let t40 = self.IHxz - t2 * self.c - self.zH * t37;
-        let t42 = t40 * cos_lam;
-        let hx_delta = Jxx_delta * sin_lam + t42;
-        let Sz_delta = t8 - t2;
-        let t51 = t35 * Sz_delta + t21 * self.xB - t40 - self.IBxz;
-        let t52 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = cos_lam * t52;
-        let yaw_by_delta = self.c * yaw_per_v_delta;
-        let M_12 = hx_delta - t51 * yaw_by_delta;
-        let t58 = sin_lam * t40;
-        let t61 = self.IFxx + self.IHzz;
-        let t62 = self.mF * self.c;
-        let t65 = t36 * t37 + t61 + self.c * t62;
-        let t67 = t58 + cos_lam * t65;
-        let t69 = t62 - t37;
-        let t71 = sin_lam * Sz_delta + cos_lam * t69;
-        let t73 = t35 * t71 - t67;
-        let t74 = self.mF * self.w;
-        let t79 = self.mB * self.xB;
-        let t85 = self.IRxx + t61 + self.w * t74 + self.mH * self.xH * self.xH
-            + self.IBzz + self.xB * t79;
-        let t87 = t73 - yaw_by_delta * t85;
-        let t89 = self.c * t52;
-        let M_22 = sin_lam * hx_delta - cos_lam * ((t73 + t87) * t89 - t67);
-        let zero = self.w.like(0.0);
-        let t96 = self.w.like(1.0) / self.rF;
-        let h_spin_F = self.IFyy * t96;
-        let t98 = t51 * t52;
-        let t100 = self.w.like(1.0) / self.rR;
-        let t101 = self.IRyy * t100;
-        let t102 = h_spin_F + t101;
-        let t104 = t21 + Sz_delta - t17;
-        let t105 = t102 - t104;
-        let t107 = t89 * t105 - t98;
-        let t108 = h_spin_F + t107;
-        let C1_12 = cos_lam * t108;
-        let C1_12_h_spin_F = cos_lam + yaw_by_delta;
-        let C1_12_IFyy = t96 * C1_12_h_spin_F;
-        let K2_12_IRyy = yaw_per_v_delta * t100;
-        let C1_12_IRyy = self.c * K2_12_IRyy;
-        let M_22_yaw_by_delta = self.IRyy * C1_12_IRyy;
-        let m_delta = self.mF + self.mH;
-        let Sx_all = t79 + t35 * m_delta - t69;
-        let t121 = yaw_by_delta * Sx_all;
-        let t122 = t71 - t121;
-        let t124 = t87 + self.c * t122;
-        let K0_11_rhoF = t52 * Sx_all;
-        let t128 = self.rhoF * K0_11_rhoF;
-        let t130 = self.mF - K0_11_rhoF;
-        let t131 = self.mH + t130;
-        let K0_11_rhoR = self.mR + self.mB + t131;
-        let K0_11 = t104 + t128 + self.rhoR * K0_11_rhoR;
-        let K_phi_delta = t122 + sin_lam * t128;
-        let K0_22 = sin_lam * K_phi_delta;
-        let K2_12 = yaw_per_v_delta * t105;
-        let t141 = sin_lam * h_spin_F;
-        let t142 = t141 - t122;
-        let K2_22 = yaw_per_v_delta * t142;
-        let M_12_c = cos_lam * (Sz_delta - t98);
-        let t147 = t8 * C1_12_h_spin_F;
-        let M_12_w = t147 - t89 * M_12_c;
-        let t149 = yaw_by_delta + C1_12_h_spin_F;
-        let t150 = t36 * cos_lam;
-        let t151 = t149 * t150;
-        let M_22_IHxz = sin_lam * (cos_lam + t149);
-        let t156 = self.c * (cos_lam + cos_lam);
-        let t157 = self.w * yaw_per_v_delta;
-        let t158 = yaw_by_delta + t157;
-        let t159 = t156 * t158;
-        let t160 = t151 + t159;
-        let t163 = self.mH * (t151 + t160 - self.zH * M_22_IHxz);
-        let t164 = t52 * t156;
-        let t166 = t163 + t71 * t164;
-        let t167 = t74 * t164;
-        let t168 = t52 * t87;
-        let t169 = t168 + t168;
-        let M_22_w = yaw_by_delta * (t167 + t169) - t166;
-        let C1_12_w = yaw_per_v_delta * (t2 - t107);
-        let t175 = yaw_per_v_delta * t102;
-        let C1_21_w = t89 * t175;
-        let t177 = self.zH * sin_lam;
-        let t178 = t177 - t150;
-        let t179 = self.xH * cos_lam;
-        let t180 = t178 - t179;
-        let t182 = t71 - self.mH * t180;
-        let C1_22_yaw_by_delta = yaw_per_v_delta * t85;
-        let t184 = t121 + C1_22_yaw_by_delta;
-        let t187 = t52 * (self.c * t184 - t124);
-        let t189 = self.mH * cos_lam;
-        let t190 = yaw_per_v_delta * t62 - t189;
-        let C1_22_w = yaw_per_v_delta * (t167 + self.c * t190 - t182 - t187);
-        let t197 = t52 * (self.rhoF - self.rhoR);
-        let K0_11_w = t130 * t197;
-        let t199 = sin_lam * t52;
-        let t200 = self.rhoF * t199;
-        let t201 = t200 - yaw_by_delta;
-        let K0_12_w = t189 + t130 * t201;
-        let K0_22_w = sin_lam * K0_12_w;
-        let t205 = t52 * K2_12;
-        let t207 = t52 * (t121 + t142);
-        let K2_22_w = yaw_per_v_delta * (t190 - t207);
-        let t210 = self.c * t158;
-        let t211 = t210 + t210;
-        let t212 = self.rF * sin_lam;
-        let t218 = self.mF * (t156 - t212);
-        let t221 = t166 + cos_lam * (t169 + self.mF * (t211 + t212)) - t149 * t218;
-        let t222 = self.mF * t158;
-        let K0_12_c = cos_lam * t131;
-        let C1_22_c = yaw_per_v_delta * (t184 + t218 - t71 - t182 - self.c * K0_12_c)
-            - cos_lam * t222;
-        let K0_22_c = sin_lam * K0_12_c;
-        let t233 = yaw_per_v_delta * K0_12_c;
-        let t234 = self.c * t199;
-        let hx_delta_lam = Jxx_delta * cos_lam - t58;
-        let M_12_lam = t51 * t234 + hx_delta_lam;
-        let t241 = sin_lam * t69 - cos_lam * Sz_delta;
-        let t244 = sin_lam * t65 - t42;
-        let t252 = t211 * t241 + sin_lam * (hx_delta_lam + self.c * t169 - t67)
-            + cos_lam * hx_delta;
-        let M_22_lam = t252 - t149 * t244;
-        let t254 = sin_lam * t108;
-        let C1_21_lam = t141 + t102 * t234;
-        let C1_22_lam = t241 * (yaw_by_delta + t158) - sin_lam * t187
-            - yaw_per_v_delta * t244;
-        let K_phi_delta_lam = Sx_all * (t234 + yaw_per_v_delta * self.rhoF) - t241;
-        let K0_22_lam = sin_lam * K_phi_delta_lam + cos_lam * K_phi_delta;
-        let t270 = t105 * t199;
-        let K2_22_lam = yaw_per_v_delta * (t241 + cos_lam * h_spin_F) - sin_lam * t207;
-        let M_11_rR = t17 + t17;
-        let t277 = t100 * t101;
-        let K2_12_rR = yaw_per_v_delta * (self.mR - t277);
-        let C1_12_rR = self.c * K2_12_rR;
-        let C1_21_rR = yaw_by_delta * t277;
+        let t4 = self.rF * self.mF;
+        let t7 = self.IFxx + self.IHxx + self.rF * t4;
         let M_11_mR = self.rR * self.rR;
-        let K2_12_mR = self.rR * yaw_per_v_delta;
-        let C1_12_mR = self.c * K2_12_mR;
-        let K0_11_mR = self.rhoR - self.rR;
-        let C1_22_IRxx = yaw_per_v_delta * yaw_by_delta;
-        let M_22_IRxx = self.c * C1_22_IRxx;
-        let t289 = t21 * yaw_per_v_delta;
-        let t290 = self.c * t289;
-        let t291 = yaw_by_delta * t79;
-        let M_22_xB = t164 * t291;
-        let t293 = self.c + self.xB;
-        let K2_22_xB = self.mB * C1_22_IRxx;
-        let C1_22_xB = (self.xB + t293) * K2_22_xB;
-        let K0_11_xB = self.mB * t197;
-        let K0_12_xB = self.mB * t201;
-        let K0_22_xB = sin_lam * K0_12_xB;
-        let M_11_zB = t21 + t21;
-        let t301 = self.mB * yaw_per_v_delta;
-        let t302 = t293 * t301;
-        let M_11_mB = self.zB * self.zB;
-        let t304 = self.xB * yaw_by_delta;
-        let t305 = self.zB * t304;
-        let M_22_mB = t304 * t304;
-        let t307 = self.zB * yaw_per_v_delta;
-        let t308 = t293 * t307;
-        let K2_22_mB = yaw_per_v_delta * t304;
-        let C1_22_mB = t293 * K2_22_mB;
-        let K0_11_mB = self.zB + self.rhoR + self.xB * t197;
-        let K0_12_mB = self.xB * t201;
-        let K0_22_mB = sin_lam * K0_12_mB;
-        let t316 = t89 * t179;
-        let M_22_xH = t163 + self.mH * t164 * t316;
-        let t320 = self.zH * yaw_per_v_delta;
-        let t321 = self.mH * t320;
-        let t322 = self.c * C1_12_h_spin_F;
-        let t326 = t52 * t189;
-        let C1_22_xH = (t316 + t316 + t322 - t180) * t326;
-        let K0_11_xH = self.mH * t197;
-        let t330 = self.mH * (cos_lam - t201);
-        let t331 = sin_lam * t330;
-        let K2_22_xH = C1_12_h_spin_F * t326;
-        let Jxx_delta_zH = t8 + t8;
-        let t335 = t210 + t36 * C1_12_h_spin_F;
-        let t336 = self.mH * t335;
-        let t337 = sin_lam * Jxx_delta_zH;
-        let t340 = sin_lam * (t336 + (t336 - t337));
-        let t341 = t52 * t179;
-        let t342 = yaw_by_delta + t341;
-        let t343 = self.mH * t342;
-        let t344 = sin_lam * t343;
-        let K0_12_zH = self.mH * sin_lam;
-        let K0_22_zH = sin_lam * K0_12_zH;
-        let t347 = yaw_per_v_delta * K0_12_zH;
-        let Jxx_delta_mH = self.zH * self.zH;
-        let t349 = t335 - t177;
-        let t350 = self.zH * t349;
-        let M_22_mH = t316 * t316 + t36 * t160 - t177 * (t335 + t349);
-        let t357 = self.zH * t342;
-        let C1_22_mH = t341 * (t316 - t178) + yaw_by_delta * t349;
-        let K0_11_mH = self.zH + self.rhoR + self.xH * t197;
-        let K0_12_mH = self.xH * t200 - t349;
-        let K0_22_mH = sin_lam * K0_12_mH;
-        let K2_22_mH = yaw_per_v_delta * t349;
-        let M_22_Jxx_delta = sin_lam * sin_lam;
-        let t370 = cos_lam * t149;
-        let M_22_IHzz = M_22_IRxx + t370;
-        let C1_22_IHzz = yaw_per_v_delta * C1_12_h_spin_F;
-        let K2_22_h_spin_F = sin_lam * yaw_per_v_delta;
-        let M_11_rF = t2 + t2;
-        let t375 = t322 - t210;
-        let t376 = t375 - t212;
-        let M_12_rF = self.mF * (t212 - t376);
-        let t379 = t375 + t376;
-        let t381 = self.mF * sin_lam;
-        let M_22_rF = (t212 - t379) * t381;
-        let t383 = t96 * h_spin_F;
-        let C1_21_rF = C1_12_h_spin_F * t383;
-        let C1_12_rF = t222 - C1_21_rF;
-        let C1_22_rF = sin_lam * t222;
-        let t387 = sin_lam * t381;
-        let K2_12_rF = yaw_per_v_delta * (self.mF - t383);
-        let K2_22_rF = sin_lam * K2_12_rF;
-        let M_11_mF = self.rF * self.rF;
-        let t392 = self.rF * t376;
-        let t394 = t157 * t157;
-        let t399 = t212 * t379 + self.c * (t159 - self.c * (t370 + t394));
+        let M_11_mH = self.zH * self.zH;
+        let t20 = self.zB * self.mB;
+        let M_11 = t7 + self.IBxx + self.mR * M_11_mR + self.IRxx + self.mH * M_11_mH
+            + self.zB * t20;
+        let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
+        let t31 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = wx_delta2_delta_lam * t31;
+        let yaw_by_delta = self.c * yaw_per_v_delta;
+        let t37 = self.IBxz - t20 * self.xB;
+        let M_22_yaw_per_v_delta = yaw_by_delta * t37;
+        let wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
+        let t44 = self.mH * self.zH;
+        let t45 = self.zH * wx_delta2_delta;
+        let t47 = self.c + self.w;
+        let t48 = self.c * t31;
+        let t49 = self.xH * t48;
+        let t51 = self.xH + t49 - t47;
+        let t53 = t45 - wx_delta2_delta_lam * t51;
+        let t56 = self.IHxz * wz_delta2_delta + t7 * wx_delta2_delta + t44 * t53;
+        let M_12 = M_22_yaw_per_v_delta + t56;
+        let t60 = self.IFxx + self.IHzz;
+        let t63 = wz_delta2_delta * t60 + self.IHxz * wx_delta2_delta;
+        let t65 = self.mB * self.xB;
+        let t68 = self.IRxx + self.IBzz + self.xB * t65;
+        let t70 = t63 + yaw_by_delta * t68;
+        let t71 = t48 * t70;
+        let t72 = self.mH * t53;
+        let t75 = t63 + t71 - t51 * t72;
+        let M_22 = wx_delta2_delta * t56 + wx_delta2_delta_lam * t75;
+        let zero = self.w.like(0.0);
+        let t80 = self.w.like(1.0) / self.rF;
+        let h_spin_F = self.IFyy * t80;
+        let t82 = self.mH * self.xH;
+        let M_12_yaw_by_delta = t37 + self.IHxz;
+        let t85 = self.zH * t82 - M_12_yaw_by_delta;
+        let t86 = t4 * t47;
+        let t88 = self.w.like(1.0) / self.rR;
+        let t89 = self.IRyy * t88;
+        let h_wheels_all = h_spin_F + t89;
+        let t91 = self.mR * self.rR;
+        let t93 = t91 - t20 - t44;
+        let t94 = h_wheels_all + t93;
+        let t98 = t31 * (t86 + self.c * t94 - t85);
+        let t99 = h_spin_F + t98;
+        let C1_12 = wx_delta2_delta_lam * t99;
+        let M_22_wz_delta2_delta = t48 * h_wheels_all;
+        let t102 = h_spin_F + M_22_wz_delta2_delta;
+        let t105 = self.c * t65;
+        let t106 = yaw_per_v_delta * t105;
+        let t107 = t106 - t72;
+        let t112 = t70 + wx_delta2_delta * t86 + self.c * t107 - self.xH * t72;
+        let C1_22 = yaw_per_v_delta * t112;
+        let t116 = t31 * (t65 + t82);
+        let K0_11_rhoF = self.mF + t116;
+        let t119 = t4 - self.rhoF * K0_11_rhoF;
+        let t121 = self.mH - t116;
+        let K0_11_rhoR = self.mR + self.mB + t121;
+        let K0_11 = self.rhoR * K0_11_rhoR - t93 - t119;
+        let t128 = t107 + wx_delta2_delta * t119;
+        let K2_12_yaw_per_v_delta = t4 + t94;
+        let K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
+        let t132 = t4 + h_spin_F;
+        let t134 = t107 + wx_delta2_delta * t132;
+        let K2_22 = yaw_per_v_delta * t134;
+        let t136 = yaw_per_v_delta * t85;
+        let t138 = wx_delta2_delta_lam * t44;
+        let M_12_w = t48 * t136 + t138;
+        let t140 = self.mH * wx_delta2_delta_lam;
+        let t141 = self.mH * yaw_per_v_delta;
+        let t143 = t140 + t49 * t141;
+        let t146 = yaw_per_v_delta * t71 - t53 * t143;
+        let t147 = t146 + t146;
+        let C1_12_w = yaw_per_v_delta * (t4 - t98);
+        let C1_21_w = yaw_per_v_delta * M_22_wz_delta2_delta;
         let K2_12_mF = self.rF * yaw_per_v_delta;
-        let C1_12_mF = t35 * K2_12_mF;
-        let C1_22_mF = sin_lam * C1_12_mF - self.c * (cos_lam * t157 - t394);
-        let K0_11_mF = self.rhoR + self.w * t197 - self.rF;
-        let t410 = self.w * t200;
-        let t412 = sin_lam * (t212 - t410);
-        let K2_22_mF = self.rF * K2_22_h_spin_F;
-        let M_22_IFxx = M_22_Jxx_delta + M_22_IHzz;
-        let K2_12_IFyy = yaw_per_v_delta * t96;
-        let K2_22_IFyy = sin_lam * K2_12_IFyy;
-        let K_phi_delta_rhoF = Sx_all * t199;
-        let K0_22_rhoF = K0_11_rhoF * M_22_Jxx_delta;
-        let C1_21 = -(self.IFyy * C1_12_IFyy + M_22_yaw_by_delta);
-        let C1_22 = -(yaw_per_v_delta * t124);
-        let M_12_zH = t337 - t336;
-        let K0_12_mF = t410 - t212;
+        let K2_22_mF = wx_delta2_delta * K2_12_mF;
+        let t153 = self.mF * K2_22_mF;
+        let t154 = self.c + self.xH;
+        let t156 = yaw_per_v_delta * t60;
+        let C1_22_yaw_by_delta = t156 + yaw_per_v_delta * (t68 + t105);
+        let t162 = t31 * (t112 + self.c * C1_22_yaw_by_delta);
+        let C1_22_w = t153 - yaw_per_v_delta * (t143 * t154 + t162);
+        let t167 = t31 * (self.rhoF - self.rhoR);
+        let t168 = t116 * t167;
+        let t169 = t31 * wx_delta2_delta;
+        let t170 = self.rhoF * t169;
+        let t171 = yaw_by_delta - t170;
+        let K0_12_w = t140 + t116 * t171;
+        let K0_22_w = wx_delta2_delta * K0_12_w;
+        let t175 = t31 * K2_12;
+        let K2_22_yaw_per_v_delta = t106 + t134;
+        let t177 = t31 * K2_22_yaw_per_v_delta;
+        let t179 = yaw_per_v_delta * (t143 + t177);
+        let M_12_c = t138 - t136;
+        let t183 = t140 - yaw_per_v_delta * t82;
+        let t185 = yaw_per_v_delta * t70 + t53 * t183;
+        let M_22_c = t185 + t185;
+        let t187 = yaw_per_v_delta * h_wheels_all;
+        let C1_22_c = t153 + yaw_per_v_delta * (t107 + C1_22_yaw_by_delta - t154 * t183);
+        let K0_12_c = wx_delta2_delta_lam * t121;
+        let K0_22_c = wx_delta2_delta * K0_12_c;
+        let t195 = wx_delta2_delta_lam * yaw_per_v_delta;
+        let t196 = t121 * t195;
+        let K0_12_zH = self.mH * wx_delta2_delta;
+        let t203 = t138 + t51 * K0_12_zH;
+        let M_12_lam = t7 * wx_delta2_delta_lam + self.zH * t203
+            - wx_delta2_delta * (self.IHxz + t48 * M_12_yaw_by_delta);
+        let t209 = wx_delta2_delta * t75 - wx_delta2_delta_lam * t56;
+        let t210 = t209 + t209;
+        let t211 = wx_delta2_delta * t99;
+        let C1_21_lam = wx_delta2_delta * t102;
+        let t217 = yaw_per_v_delta * t203;
+        let C1_22_lam = t195 * (self.IHxz + t86) - wx_delta2_delta * (t156 + t162)
+            - t154 * t217;
+        let K0_12_lam = t203 + t105 * t169 - wx_delta2_delta_lam * t119;
+        let K0_22_lam = wx_delta2_delta * K0_12_lam - wx_delta2_delta_lam * t128;
+        let t228 = K2_12_yaw_per_v_delta * t169;
+        let t232 = t217 + wx_delta2_delta * t177 - t132 * t195;
+        let M_11_rR = t91 + t91;
+        let t235 = self.mR - t88 * t89;
+        let C1_12_rR = yaw_by_delta * t235;
+        let C1_12_IRyy = yaw_by_delta * t88;
+        let C1_21_rR = t89 * C1_12_IRyy;
+        let K2_12_rR = yaw_per_v_delta * t235;
+        let C1_12_mR = self.rR * yaw_by_delta;
+        let K0_11_mR = self.rhoR - self.rR;
+        let K2_12_mR = self.rR * yaw_per_v_delta;
+        let C1_22_vy_spin_F4_delta = yaw_per_v_delta * yaw_by_delta;
+        let M_22_vy_spin_F4_delta = self.c * C1_22_vy_spin_F4_delta;
+        let K2_12_IRyy = yaw_per_v_delta * t88;
+        let t247 = t20 * yaw_by_delta;
+        let t248 = yaw_by_delta * t106;
+        let M_22_xB = t248 + t248;
+        let t250 = self.zB * yaw_per_v_delta;
+        let t251 = self.mB * t250;
+        let t252 = self.c + self.xB;
+        let t254 = self.mB * yaw_per_v_delta;
+        let K2_22_xB = yaw_by_delta * t254;
+        let C1_22_xB = (self.xB + t252) * K2_22_xB;
+        let K0_11_xB = self.mB * t167;
+        let t258 = self.mB * t171;
+        let t259 = wx_delta2_delta * t258;
+        let M_11_zB = t20 + t20;
+        let t261 = t252 * t254;
+        let M_11_mB = self.zB * self.zB;
+        let t263 = yaw_by_delta * self.xB;
+        let t264 = self.zB * t263;
+        let M_22_mB = t263 * t263;
+        let t266 = t250 * t252;
+        let K2_22_mB = yaw_per_v_delta * t263;
+        let C1_22_mB = t252 * K2_22_mB;
+        let K0_11_mB = self.zB + self.rhoR + self.xB * t167;
+        let t272 = self.xB * t171;
+        let t273 = wx_delta2_delta * t272;
+        let t274 = wz_delta2_delta * t44;
+        let t276 = wz_delta2_delta * (t72 + t72);
+        let t277 = t31 * t138;
+        let t278 = yaw_per_v_delta * t53;
+        let K2_22_xH = wz_delta2_delta * t141;
+        let C1_22_xH = t154 * K2_22_xH - self.mH * t278;
+        let K0_11_xH = self.mH * t167;
+        let M_12_yaw_per_v_delta = wz_delta2_delta - t170;
+        let t285 = self.mH * M_12_yaw_per_v_delta;
+        let t286 = wx_delta2_delta * t285;
+        let M_11_zH = t44 + t44;
+        let M_12_zH = t72 + self.mH * t45;
+        let t290 = wx_delta2_delta + wx_delta2_delta;
+        let M_22_zH = t72 * t290;
+        let t292 = t141 * t154;
+        let t293 = yaw_per_v_delta * K0_12_zH;
+        let t294 = t154 * t293;
+        let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+        let K0_22_zH = self.mH * M_22_IHxx;
+        let M_12_mH = self.zH * t53;
+        let M_22_mH = t53 * t53;
+        let t299 = self.zH * yaw_per_v_delta;
+        let t300 = t154 * t299;
+        let t301 = t154 * t278;
+        let K0_11_mH = self.zH + self.rhoR + self.xH * t167;
+        let K0_12_mH = t53 + self.xH * t170;
+        let K0_22_mH = wx_delta2_delta * K0_12_mH;
+        let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+        let C1_22_IHzz = t195 + C1_22_vy_spin_F4_delta;
+        let M_22_IHxz = wz_delta2_delta * t290;
+        let K2_22_h_spin_F = wx_delta2_delta_lam * t169;
+        let M_11_rF = t4 + t4;
+        let M_12_rF = wx_delta2_delta * M_11_rF;
+        let M_22_rF = wx_delta2_delta * M_12_rF;
+        let t315 = self.mF * yaw_per_v_delta;
+        let t316 = t47 * t315;
+        let C1_12_IFyy = wz_delta2_delta * t80;
+        let C1_21_rF = h_spin_F * C1_12_IFyy;
+        let C1_12_rF = t316 - C1_21_rF;
+        let C1_22_rF = wx_delta2_delta * t316;
+        let t321 = self.mF * wx_delta2_delta;
+        let t322 = self.mF * M_22_IHxx;
+        let K2_12_IFyy = yaw_per_v_delta * t80;
+        let K2_12_rF = t315 - h_spin_F * K2_12_IFyy;
+        let K2_22_rF = wx_delta2_delta * K2_12_rF;
+        let M_11_mF = self.rF * self.rF;
+        let M_12_mF = wx_delta2_delta * M_11_mF;
+        let M_22_mF = M_22_IHxx * M_11_mF;
+        let C1_12_mF = t47 * K2_12_mF;
+        let C1_22_mF = wx_delta2_delta * C1_12_mF;
+        let t333 = wx_delta2_delta * (self.rF - self.rhoF);
+        let t334 = wx_delta2_delta * t333;
+        let M_22_IFxx = M_22_IHxx + M_22_IHzz;
+        let K2_22_IFyy = t80 * K2_22_h_spin_F;
+        let K0_12_rhoF = wx_delta2_delta * K0_11_rhoF;
+        let K0_22_rhoF = wx_delta2_delta * K0_12_rhoF;
+        let C1_21 = -(wx_delta2_delta_lam * t102);
+        let K0_12 = -t128;
+        let K0_22 = -(wx_delta2_delta * t128);
+        let K0_11_mF = self.rhoF - self.rF;
         (
             WhippleTyresMatrices::from_entries([
-                M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K_phi_delta, K_phi_delta,
-                K0_22, zero, K2_12, zero, K2_22,
+                M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
+                K2_12, zero, K2_22,
             ]),
             WhippleTyresDerivatives {
                 values: [
-                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_11_w, K0_12_w, K0_22_w, t205,
-                    K2_22_w, M_12_c, t221, K2_12, t175, C1_22_c, K0_12_c, K0_22_c, t233, M_12_lam,
-                    M_22_lam, t254, C1_21_lam, C1_22_lam, K_phi_delta_lam, K0_22_lam, t270,
-                    K2_22_lam, M_11_rR, C1_12_rR, C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR,
-                    K0_11_mR, K2_12_mR, self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy,
-                    K2_12_IRyy, t290, M_22_xB, t289, C1_22_xB, K0_11_xB, K0_12_xB, K0_22_xB,
-                    K2_22_xB, M_11_zB, t291, t302, self.mB, t301, M_11_mB, t305, M_22_mB, t308,
-                    C1_22_mB, K0_11_mB, K0_12_mB, K0_22_mB, t307, K2_22_mB, yaw_by_delta,
-                    yaw_per_v_delta, t147, M_22_xH, t321, C1_22_xH, K0_11_xH, t330, t331, K2_22_xH,
-                    Jxx_delta_zH, M_12_zH, t340, t343, t344, self.mH, K0_12_zH, K0_22_zH, t326,
-                    t347, Jxx_delta_mH, t350, M_22_mH, t357, C1_22_mH, K0_11_mH, K0_12_mH, K0_22_mH,
-                    t320, K2_22_mH, sin_lam, M_22_Jxx_delta, M_22_IHzz, C1_22_IHzz, C1_12_h_spin_F,
-                    M_22_IHxz, K2_22_h_spin_F, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF,
-                    C1_22_rF, self.mF, t381, t387, K2_12_rF, K2_22_rF, M_11_mF, t392, t399,
-                    C1_12_mF, C1_22_mF, K0_11_mF, K0_12_mF, t412, K2_12_mF, K2_22_mF, M_22_IFxx,
-                    C1_12_IFyy, K2_12_IFyy, K2_22_IFyy, K0_11_rhoR, K0_11_rhoF, K_phi_delta_rhoF,
-                    K0_22_rhoF,
+                    M_12_w, t147, C1_12_w, C1_21_w, C1_22_w, t168, K0_12_w, K0_22_w, t175, t179,
+                    M_12_c, M_22_c, K2_12, t187, C1_22_c, K0_12_c, K0_22_c, t196, M_12_lam, t210,
+                    t211, C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t228, t232, M_11_rR, C1_12_rR,
+                    C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, K0_11_mR, K2_12_mR,
+                    self.w.like(1.0), M_22_vy_spin_F4_delta, C1_22_vy_spin_F4_delta, C1_12_IRyy,
+                    K2_12_IRyy, t247, M_22_xB, t251, C1_22_xB, K0_11_xB, t258, t259, K2_22_xB,
+                    M_11_zB, t106, t261, self.mB, t254, M_11_mB, t264, M_22_mB, t266, C1_22_mB,
+                    K0_11_mB, t272, t273, t250, K2_22_mB, yaw_by_delta, yaw_per_v_delta, t274, t276,
+                    t277, C1_22_xH, K0_11_xH, t285, t286, K2_22_xH, M_11_zH, M_12_zH, M_22_zH, t292,
+                    t294, self.mH, K0_12_zH, K0_22_zH, t141, t293, M_11_mH, M_12_mH, M_22_mH, t300,
+                    t301, K0_11_mH, K0_12_mH, K0_22_mH, t299, t278, wx_delta2_delta, M_22_IHxx,
+                    M_22_IHzz, C1_22_IHzz, wz_delta2_delta, M_22_IHxz, K2_22_h_spin_F, M_11_rF,
+                    M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t321, t322, K2_12_rF,
+                    K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF, C1_22_mF, K0_11_mF, t333, t334,
+                    K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy, K2_12_IFyy, K2_22_IFyy, K0_11_rhoR,
+                    K0_11_rhoF, K0_12_rhoF, K0_22_rhoF,
                 ],
             },
         )
@@ -6006,29 +5975,32 @@ impl WhippleTyresDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 166] = &[
         Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1), Partial::new(MatrixName::C1, 0, 1, 0, 2),
-        Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
-        Partial::new(MatrixName::K0, 0, 0, 0, 5), Partial::new(MatrixName::K0, 0, 1, 0, 6),
-        Partial::new(MatrixName::K0, 1, 0, 0, 6), Partial::new(MatrixName::K0, 1, 1, 0, 7),
+        Partial::new(MatrixName::M, 1, 1, 0, 1).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 0, 2), Partial::new(MatrixName::C1, 1, 0, 0, 3),
+        Partial::new(MatrixName::C1, 1, 1, 0, 4),
+        Partial::new(MatrixName::K0, 0, 0, 0, 5).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 0, 6), Partial::new(MatrixName::K0, 1, 0, 0, 6),
+        Partial::new(MatrixName::K0, 1, 1, 0, 7),
         Partial::new(MatrixName::K2, 0, 1, 0, 8).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 0, 9), Partial::new(MatrixName::M, 0, 1, 1, 10),
-        Partial::new(MatrixName::M, 1, 0, 1, 10),
-        Partial::new(MatrixName::M, 1, 1, 1, 11).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 1, 12),
+        Partial::new(MatrixName::K2, 1, 1, 0, 9).negative(),
+        Partial::new(MatrixName::M, 0, 1, 1, 10), Partial::new(MatrixName::M, 1, 0, 1, 10),
+        Partial::new(MatrixName::M, 1, 1, 1, 11), Partial::new(MatrixName::C1, 0, 1, 1, 12),
         Partial::new(MatrixName::C1, 1, 0, 1, 13).negative(),
         Partial::new(MatrixName::C1, 1, 1, 1, 14), Partial::new(MatrixName::K0, 0, 1, 1, 15),
         Partial::new(MatrixName::K0, 1, 0, 1, 15), Partial::new(MatrixName::K0, 1, 1, 1, 16),
         Partial::new(MatrixName::K2, 1, 1, 1, 17).negative(),
         Partial::new(MatrixName::M, 0, 1, 2, 18),
         Partial::new(MatrixName::M, 1, 0, 2, 18),
-        Partial::new(MatrixName::M, 1, 1, 2, 19),
+        Partial::new(MatrixName::M, 1, 1, 2, 19).negative(),
         Partial::new(MatrixName::C1, 0, 1, 2, 20).negative(),
         Partial::new(MatrixName::C1, 1, 0, 2, 21), Partial::new(MatrixName::C1, 1, 1, 2, 22),
         Partial::new(MatrixName::K0, 0, 1, 2, 23), Partial::new(MatrixName::K0, 1, 0, 2, 23),
         Partial::new(MatrixName::K0, 1, 1, 2, 24),
         Partial::new(MatrixName::K2, 0, 1, 2, 25).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 2, 26), Partial::new(MatrixName::M, 0, 0, 4, 27),
-        Partial::new(MatrixName::C1, 0, 1, 4, 28), Partial::new(MatrixName::C1, 1, 0, 4, 29),
+        Partial::new(MatrixName::K2, 1, 1, 2, 26).negative(),
+        Partial::new(MatrixName::M, 0, 0, 4, 27),
+        Partial::new(MatrixName::C1, 0, 1, 4, 28),
+        Partial::new(MatrixName::C1, 1, 0, 4, 29),
         Partial::new(MatrixName::K0, 0, 0, 4, 30).negative(),
         Partial::new(MatrixName::K2, 0, 1, 4, 31), Partial::new(MatrixName::M, 0, 0, 5, 32),
         Partial::new(MatrixName::C1, 0, 1, 5, 33), Partial::new(MatrixName::K0, 0, 0, 5, 34),
@@ -6041,10 +6013,12 @@ impl WhippleTyresDerivatives {
         Partial::new(MatrixName::M, 1, 0, 8, 41).negative(),
         Partial::new(MatrixName::M, 1, 1, 8, 42),
         Partial::new(MatrixName::C1, 0, 1, 8, 43).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 8, 44), Partial::new(MatrixName::K0, 0, 0, 8, 45),
-        Partial::new(MatrixName::K0, 0, 1, 8, 46), Partial::new(MatrixName::K0, 1, 0, 8, 46),
-        Partial::new(MatrixName::K0, 1, 1, 8, 47), Partial::new(MatrixName::K2, 1, 1, 8, 48),
-        Partial::new(MatrixName::M, 0, 0, 9, 49),
+        Partial::new(MatrixName::C1, 1, 1, 8, 44),
+        Partial::new(MatrixName::K0, 0, 0, 8, 45),
+        Partial::new(MatrixName::K0, 0, 1, 8, 46).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 8, 46).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 8, 47).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 8, 48), Partial::new(MatrixName::M, 0, 0, 9, 49),
         Partial::new(MatrixName::M, 0, 1, 9, 50).negative(),
         Partial::new(MatrixName::M, 1, 0, 9, 50).negative(),
         Partial::new(MatrixName::C1, 0, 1, 9, 51).negative(),
@@ -6055,9 +6029,11 @@ impl WhippleTyresDerivatives {
         Partial::new(MatrixName::M, 1, 0, 10, 55).negative(),
         Partial::new(MatrixName::M, 1, 1, 10, 56),
         Partial::new(MatrixName::C1, 0, 1, 10, 57).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 10, 58), Partial::new(MatrixName::K0, 0, 0, 10, 59),
-        Partial::new(MatrixName::K0, 0, 1, 10, 60), Partial::new(MatrixName::K0, 1, 0, 10, 60),
-        Partial::new(MatrixName::K0, 1, 1, 10, 61),
+        Partial::new(MatrixName::C1, 1, 1, 10, 58),
+        Partial::new(MatrixName::K0, 0, 0, 10, 59),
+        Partial::new(MatrixName::K0, 0, 1, 10, 60).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 10, 60).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 10, 61).negative(),
         Partial::new(MatrixName::K2, 0, 1, 10, 62).negative(),
         Partial::new(MatrixName::K2, 1, 1, 10, 63), Partial::new(MatrixName::M, 0, 0, 11, 36),
         Partial::new(MatrixName::M, 1, 1, 13, 37), Partial::new(MatrixName::C1, 1, 1, 13, 38),
@@ -6065,7 +6041,7 @@ impl WhippleTyresDerivatives {
         Partial::new(MatrixName::C1, 0, 1, 14, 65),
         Partial::new(MatrixName::M, 0, 1, 15, 66).negative(),
         Partial::new(MatrixName::M, 1, 0, 15, 66).negative(),
-        Partial::new(MatrixName::M, 1, 1, 15, 67),
+        Partial::new(MatrixName::M, 1, 1, 15, 67).negative(),
         Partial::new(MatrixName::C1, 0, 1, 15, 68).negative(),
         Partial::new(MatrixName::C1, 1, 1, 15, 69),
         Partial::new(MatrixName::K0, 0, 0, 15, 70),
@@ -6074,45 +6050,41 @@ impl WhippleTyresDerivatives {
         Partial::new(MatrixName::K0, 1, 1, 15, 72).negative(),
         Partial::new(MatrixName::K2, 1, 1, 15, 73), Partial::new(MatrixName::M, 0, 0, 16, 74),
         Partial::new(MatrixName::M, 0, 1, 16, 75), Partial::new(MatrixName::M, 1, 0, 16, 75),
-        Partial::new(MatrixName::M, 1, 1, 16, 76).negative(),
+        Partial::new(MatrixName::M, 1, 1, 16, 76),
         Partial::new(MatrixName::C1, 0, 1, 16, 77).negative(),
         Partial::new(MatrixName::C1, 1, 1, 16, 78).negative(),
         Partial::new(MatrixName::K0, 0, 0, 16, 79), Partial::new(MatrixName::K0, 0, 1, 16, 80),
         Partial::new(MatrixName::K0, 1, 0, 16, 80), Partial::new(MatrixName::K0, 1, 1, 16, 81),
         Partial::new(MatrixName::K2, 0, 1, 16, 82).negative(),
         Partial::new(MatrixName::K2, 1, 1, 16, 83).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 84),
-        Partial::new(MatrixName::M, 0, 1, 17, 85).negative(),
-        Partial::new(MatrixName::M, 1, 0, 17, 85).negative(),
-        Partial::new(MatrixName::M, 1, 1, 17, 86),
+        Partial::new(MatrixName::M, 0, 0, 17, 84), Partial::new(MatrixName::M, 0, 1, 17, 85),
+        Partial::new(MatrixName::M, 1, 0, 17, 85), Partial::new(MatrixName::M, 1, 1, 17, 86),
         Partial::new(MatrixName::C1, 0, 1, 17, 87).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 17, 88), Partial::new(MatrixName::K0, 0, 0, 17, 89),
-        Partial::new(MatrixName::K0, 0, 1, 17, 90), Partial::new(MatrixName::K0, 1, 0, 17, 90),
-        Partial::new(MatrixName::K0, 1, 1, 17, 91),
+        Partial::new(MatrixName::C1, 1, 1, 17, 88).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 17, 89), Partial::new(MatrixName::K0, 0, 1, 17, 90),
+        Partial::new(MatrixName::K0, 1, 0, 17, 90), Partial::new(MatrixName::K0, 1, 1, 17, 91),
         Partial::new(MatrixName::K2, 0, 1, 17, 92).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 17, 93), Partial::new(MatrixName::M, 0, 0, 18, 36),
-        Partial::new(MatrixName::M, 0, 1, 18, 94), Partial::new(MatrixName::M, 1, 0, 18, 94),
-        Partial::new(MatrixName::M, 1, 1, 18, 95), Partial::new(MatrixName::M, 1, 1, 20, 96),
-        Partial::new(MatrixName::C1, 1, 1, 20, 97), Partial::new(MatrixName::M, 0, 1, 21, 98),
-        Partial::new(MatrixName::M, 1, 0, 21, 98), Partial::new(MatrixName::M, 1, 1, 21, 99),
-        Partial::new(MatrixName::C1, 0, 1, 21, 65), Partial::new(MatrixName::C1, 1, 1, 21, 100),
-        Partial::new(MatrixName::M, 0, 0, 22, 101), Partial::new(MatrixName::M, 0, 1, 22, 102),
-        Partial::new(MatrixName::M, 1, 0, 22, 102), Partial::new(MatrixName::M, 1, 1, 22, 103),
-        Partial::new(MatrixName::C1, 0, 1, 22, 104), Partial::new(MatrixName::C1, 1, 0, 22, 105),
-        Partial::new(MatrixName::C1, 1, 1, 22, 106),
+        Partial::new(MatrixName::K2, 1, 1, 17, 93).negative(),
+        Partial::new(MatrixName::M, 0, 0, 18, 36), Partial::new(MatrixName::M, 0, 1, 18, 94),
+        Partial::new(MatrixName::M, 1, 0, 18, 94), Partial::new(MatrixName::M, 1, 1, 18, 95),
+        Partial::new(MatrixName::M, 1, 1, 20, 96), Partial::new(MatrixName::C1, 1, 1, 20, 97),
+        Partial::new(MatrixName::M, 0, 1, 21, 98), Partial::new(MatrixName::M, 1, 0, 21, 98),
+        Partial::new(MatrixName::M, 1, 1, 21, 99), Partial::new(MatrixName::C1, 0, 1, 21, 65),
+        Partial::new(MatrixName::C1, 1, 1, 21, 100), Partial::new(MatrixName::M, 0, 0, 22, 101),
+        Partial::new(MatrixName::M, 0, 1, 22, 102), Partial::new(MatrixName::M, 1, 0, 22, 102),
+        Partial::new(MatrixName::M, 1, 1, 22, 103), Partial::new(MatrixName::C1, 0, 1, 22, 104),
+        Partial::new(MatrixName::C1, 1, 0, 22, 105), Partial::new(MatrixName::C1, 1, 1, 22, 106),
         Partial::new(MatrixName::K0, 0, 0, 22, 107).negative(),
         Partial::new(MatrixName::K0, 0, 1, 22, 108).negative(),
         Partial::new(MatrixName::K0, 1, 0, 22, 108).negative(),
         Partial::new(MatrixName::K0, 1, 1, 22, 109).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 110),
-        Partial::new(MatrixName::K2, 1, 1, 22, 111),
-        Partial::new(MatrixName::M, 0, 0, 23, 112),
-        Partial::new(MatrixName::M, 0, 1, 23, 113).negative(),
-        Partial::new(MatrixName::M, 1, 0, 23, 113).negative(),
-        Partial::new(MatrixName::M, 1, 1, 23, 114).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 22, 110), Partial::new(MatrixName::K2, 1, 1, 22, 111),
+        Partial::new(MatrixName::M, 0, 0, 23, 112), Partial::new(MatrixName::M, 0, 1, 23, 113),
+        Partial::new(MatrixName::M, 1, 0, 23, 113), Partial::new(MatrixName::M, 1, 1, 23, 114),
         Partial::new(MatrixName::C1, 0, 1, 23, 115), Partial::new(MatrixName::C1, 1, 1, 23, 116),
-        Partial::new(MatrixName::K0, 0, 0, 23, 117), Partial::new(MatrixName::K0, 0, 1, 23, 118),
-        Partial::new(MatrixName::K0, 1, 0, 23, 118),
+        Partial::new(MatrixName::K0, 0, 0, 23, 117),
+        Partial::new(MatrixName::K0, 0, 1, 23, 118).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 23, 118).negative(),
         Partial::new(MatrixName::K0, 1, 1, 23, 119).negative(),
         Partial::new(MatrixName::K2, 0, 1, 23, 120), Partial::new(MatrixName::K2, 1, 1, 23, 121),
         Partial::new(MatrixName::M, 0, 0, 24, 36), Partial::new(MatrixName::M, 0, 1, 24, 94),

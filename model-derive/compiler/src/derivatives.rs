@@ -2,9 +2,9 @@
 
 use crate::equations::Equations;
 use crate::matrix_name::MatrixName;
-use crate::model::Model;
+use crate::model::{AskedDerivatives, Model};
 use crate::program::{Counts, Instruction, Program, Value, passes};
-use crate::symbolic::{self, Differentiated, Failure, Node};
+use crate::symbolic::{self, Differentiated, Failure, Node, Wanted};
 
 /// The program of values and derivatives, and what its outputs are.
 #[derive(Debug)]
@@ -34,9 +34,13 @@ pub struct Partial {
 ///
 /// # Errors
 /// If the engine cannot be had or fails.
-pub fn compile(model: &Model, matrices: &Program) -> Result<Derivatives, Failure> {
-    let [formulas, values] = [Equations::of_matrices(model), Equations::of_program(model, matrices)];
-    let differentiated = symbolic::derive(vec![formulas, values], model.definitions.len())?;
+pub fn compile(model: &Model, asked: &AskedDerivatives, matrices: &Program) -> Result<Derivatives, Failure> {
+    let all = [Equations::of_matrices(model), Equations::of_program(model, matrices)];
+    let all = all.into_iter().chain(Equations::of_matrices_by_bodies(model)).collect();
+    let entries = model.coordinates.len().pow(2);
+    let of_entries = model.matrices.iter().flat_map(|(matrix, _)| std::iter::repeat_n(asked.has(*matrix), entries));
+    let wanted = Wanted { outputs: of_entries.collect(), parameters: asked.parameters.clone() };
+    let differentiated = symbolic::derive(all, wanted, model.definitions.len())?;
     // The constants of a program are rounded, those of the formulas are not: what is zero is proved there.
     let exact = differentiated[0].partials.clone();
     let same: Vec<Differentiated> =

@@ -32,6 +32,12 @@ impl Equations {
         )
     }
 
+    /// The same of a mechanism, in formulas that are summed over its bodies.
+    pub fn of_matrices_by_bodies(model: &Model) -> Option<Self> {
+        let outputs = model.by_bodies.as_ref()?.iter().flat_map(|(_, rows)| rows.iter().flatten()).cloned().collect();
+        Some(Self::of_formulas(model.parameters.len(), model.formulas_of_definitions(), outputs))
+    }
+
     /// The left-hand sides of the requirements.
     pub fn of_requirements(model: &Model) -> Self {
         Self::of_formulas(

@@ -39,6 +39,8 @@ pub struct Model {
     pub coordinates: Vec<Coordinate>,
     /// The declared matrices, in the order of the equation of motion.
     pub matrices: Matrices,
+    /// The same matrices in other formulas, summed over the bodies of a mechanism. Definitions that only they use are the last.
+    pub by_bodies: Option<Matrices>,
     /// Where the entries of the matrices stand, in the same order, row by row.
     pub entries: Vec<Region>,
     /// The matrices that are proved to be symmetric.
@@ -53,8 +55,8 @@ pub struct Model {
     pub motion: Option<MotionModel>,
     /// Functions by hand that are to give the same matrices.
     pub compared: Vec<Compared>,
-    /// Where the derivatives of the matrices are asked for.
-    pub derivatives: Option<Span>,
+    /// Which derivatives of the matrices are asked for.
+    pub derivatives: Option<AskedDerivatives>,
     /// The names in the declaration, for editors.
     pub references: References,
 }
@@ -156,6 +158,34 @@ pub struct Feedback {
     pub unit: Option<&'static str>,
     /// What it is, as it is declared.
     pub law: String,
+}
+
+/// Which derivatives of the matrices are asked for.
+#[derive(Clone, Debug)]
+pub struct AskedDerivatives {
+    /// Where they are.
+    pub span: Span,
+    /// Of which matrices, if not of all.
+    pub matrices: Option<Vec<MatrixName>>,
+    /// For each parameter whether those with respect to it.
+    pub parameters: Vec<bool>,
+}
+
+impl AskedDerivatives {
+    /// Whether those of a matrix are asked for.
+    pub fn has(&self, matrix: MatrixName) -> bool {
+        self.matrices.as_ref().is_none_or(|matrices| matrices.contains(&matrix))
+    }
+
+    /// Whether those of all matrices are asked for.
+    pub fn has_all_matrices(&self, model: &Model) -> bool {
+        model.matrices.iter().all(|(matrix, _)| self.has(*matrix))
+    }
+
+    /// Whether all derivatives are asked for, which is what everything needs that takes any model.
+    pub fn is_all(&self, model: &Model) -> bool {
+        self.has_all_matrices(model) && self.parameters.iter().all(|asked| *asked)
+    }
 }
 
 /// One named parameter set.

@@ -6,7 +6,7 @@ use crate::derivatives::{self, Derivatives};
 use crate::equations::Equations;
 use crate::model::Model;
 use crate::nonlinear::{self, MotionPrograms};
-use crate::program::Program;
+use crate::program::{Counts, Program};
 use crate::report::{self, Region, Report};
 use crate::symbolic::{self, Failure, Place};
 use crate::{check, derivation, evidence, syntax};
@@ -78,16 +78,27 @@ pub fn compile(tokens: TokenStream) -> Result<Compiled, Refusal> {
 
 fn build_programs(model: &Model) -> Result<Programs, (Region, Failure)> {
     let equations = [Equations::of_matrices(model), Equations::of_requirements(model)].into_iter();
-    let equations = equations.chain(Equations::of_kinematics(model)).collect();
+    let by_bodies = Equations::of_matrices_by_bodies(model);
+    let is_by_bodies = by_bodies.is_some();
+    let equations = equations.chain(Equations::of_kinematics(model)).chain(by_bodies).collect();
     let mut programs =
         symbolic::compile(equations).map_err(|failure| (find_region(model, &failure), failure))?.into_iter();
     let mut next = || programs.next().unwrap_or_else(|| unreachable!("a program for each"));
-    let (matrices, requirements) = (next(), next());
-    let kinematics = programs.next();
-    let derivatives =
-        model.derivatives.map(|span| derivatives::compile(model, &matrices).map_err(|why| (span.into(), why)));
+    let (mut matrices, requirements) = (next(), next());
+    let kinematics = model.kinematics.as_ref().map(|_| next());
+    if is_by_bodies {
+        let by_bodies = next();
+        if Counts::of(&by_bodies).cost() < Counts::of(&matrices).cost() {
+            matrices = by_bodies;
+        }
+    }
+    let derivatives = model
+        .derivatives
+        .as_ref()
+        .map(|asked| derivatives::compile(model, asked, &matrices).map_err(|why| (Region::from(asked.span), why)));
     let motion = model.motion.as_ref();
-    let motion = motion.map(|motion| nonlinear::compile(&motion.machine, &motion.layout, model.derivatives.is_some()));
+    let with_derivatives = model.derivatives.as_ref().is_some_and(|asked| asked.is_all(model));
+    let motion = motion.map(|motion| nonlinear::compile(&motion.machine, &motion.layout, with_derivatives));
     Ok(Programs { matrices, requirements, kinematics, motion, derivatives: derivatives.transpose()? })
 }
 

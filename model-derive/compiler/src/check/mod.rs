@@ -2,6 +2,7 @@
 
 mod constants;
 mod definitions;
+mod derivatives;
 mod domains;
 mod feedback;
 mod loads;
@@ -32,7 +33,7 @@ use self::units::declared::Dimensions;
 use self::units::dimension::Dimension;
 use crate::domain::Domain;
 use crate::formula::Formula;
-use crate::model::{Origin, References, Requirement};
+use crate::model::{AskedDerivatives, Origin, References, Requirement};
 use crate::report::Report;
 use crate::syntax::Declaration;
 
@@ -75,6 +76,8 @@ pub struct Checked<'a> {
     pub gravity: Option<usize>,
     /// The units of formulas.
     pub units: Units,
+    /// Which derivatives of the matrices are asked for.
+    pub derivatives: Option<AskedDerivatives>,
     /// The names in the declaration, for editors.
     pub references: References,
 }
@@ -134,6 +137,7 @@ pub fn check<'a>(declaration: &'a Declaration, report: &mut Report) -> Checked<'
     let parameters = sets::Parameters { domains: &domains, dimensions: &dimensions.parameters };
     let sets = sets::read_sets(declaration, &parameters, report);
     let gravity = find_gravity(declaration, report);
+    let derivatives = derivatives::read_derivatives(declaration, &mut scope, report);
     let references = references::find_references(declaration, &scope, &defined);
     Checked {
         declaration,
@@ -154,6 +158,7 @@ pub fn check<'a>(declaration: &'a Declaration, report: &mut Report) -> Checked<'
         assembly,
         sets,
         gravity,
+        derivatives,
         units: Units::new(declaration, dimensions, defined.into_iter().take(order.steady).collect()),
         references,
     }

@@ -67,6 +67,8 @@ fn find_uses(declaration: &Declaration, formulas: &[&Expression], scope: &Scope)
         // In a set a name is a parameter's.
         uses.push((Target::Parameter, entry.name.clone()));
     }
+    let derived = declaration.derivatives.iter().flat_map(|asked| asked.parameters.iter().flatten());
+    uses.extend(derived.map(|name| (Target::Parameter, name.clone())));
     let fed = declaration.feedback.iter().map(|feedback| (Target::Coordinate, feedback.on.clone()));
     uses.extend(fed);
     let Some(mechanism) = &declaration.mechanism else { return uses };

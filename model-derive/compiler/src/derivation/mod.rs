@@ -34,6 +34,8 @@ pub struct Derived {
     pub names: Names,
     /// In the order of the equation of motion; none if the derivation failed.
     pub matrices: Matrices,
+    /// The same matrices summed over bodies, if they are derived so as well.
+    pub by_bodies: Option<ByBodies>,
     /// Where the entries of the matrices stand, row by row: those that are derived stand at the mechanism.
     pub entries: Vec<Region>,
     /// Entries of written matrices, by rows and columns, that are not as they are written: feedback is a part of them.
@@ -46,6 +48,13 @@ pub struct Derived {
     pub kinematics: Option<Kinematics<Formula>>,
     /// What is free of its motion, if the nonlinear equations are asked for.
     pub motion: Option<MotionModel>,
+}
+
+/// Matrices in the definitions of the model, and in more of their own behind them.
+#[derive(Debug)]
+pub struct ByBodies {
+    pub definitions: Vec<(Ident, Formula)>,
+    pub matrices: Matrices,
 }
 
 impl Derived {
@@ -68,6 +77,7 @@ pub fn derive(checked: &Checked<'_>, report: &mut Report) -> Derived {
         definitions: checked.definitions.clone(),
         names,
         matrices: checked.written.matrices.clone(),
+        by_bodies: None,
         entries: checked.written.regions.clone(),
         fed: Vec::new(),
         symmetric,
@@ -146,13 +156,15 @@ fn adopt(
     let kept: Vec<usize> = (0..first).chain(needed.into_iter().filter(|index| *index >= first)).collect();
     let mut new = vec![0; definitions.len()];
     kept.iter().enumerate().for_each(|(position, index)| new[*index] = position);
-    let matrices: Matrices = derivation
-        .matrices
-        .iter()
-        .map(|(name, rows)| {
-            (*name, rows.iter().map(|row| row.iter().map(|entry| entry.renumbered(&new)).collect()).collect())
-        })
-        .collect();
+    let by_bodies = derivation.by_bodies.as_ref().map(|matrices| {
+        let entries = matrices.iter().flat_map(|(_, rows)| rows.iter().flatten()).cloned().collect();
+        let mut more = Equations::of_formulas(names.parameters.len(), &definitions, entries).origins;
+        more.retain(|index| !kept.contains(index));
+        more.iter().enumerate().for_each(|(position, index)| new[*index] = kept.len() + position);
+        let named = |index: &usize| (names.definitions[*index].clone(), definitions[*index].renumbered(&new));
+        ByBodies { definitions: more.iter().map(named).collect(), matrices: renumber(matrices, &new) }
+    });
+    let matrices = renumber(&derivation.matrices, &new);
     let is_symmetric = |rows: &[Vec<Formula>]| {
         rows.len() > 1 && (0..rows.len()).all(|row| (0..row).all(|column| rows[row][column] == rows[column][row]))
     };
@@ -166,7 +178,16 @@ fn adopt(
         kinematics: Some(kinematics.map(|formula| formula.renumbered(&new))),
         motion: None,
         matrices,
+        by_bodies,
     }
+}
+
+/// The same with other positions of the definitions.
+fn renumber(matrices: &Matrices, new: &[usize]) -> Matrices {
+    let rows_of = |rows: &[Vec<Formula>]| -> Vec<Vec<Formula>> {
+        rows.iter().map(|row| row.iter().map(|entry| entry.renumbered(new)).collect()).collect()
+    };
+    matrices.iter().map(|(name, rows)| (*name, rows_of(rows))).collect()
 }
 
 /// What is said of the states of the coordinates, and of the others what was derived.

@@ -6,18 +6,16 @@ use quote::{format_ident, quote};
 use super::body::Body;
 use super::evaluator;
 use super::names::GeneratedNames;
+use super::with_respect_to::{matrix_with_respect_to, tell_asked, with_respect_to};
 use super::{derive, docs, states};
 use crate::derivatives::{Derivatives, Partial, entry_names};
-use crate::matrix_name::MatrixName;
 use crate::model::Model;
 use crate::program::Counts;
 
 /// The struct and the function, and then which value is which derivative; nothing for a model that does not ask for
 /// derivatives.
 pub fn emit(model: &Model, names: &GeneratedNames, computed: Option<&Derivatives>) -> [Option<TokenStream>; 2] {
-    if model.derivatives.is_none() {
-        return [None, None];
-    }
+    let Some(asked) = &model.derivatives else { return [None, None] };
     let GeneratedNames { runtime, model: name, matrices, derivatives, scalar, .. } = names;
     let visibility = &model.visibility;
     let (allow, derive) = (names.allow(), derive());
@@ -27,7 +25,8 @@ pub fn emit(model: &Model, names: &GeneratedNames, computed: Option<&Derivatives
     let table = table(model, partials, runtime);
     let struct_docs = docs(&format!(
         "The derivatives of the matrices of [`{name}`] with respect to its parameters,\nin SI units: those that are not \
-         zero for all parameters.",
+         zero for all parameters.{}",
+        tell_asked(model, asked)
     ));
     let counts = computed.map(|computed| format!(":\n{}", Counts::of(&computed.program))).unwrap_or_default();
     let function_docs = docs(&format!(
@@ -39,8 +38,12 @@ pub fn emit(model: &Model, names: &GeneratedNames, computed: Option<&Derivatives
         // Beside a mistake in the declaration: nothing ever runs it.
         None => quote!(loop {}),
     };
-    let with_respect_to = with_respect_to(model, names, partials.len());
-    let differentiable = differentiable(model, names, partials.len());
+    let with_respect_to = match asked.has_all_matrices(model) {
+        true => with_respect_to(model, asked, names, partials.len()),
+        false => matrix_with_respect_to(model, asked, names, partials.len()),
+    };
+    // What takes any model needs all derivatives.
+    let differentiable = asked.is_all(model).then(|| differentiable(model, names, partials.len()));
     let computed = quote! {
         #struct_docs
         #allow
@@ -112,46 +115,6 @@ fn body(model: &Model, names: &GeneratedNames, computed: &Derivatives) -> TokenS
     quote! {
         #statements
         (#matrices, #derivatives { values: [#(#values),*] })
-    }
-}
-
-/// All matrices derived with respect to one parameter.
-fn with_respect_to(model: &Model, names: &GeneratedNames, count: usize) -> TokenStream {
-    let GeneratedNames { runtime, matrices: all, derivatives, scalar, .. } = names;
-    let parameter = format_ident!("parameter");
-    let [matrices, position, partial, matrix, zero] =
-        ["matrices", "position", "partial", "matrix", "zero"].map(|name| names.variable(name));
-    let [n, parameters, count] =
-        [model.coordinates.len(), model.parameters.len(), count].map(Literal::usize_unsuffixed);
-    let fields = evaluator::fields(model);
-    let arms = model.matrices.iter().zip(&fields).map(|((matrix, _), field)| {
-        let matrix = format_ident!("{}", matrix.identifier());
-        quote!(#runtime::MatrixName::#matrix => &mut #matrices.#field,)
-    });
-    let rest = (model.matrices.len() < MatrixName::ALL.len()).then(|| quote!(_ => continue,));
-    quote! {
-        /// The derivatives of all matrices with respect to the parameter at a position, with the zeros filled in; nothing
-        /// if there is no such parameter.
-        #[must_use]
-        pub fn with_respect_to(
-            &self,
-            #parameter: ::core::primitive::usize,
-        ) -> ::core::option::Option<#all<#scalar>> {
-            if #parameter >= #parameters {
-                return ::core::option::Option::None;
-            }
-            let #zero = <#scalar as #runtime::Scalar>::from_f64(0.0);
-            let mut #matrices = #all { #(#fields: #runtime::Rows([[#zero; #n]; #n]),)* };
-            for #position in 0..#count {
-                let #partial = <#derivatives>::PARTIALS[#position];
-                if #partial.parameter != #parameter {
-                    continue;
-                }
-                let #matrix = match #partial.matrix { #(#arms)* #rest };
-                #matrix[#partial.row][#partial.column] = #runtime::Partial::of(&#partial, &self.values);
-            }
-            ::core::option::Option::Some(#matrices)
-        }
     }
 }
 

@@ -16,7 +16,7 @@ pub fn emit(
     motion: &MotionModel,
     programs: Option<&MotionPrograms>,
 ) -> Option<TokenStream> {
-    model.derivatives?;
+    model.derivatives.as_ref().filter(|asked| asked.is_all(model))?;
     let GeneratedNames { runtime, motion: output, scalar, .. } = names;
     let allow = names.allow();
     let applied = model.kinematics.as_ref().map_or(0, |kinematics| kinematics.applied.len());

@@ -23,6 +23,7 @@ mod references;
 mod states;
 mod structure;
 mod trait_impl;
+mod with_respect_to;
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;

@@ -111,7 +111,11 @@ fn emit_traits(
         }
         None => quote!(loop {}),
     };
-    let written = model.derivatives.map(|_| linearization::emit_written(names, [p.clone(), n.clone(), f.clone()]));
+    let written = model
+        .derivatives
+        .as_ref()
+        .filter(|asked| asked.is_all(model))
+        .map(|_| linearization::emit_written(names, [p.clone(), n.clone(), f.clone()]));
     quote! {
         #allow
         impl<#scalar: #runtime::Scalar> #runtime::motion::Motion for #output<#scalar> {

@@ -42,7 +42,7 @@ pub fn emit(
             }
         }
     });
-    let derivatives = model.derivatives.is_some().then(|| {
+    let derivatives = model.derivatives.as_ref().filter(|asked| asked.is_all(model)).map(|_| {
         quote! {
             fn derivatives(&self) -> ::core::option::Option<#runtime::WithDerivatives<Self, #n>> {
                 ::core::option::Option::Some(#runtime::Differentiable::coefficients_and_derivatives(self))

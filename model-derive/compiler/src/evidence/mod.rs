@@ -1,5 +1,6 @@
 //! What a declaration says of itself, against what its formulas give: the last stage that reports the user's mistakes.
 
+mod asked;
 mod claims;
 mod counterexample;
 mod definite;
@@ -21,11 +22,11 @@ use self::counterexample::Space;
 use self::requirements::SourcedFormulas;
 use self::sourced::{Source, Sourced};
 use crate::check::{Checked, CheckedSet, Units};
-use crate::derivation::Derived;
+use crate::derivation::{ByBodies, Derived};
 use crate::equations::Equations;
 use crate::formula::Formula;
 use crate::matrix_name::MatrixName;
-use crate::model::{self, Coordinate, Model, Parameter, ParameterSet, Requirement};
+use crate::model::{self, Coordinate, Matrices, Model, Parameter, ParameterSet, Requirement};
 use crate::report::{Region, Report};
 use crate::syntax::{self, Declaration, Feedback, Matrix, Unit};
 use crate::written::write_formulas;
@@ -39,6 +40,9 @@ pub fn weigh(checked: Checked<'_>, mut derived: Derived, report: &mut Report) ->
         && derived.matrices.iter().all(|(_, rows)| !rows.is_empty() && rows.iter().all(|row| !row.is_empty()));
     if checked.is_complete && has_all {
         unused::report_unused(&checked, &derived.definitions, &outputs, report);
+    }
+    if has_all {
+        asked::check_asked(&checked, &derived, report);
     }
     let (formulas, requirements) = match report.is_empty() {
         true => {
@@ -73,6 +77,10 @@ pub fn weigh(checked: Checked<'_>, mut derived: Derived, report: &mut Report) ->
             docs: coordinate.docs.clone(),
             unit: unit_text(coordinate.unit.as_ref()),
         });
+    let (more, by_bodies) = match derived.by_bodies {
+        Some(ByBodies { definitions, matrices }) => (definitions, Some(with_zeros(matrices, &derived.matrices))),
+        None => (Vec::new(), None),
+    };
     Model {
         name: declaration.name.clone(),
         visibility: declaration.visibility.clone(),
@@ -81,10 +89,11 @@ pub fn weigh(checked: Checked<'_>, mut derived: Derived, report: &mut Report) ->
         source: declaration.source.clone().unwrap_or_default(),
         parameters: parameters.collect(),
         gravity: checked.gravity,
-        definitions: derived.names.definitions.into_iter().zip(derived.definitions).collect(),
+        definitions: derived.names.definitions.into_iter().zip(derived.definitions).chain(more).collect(),
         requirements,
         sets: checked.sets.into_iter().map(|set| set.set).collect(),
         coordinates: coordinates.collect(),
+        by_bodies,
         matrices: derived.matrices,
         entries: derived.entries,
         symmetric: derived.symmetric,
@@ -93,9 +102,20 @@ pub fn weigh(checked: Checked<'_>, mut derived: Derived, report: &mut Report) ->
         kinematics: derived.kinematics,
         motion: derived.motion,
         compared: declaration.compared.clone(),
-        derivatives: declaration.derivatives,
+        derivatives: checked.derivatives,
         references: checked.references,
     }
+}
+
+/// With zeros where those of equal matrices were proved to be zero.
+fn with_zeros(mut matrices: Matrices, equal: &Matrices) -> Matrices {
+    let known = equal.iter().flat_map(|(_, rows)| rows.iter().flatten());
+    let entries = matrices.iter_mut().flat_map(|(_, rows)| rows.iter_mut().flatten());
+    entries
+        .zip(known)
+        .filter(|(_, known)| **known == Formula::zero())
+        .for_each(|(entry, known)| *entry = known.clone());
+    matrices
 }
 
 /// What is told of a feedback.

@@ -6,6 +6,7 @@
 //! of rolling without slip are solved for the rates of all joints that are no coordinates, and the equations of motion
 //! are projected on the motions that are left.
 
+mod by_bodies;
 mod composite;
 mod contact;
 mod elimination;
@@ -26,6 +27,7 @@ pub use self::mechanism::{Body, Fed, Joint, Link, Mechanism, Motion, Root, Slip,
 
 use nanoserde::{DeBin, SerBin};
 
+use self::by_bodies::sum_over_bodies;
 use self::contact::Contact;
 use self::formulas::Formulas;
 use self::motion::Motions;
@@ -46,6 +48,8 @@ pub struct Derivation {
     /// Names and formulas; names may occur twice.
     pub definitions: Vec<(String, Formula)>,
     pub matrices: Matrices<Formula>,
+    /// The same matrices in formulas that are summed over the bodies, if they are proved to be the same.
+    pub by_bodies: Option<Matrices<Formula>>,
     /// For each coordinate which of its position and its rate are states.
     pub states: Vec<States>,
     /// For each joint that is no coordinate, and whose rate follows from these.
@@ -167,6 +171,7 @@ struct Linearized {
     mechanism: Mechanism<Form>,
     motions: Motions,
     matrices: Matrices,
+    by_bodies: Option<Matrices>,
     unit_axes: Vec<bool>,
 }
 
@@ -202,13 +207,14 @@ fn linearize(mut mechanism: Mechanism<Form>, formulas: &mut Formulas<'_>) -> Res
         return Err(faults);
     }
     let matrices = projection.matrices(formulas);
-    Ok(Linearized { mechanism, motions, matrices, unit_axes })
+    let by_bodies = sum_over_bodies(&mechanism, &contacts, &unreduced, &motions, &matrices, formulas);
+    Ok(Linearized { motions, matrices, by_bodies, unit_axes, mechanism })
 }
 
 impl Linearized {
     /// The formulas without the engine; of the definitions all that are used by others or by results.
     fn export(self, formulas: Formulas<'_>, parameters: usize) -> Derivation {
-        let Self { mechanism, motions, matrices, unit_axes } = self;
+        let Self { mechanism, motions, matrices, by_bodies, unit_axes } = self;
         let to_formula = |form: &Form| form.to_formula(parameters);
         let all = |row: &[Form]| row.iter().map(to_formula).collect();
         let freedom = |joint: usize| motions.freedoms.iter().position(|free| *free == joint);
@@ -243,8 +249,11 @@ impl Linearized {
         let forces = (0..mechanism.coordinates.len()).map(|q| by_forces.iter().map(|force| force[q].clone()).collect());
         let forces = forces.collect();
         let states = Projection::states(&mechanism, &matrices);
-        let matrices = matrices.iter().map(|(name, rows)| (*name, rows.iter().map(|row| all(row)).collect())).collect();
+        let without_engine = |matrices: &Matrices| -> Matrices<Formula> {
+            matrices.iter().map(|(name, rows)| (*name, rows.iter().map(|row| all(row)).collect())).collect()
+        };
+        let (matrices, by_bodies) = (without_engine(&matrices), by_bodies.as_ref().map(without_engine));
         let definitions = formulas.made().iter().map(|(name, form)| (name.clone(), to_formula(form))).collect();
-        Derivation { definitions, matrices, states, rates, forces, unit_axes }
+        Derivation { definitions, matrices, by_bodies, states, rates, forces, unit_axes }
     }
 }

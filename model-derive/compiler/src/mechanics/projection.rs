@@ -35,11 +35,11 @@ pub struct Projection<'a> {
 }
 
 /// Matrices with a row for each freedom.
-struct Projected {
+pub struct Projected {
     /// M, C-1, C0 and C1, with a column for each freedom.
-    by_rates: [(MatrixName, Matrix); 4],
+    pub by_rates: [(MatrixName, Matrix); 4],
     /// Kc, K0, K1 and K2, with a column for each joint.
-    by_positions: [(MatrixName, Matrix); 4],
+    pub by_positions: [(MatrixName, Matrix); 4],
 }
 
 impl<'a> Projection<'a> {
@@ -112,18 +112,17 @@ impl<'a> Projection<'a> {
 
     /// The coefficient matrices of the coordinates; those that are zero are left out.
     pub fn matrices(self, formulas: &Formulas<'_>) -> Matrices {
-        let settled = |entry: &Form| if formulas.is_zero(entry) { Form::number(0) } else { formulas.shortest(entry) };
-        let all = self.matrices.iter().map(|(name, matrix)| {
-            let settled = matrix.iter().map(|row| row.iter().map(settled).collect()).collect();
-            (*name, mirrored(settled, formulas))
-        });
-        let is_there = |matrix: &Matrix| matrix.iter().flatten().any(|entry| !entry.is_nothing());
-        all.filter(|(name, matrix)| *name == MatrixName::M || is_there(matrix)).collect()
+        settle(&self.matrices, formulas)
     }
 }
 
 impl Projected {
-    fn new(mechanism: &Mechanism<Form>, unreduced: &Unreduced, motions: &Motions, formulas: &mut Formulas<'_>) -> Self {
+    pub fn new(
+        mechanism: &Mechanism<Form>,
+        unreduced: &Unreduced,
+        motions: &Motions,
+        formulas: &mut Formulas<'_>,
+    ) -> Self {
         let Motions { rates, positions, places, freedoms, .. } = motions;
         let virtual_motions = transposed(rates);
         let project = |matrix: &Matrix| times(&virtual_motions, matrix);
@@ -160,7 +159,7 @@ impl Projected {
 
     /// The matrices of the coordinates alone, with the equations of those that follow by rolling, and what is declared beside
     /// the mechanism.
-    fn complete(self, mechanism: &Mechanism<Form>, motions: &Motions) -> Vec<(MatrixName, Matrix)> {
+    pub fn complete(self, mechanism: &Mechanism<Form>, motions: &Motions) -> Vec<(MatrixName, Matrix)> {
         let coordinates = &mechanism.coordinates;
         let n = coordinates.len();
         let freedom = |q: usize| motions.freedoms.iter().position(|joint| *joint == coordinates[q]);
@@ -190,6 +189,17 @@ impl Projected {
         }
         matrices
     }
+}
+
+/// Entries in their shortest form; matrices that are zero are left out.
+pub fn settle(matrices: &[(MatrixName, Matrix)], formulas: &Formulas<'_>) -> Matrices {
+    let settled = |entry: &Form| if formulas.is_zero(entry) { Form::number(0) } else { formulas.shortest(entry) };
+    let all = matrices.iter().map(|(name, matrix)| {
+        let settled = matrix.iter().map(|row| row.iter().map(settled).collect()).collect();
+        (*name, mirrored(settled, formulas))
+    });
+    let is_there = |matrix: &Matrix| matrix.iter().flatten().any(|entry| !entry.is_nothing());
+    all.filter(|(name, matrix)| *name == MatrixName::M || is_there(matrix)).collect()
 }
 
 /// With the same form for entries that mirror each other, where they are equal.

@@ -46,14 +46,7 @@ impl Unreduced {
         let mass = matrix::symmetric(count, |row, column| {
             formulas.name(name("M", row, column), &composites.mass(row, column))
         });
-        let weight = matrix::symmetric(count, |row, column| {
-            if mechanism.gravity.is_none() {
-                return Form::number(0);
-            }
-            let lifted = contacts.iter().zip(&loads).map(|(contact, load)| load * &contact.curvature(row, column));
-            let form = lifted.fold(sinking(mechanism, &composites, row, column), |sum, lifted| &sum - &lifted);
-            formulas.name(name("K", row, column), &form)
-        });
+        let weight = find_weight(mechanism, contacts, &composites, &loads, formulas);
         let spin = matrix::new(count, count, |row, column| match mechanism.farther(row, column) {
             Some(far) => (&momenta[far] * &gyroscopic(mechanism, row, column)).simplest(),
             None => Form::number(0),
@@ -71,6 +64,24 @@ impl Unreduced {
         add_gyrostats(mechanism, &mut damping);
         Ok(Self { mass, spin, weight, slip: over_speed, damping, stiffness, relaxation: by_speed })
     }
+}
+
+/// What is to be multiplied by gravity, with these loads of the wheels.
+pub fn find_weight(
+    mechanism: &Mechanism<Form>,
+    contacts: &[Contact<'_>],
+    composites: &Composites<'_>,
+    loads: &[Form],
+    formulas: &mut Formulas<'_>,
+) -> Matrix {
+    matrix::symmetric(mechanism.joints.len(), |row, column| {
+        if mechanism.gravity.is_none() {
+            return Form::number(0);
+        }
+        let lifted = contacts.iter().zip(loads).map(|(contact, load)| load * &contact.curvature(row, column));
+        let form = lifted.fold(sinking(mechanism, composites, row, column), |sum, lifted| &sum - &lifted);
+        formulas.name(format!("K_{}_{}", mechanism.joints[row].name, mechanism.joints[column].name), &form)
+    })
 }
 
 /// The second derivative of the potential energy of gravity, divided by it, with respect to two joints.

@@ -23,10 +23,19 @@ use crate::formula::{Factor, Formula, Function};
 pub struct Differentiated {
     /// The outputs of the equations, then their derivatives.
     pub equations: Equations,
-    /// For each derivative the output and the parameter: all that are not zero for all parameters, by parameters.
+    /// For each derivative the output and the parameter: all wanted ones that are not zero for all parameters, by parameters.
     pub partials: Vec<(usize, usize)>,
     /// For each definition that is new, by its origin, what it is the derivative of, and with respect to what.
     pub definitions: BTreeMap<usize, [Node; 2]>,
+}
+
+/// Which derivatives are wanted.
+#[derive(Clone, Debug, SerBin)]
+pub struct Wanted {
+    /// For each output whether they are.
+    pub outputs: Vec<bool>,
+    /// For each parameter whether those with respect to it are.
+    pub parameters: Vec<bool>,
 }
 
 /// What the chain rule leads through.
@@ -40,14 +49,14 @@ pub enum Node {
     Output(usize),
 }
 
-/// The derivatives of all outputs of equations with respect to all parameters. The origins of definitions that are new
+/// The derivatives of outputs of equations with respect to parameters. The origins of definitions that are new
 /// lie `beyond` those of the model.
 ///
 /// # Errors
 /// If the engine cannot be had or fails, or if a formula has no value.
-pub fn derive(equations: Vec<Equations>, beyond: usize) -> Result<Vec<Differentiated>, Failure> {
-    ask("derivatives", (equations, beyond), |engine, (equations, beyond)| {
-        let differentiate = |(index, equations)| match Chain::new(engine, equations, *beyond) {
+pub fn derive(equations: Vec<Equations>, wanted: Wanted, beyond: usize) -> Result<Vec<Differentiated>, Failure> {
+    ask("derivatives", (equations, wanted, beyond), |engine, (equations, wanted, beyond)| {
+        let differentiate = |(index, equations)| match Chain::new(engine, equations, wanted, *beyond) {
             Ok(chain) => Ok(chain.differentiate()),
             Err((place, why)) => Err(Failure::Undefined { equations: index, place, why }),
         };
@@ -58,6 +67,7 @@ pub fn derive(equations: Vec<Equations>, beyond: usize) -> Result<Vec<Differenti
 /// Partial derivatives that are left to be multiplied along the ways from outputs to parameters.
 struct Chain<'a> {
     engine: &'a Engine,
+    wanted: &'a Wanted,
     equations: Equations,
     /// For each output the first one that is the same formula: the mirror image of an entry.
     first: Vec<usize>,
@@ -72,13 +82,19 @@ struct Chain<'a> {
 }
 
 impl<'a> Chain<'a> {
-    fn new(engine: &'a Engine, equations: &Equations, beyond: usize) -> Result<Self, (Place, Undefined)> {
+    fn new(
+        engine: &'a Engine,
+        equations: &Equations,
+        wanted: &'a Wanted,
+        beyond: usize,
+    ) -> Result<Self, (Place, Undefined)> {
         let parameters = equations.parameters;
         let values = engine.definitions(parameters, equations.definitions.len());
         let outputs = &equations.outputs;
         let first = |output| outputs.iter().position(|other| other == output).unwrap_or_default();
         let mut chain = Self {
             engine,
+            wanted,
             first: outputs.iter().map(first).collect(),
             equations: equations.clone(),
             partials: BTreeMap::new(),
@@ -93,7 +109,7 @@ impl<'a> Chain<'a> {
             chain.add(Node::Definition(index), formula, &form);
         }
         for (index, formula) in equations.outputs.iter().enumerate() {
-            if chain.first[index] != index {
+            if !chain.is_first_of_wanted(index) {
                 continue;
             }
             let form = engine.form(formula, &values).map_err(|why| (Place::Output(index), why))?;
@@ -102,11 +118,19 @@ impl<'a> Chain<'a> {
         Ok(chain)
     }
 
+    /// Whether an output, or one that is the same formula, is wanted, and none before it is that.
+    fn is_first_of_wanted(&self, output: usize) -> bool {
+        let mut same = (0..self.first.len()).filter(|other| self.first[*other] == output);
+        same.any(|other| self.wanted.outputs[other])
+    }
+
     /// Notes the partial derivatives of a formula.
     fn add(&mut self, node: Node, formula: &Formula, form: &Form) {
         let mut inside = BTreeSet::new();
         formula.walk(&mut |part| match part {
-            Formula::Parameter(index) => drop(inside.insert((*index, Node::Parameter(*index)))),
+            Formula::Parameter(index) if self.wanted.parameters[*index] => {
+                inside.insert((*index, Node::Parameter(*index)));
+            }
             Formula::Definition(index) => {
                 inside.insert((self.equations.parameters + index, Node::Definition(*index)));
             }
@@ -141,7 +165,7 @@ impl<'a> Chain<'a> {
         }
         let mut partials = Vec::new();
         for parameter in 0..self.equations.parameters {
-            for output in 0..self.first.len() {
+            for output in (0..self.first.len()).filter(|output| self.wanted.outputs[*output]) {
                 let of_output = self.partials.get(&Node::Output(self.first[output]));
                 let partial = of_output.and_then(|partials| partials.get(&Node::Parameter(parameter)));
                 let partial = partial.map(|partial| partial.to_formula(self.equations.parameters));

@@ -20,7 +20,7 @@ mod prove;
 mod sample;
 mod vertex_elimination;
 
-pub use derivatives::{Differentiated, Node, derive};
+pub use derivatives::{Differentiated, Node, Wanted, derive};
 pub use door::{ask, enter};
 pub use engine::Engine;
 pub use failure::{EngineFailure, Failure, Place, Undefined};

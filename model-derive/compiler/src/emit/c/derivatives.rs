@@ -2,6 +2,7 @@
 
 use super::super::evaluator::results;
 use super::super::fields::field_name;
+use super::super::with_respect_to::tell_asked;
 use super::comment::block;
 use super::template::{fill, wrap};
 use super::{Context, Precision, counts, matrices};
@@ -45,8 +46,9 @@ pub fn declare(context: &Context, precision: Precision) -> String {
     let name = context.name(precision, "derivatives");
     let what = format!(
         "The derivatives of the matrices with respect to the parameters, in SI units: those that are not zero for all\n\
-         parameters, each value once. Which is which is said by `{}`.",
-        table_name(context)
+         parameters, each value once. Which is which is said by `{}`.{}",
+        table_name(context),
+        context.model.derivatives.as_ref().map(|asked| tell_asked(context.model, asked)).unwrap_or_default()
     );
     let does = format!(
         "The coefficient matrices and their derivatives, from one straight-line program:\n{}.\n\n@param[in] p The \
@@ -54,27 +56,36 @@ pub fn declare(context: &Context, precision: Precision) -> String {
          @param[out] derivatives The derivatives.",
         counts(&derivatives.program)
     );
-    let with_respect_to = "The derivatives of all matrices with respect to one parameter, with the zeros filled in.\n\n@param[in] derivatives \
-         The derivatives.\n@param[in] parameter The position of the parameter in declared order, from 0; beyond the last \
-         all are zero.\n@param[out] matrices The derivatives of the matrices.";
     format!(
-        "{}typedef struct {{\n    {} values[{}];\n}} {name}_t;\n\n{}{};\n\n{}{};\n\n",
+        "{}typedef struct {{\n    {} values[{}];\n}} {name}_t;\n\n{}{};\n\n{}",
         block(&what, 0),
         precision.number(),
         count_values(derivatives),
         block(&does, 0),
         signature(context, precision),
-        block(with_respect_to, 0),
-        wrap(
-            &format!(
-                "void {}(const {name}_t *derivatives, size_t parameter, {} *matrices)",
-                context.name(precision, "with_respect_to"),
-                matrices::type_name(context, precision)
-            ),
-            0
-        )
-        .trim_end()
+        declare_with_respect_to(context, precision)
     )
+}
+
+/// Nothing where not all derivatives are asked for: what is not there could not be told from zeros.
+fn declare_with_respect_to(context: &Context, precision: Precision) -> String {
+    if !has_all(context.model) {
+        return String::new();
+    }
+    let what = "The derivatives of all matrices with respect to one parameter, with the zeros filled in.\n\n@param[in] derivatives \
+         The derivatives.\n@param[in] parameter The position of the parameter in declared order, from 0; beyond the last \
+         all are zero.\n@param[out] matrices The derivatives of the matrices.";
+    let signature = format!(
+        "void {}(const {}_t *derivatives, size_t parameter, {} *matrices)",
+        context.name(precision, "with_respect_to"),
+        context.name(precision, "derivatives"),
+        matrices::type_name(context, precision)
+    );
+    format!("{}{};\n\n", block(what, 0), wrap(&signature, 0).trim_end())
+}
+
+fn has_all(model: &Model) -> bool {
+    model.derivatives.as_ref().is_some_and(|asked| asked.is_all(model))
 }
 
 fn count_values(derivatives: &Derivatives) -> usize {
@@ -122,6 +133,9 @@ fn names_of_results(model: &Model, derivatives: &Derivatives) -> Vec<(usize, Str
 }
 
 fn with_respect_to(context: &Context, precision: Precision) -> String {
+    if !has_all(context.model) {
+        return String::new();
+    }
     let upper = context.prefix.upper();
     let zero = precision.literal(0.0);
     let fields =

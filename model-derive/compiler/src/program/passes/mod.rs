@@ -95,6 +95,25 @@ mod tests {
     }
 
     #[test]
+    fn signs_are_chosen_so_that_outputs_need_no_negation() {
+        // -(1 + (x - y)) and 2 + (1 + (x - y)): with y - x instead, neither is negated.
+        let before = program(
+            &[
+                Instruction::Constant(1.0),
+                Instruction::Constant(2.0),
+                Instruction::Sub(0, 1),
+                Instruction::Add(2, 4),
+                Instruction::Neg(5),
+                Instruction::Add(3, 5),
+            ],
+            &[6, 7],
+        );
+        let after = signs::choose(before.clone());
+        assert_eq!(Counts::of(&after), Counts { additions: 3, ..Counts::default() }, "{after:?}");
+        assert_eq!(after.interpret(&[1.5, 0.25]), before.interpret(&[1.5, 0.25]));
+    }
+
+    #[test]
     fn one_quotient_divides_and_several_share_a_reciprocal() {
         let before = program(&[Instruction::Reciprocal(1), Instruction::Mul(0, 2)], &[3]);
         check(before, Counts { divisions: 1, ..Counts::default() }, |x, y| vec![x / y]);

@@ -60,7 +60,8 @@ pub fn parse_added(input: ParseStream<'_>, model: &mut Declaration) -> syn::Resu
     parse_semicolon(input, "`;`", "the matrix")
 }
 
-fn parse_matrix_name(input: ParseStream<'_>, what: &str) -> syn::Result<(MatrixName, Span)> {
+/// The name of a matrix; `what` says what is expected.
+pub fn parse_matrix_name(input: ParseStream<'_>, what: &str) -> syn::Result<(MatrixName, Span)> {
     if !input.peek(syn::Ident) {
         return Err(expected(input, what));
     }

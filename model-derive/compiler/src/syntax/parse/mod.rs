@@ -6,6 +6,7 @@ mod attributes;
 mod blocks;
 mod compared;
 mod declaration;
+mod derivatives;
 mod directions;
 mod docs;
 mod domains;

@@ -6,6 +6,7 @@ use syn::parse::ParseStream;
 use syn::parse::discouraged::Speculative as _;
 
 use super::compared::parse_compared;
+use super::derivatives::parse_derivatives;
 use super::docs::{LOST, Supported, parse_rust_attributes, peek_behind_attributes};
 use super::domains::parse_comparison;
 use super::expressions::parse_expression;
@@ -121,10 +122,10 @@ fn parse_after_keyword(
         "coordinates" => parse_coordinates(input, keyword, model, report),
         "mechanism" => parse_mechanism(input, keyword, model, report),
         "derivatives" => {
-            if model.derivatives.replace(keyword.span()).is_some() {
-                report.error(keyword, "a second `derivatives`: expected one, since it asks for all derivatives");
+            if model.derivatives.replace(parse_derivatives(keyword, input)?).is_some() {
+                report.error(keyword, "a second `derivatives`: expected one, which asks for all that are wanted");
             }
-            parse_semicolon(input, "`;`", "`derivatives`: it asks for all of them")
+            Ok(())
         }
         "nonlinear" => {
             if model.nonlinear.replace(keyword.span()).is_some() {

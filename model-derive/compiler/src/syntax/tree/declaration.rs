@@ -44,12 +44,22 @@ pub struct Declaration {
     pub feedback: Vec<Feedback>,
     /// Functions by hand that are to give the same matrices.
     pub compared: Vec<Compared>,
-    /// Where the derivatives of the matrices are asked for.
-    pub derivatives: Option<Span>,
+    /// Which derivatives of the matrices are asked for.
+    pub derivatives: Option<AskedDerivatives>,
     /// Where the nonlinear equations of motion are asked for.
     pub nonlinear: Option<Span>,
     /// Names of statements that could not be read: they exist, so using them is no further mistake.
     pub unread: Vec<Ident>,
+}
+
+/// `derivatives;`, or `derivatives of M, K0 with respect to w, c;`.
+#[derive(Clone, Debug)]
+pub struct AskedDerivatives {
+    pub span: Span,
+    /// Of which matrices, each where it stands; of all if it is not said.
+    pub matrices: Option<Vec<(MatrixName, Span)>>,
+    /// With respect to which parameters; to all if it is not said.
+    pub parameters: Option<Vec<Ident>>,
 }
 
 /// A function by hand that is to give the matrices of the model.

@@ -7,8 +7,8 @@ mod mechanism;
 mod unit;
 
 pub use self::declaration::{
-    Assertion, Bound, Compared, Coordinate, Declaration, Definition, Direction, Feedback, Matrix, Parameter,
-    ParameterSet, Printed, Published, Relation, Requirement, RustAttribute, SetValue, Value,
+    AskedDerivatives, Assertion, Bound, Compared, Coordinate, Declaration, Definition, Direction, Feedback, Matrix,
+    Parameter, ParameterSet, Printed, Published, Relation, Requirement, RustAttribute, SetValue, Value,
 };
 pub use self::expression::{Expression, Factor, Kind, Term};
 pub use self::mechanism::{

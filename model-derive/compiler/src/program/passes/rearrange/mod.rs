@@ -18,25 +18,32 @@ use crate::program::{Counts, Program};
 use crate::random::Random;
 
 /// So many changes are tried for each sum and product, and all in all.
-const TRIED: usize = 1_500;
+const TRIED: usize = 500;
 const MAX_TRIED: usize = 200_000;
+
+/// Short programs are rearranged so many times at most, each time by other numbers.
+const MAX_TIMES: usize = 4;
 
 /// Out of a thousand changes so many may make it worse at first, by one or two operations, and towards the end none.
 const WORSE: usize = 30;
 
 /// Afterwards the program is as cheap as before or cheaper. It has to be without whole powers.
 pub fn rearrange(program: Program) -> Program {
-    let mut random = Random(1904);
-    let mut rearranged = Rearranged::new(&program);
-    let steps = (TRIED * rearranged.network.cost()).min(MAX_TRIED);
+    let steps = (TRIED * Counts::of(&program).total()).min(MAX_TRIED);
+    let times = (MAX_TRIED / steps.max(1)).min(MAX_TIMES);
+    let others = (0..times).map(|time| rearrange_once(&program, steps, Random(1904 + time as u64)));
+    // Of equally cheap ones the first stays.
+    std::iter::once(program.clone()).chain(others).min_by_key(|other| Counts::of(other).cost()).unwrap_or(program)
+}
+
+fn rearrange_once(program: &Program, steps: usize, mut random: Random) -> Program {
+    let mut rearranged = Rearranged::new(program);
     for step in 0..steps {
         let worse = if random.below(1_000) < WORSE * (steps - step) / steps { 1 + random.below(2) } else { 0 };
         let node = random.below(rearranged.network.len());
         rearranged.change(node, worse, &mut random);
     }
-    let cheaper = signs::collect(rearranged.into_program());
-    let cheaper = cse::eliminate(quotients::divide(cheaper));
-    if Counts::of(&cheaper).cost() < Counts::of(&program).cost() { cheaper } else { program }
+    cse::eliminate(quotients::divide(signs::choose(rearranged.into_program())))
 }
 
 impl Rearranged {

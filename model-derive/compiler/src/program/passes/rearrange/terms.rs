@@ -30,7 +30,7 @@ const OPEN: usize = 90;
 /// One that is used elsewhere, too.
 const OPEN_SHARED: usize = 20;
 /// A factor in front of a sum is multiplied into it.
-const DISTRIBUTE: usize = 15;
+const DISTRIBUTE: usize = 30;
 /// A factor that several terms have is put in front of them.
 const FACTOR: usize = 70;
 /// A pair that is there already is used.

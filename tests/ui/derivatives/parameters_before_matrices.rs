@@ -1,0 +1,14 @@
+fn main() {}
+
+carvallo::model! {
+    /// The parameters before the matrices.
+    model Pendulum {
+        parameters { mass: kg, > 0; length: m, > 0; g: N/kg, >= 0, gravity; damping: N*m*s, >= 0; }
+        let inertia = mass*length^2;
+        derivatives with respect to mass of M;
+        coordinates { phi: rad; }
+        M = [[inertia]];
+        C0 = [[damping]];
+        K0 = [[mass*length]];
+    }
+}

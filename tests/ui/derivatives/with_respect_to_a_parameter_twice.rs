@@ -1,0 +1,14 @@
+fn main() {}
+
+carvallo::model! {
+    /// The derivatives with respect to one parameter twice.
+    model Pendulum {
+        parameters { mass: kg, > 0; length: m, > 0; g: N/kg, >= 0, gravity; damping: N*m*s, >= 0; }
+        let inertia = mass*length^2;
+        derivatives with respect to mass, length, mass;
+        coordinates { phi: rad; }
+        M = [[inertia]];
+        C0 = [[damping]];
+        K0 = [[mass*length]];
+    }
+}
