@@ -106,34 +106,34 @@ const char *balance_assist_validity_text(balance_assist_validity_t validity)
 const carvallo_partial_t balance_assist_partials[BALANCE_ASSIST_PARTIALS] = {
     {CARVALLO_MATRIX_M, 0U, 1U, 0U, 0U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 1U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 1U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 2U, false},
     {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 3U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 4U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 4U, false},
     {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 5U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 5U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 6U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 6U, true},
     {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 7U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 8U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 8U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 1U, 9U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 1U, 9U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 10U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 10U, true},
     {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 11U, false},
     {CARVALLO_MATRIX_C1, 1U, 0U, 1U, 12U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 13U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 13U, true},
     {CARVALLO_MATRIX_K0, 0U, 1U, 1U, 14U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 1U, 14U, false},
     {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 15U, false},
     {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 16U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 17U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 17U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 17U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 17U, false},
     {CARVALLO_MATRIX_M, 1U, 1U, 2U, 18U, true},
     {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 19U, true},
     {CARVALLO_MATRIX_C1, 1U, 0U, 2U, 20U, false},
     {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 21U, false},
     {CARVALLO_MATRIX_K0, 0U, 1U, 2U, 22U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 2U, 22U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 23U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 23U, true},
     {CARVALLO_MATRIX_K2, 0U, 1U, 2U, 24U, true},
     {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 25U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 4U, 26U, false},
@@ -186,7 +186,7 @@ const carvallo_partial_t balance_assist_partials[BALANCE_ASSIST_PARTIALS] = {
     {CARVALLO_MATRIX_C1, 0U, 1U, 14U, 63U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 15U, 64U, true},
     {CARVALLO_MATRIX_M, 1U, 0U, 15U, 64U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 65U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 65U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 15U, 66U, true},
     {CARVALLO_MATRIX_C1, 1U, 1U, 15U, 67U, false},
     {CARVALLO_MATRIX_K0, 0U, 1U, 15U, 68U, true},
@@ -196,7 +196,7 @@ const carvallo_partial_t balance_assist_partials[BALANCE_ASSIST_PARTIALS] = {
     {CARVALLO_MATRIX_M, 0U, 0U, 16U, 71U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 16U, 72U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 16U, 72U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 73U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 73U, true},
     {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 74U, true},
     {CARVALLO_MATRIX_C1, 1U, 1U, 16U, 75U, true},
     {CARVALLO_MATRIX_K0, 0U, 0U, 16U, 76U, false},
@@ -206,17 +206,17 @@ const carvallo_partial_t balance_assist_partials[BALANCE_ASSIST_PARTIALS] = {
     {CARVALLO_MATRIX_K2, 0U, 1U, 16U, 79U, true},
     {CARVALLO_MATRIX_K2, 1U, 1U, 16U, 80U, true},
     {CARVALLO_MATRIX_M, 0U, 0U, 17U, 81U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 82U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 82U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 82U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 82U, true},
     {CARVALLO_MATRIX_M, 1U, 1U, 17U, 83U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 84U, true},
     {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 85U, false},
     {CARVALLO_MATRIX_K0, 0U, 0U, 17U, 86U, false},
     {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 87U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 87U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 88U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 88U, true},
     {CARVALLO_MATRIX_K2, 0U, 1U, 17U, 89U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 90U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 90U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 18U, 35U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 18U, 91U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 18U, 91U, false},
@@ -229,8 +229,8 @@ const carvallo_partial_t balance_assist_partials[BALANCE_ASSIST_PARTIALS] = {
     {CARVALLO_MATRIX_C1, 0U, 1U, 21U, 63U, false},
     {CARVALLO_MATRIX_C1, 1U, 1U, 21U, 97U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 22U, 98U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 22U, 99U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 22U, 99U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 22U, 99U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 22U, 99U, false},
     {CARVALLO_MATRIX_M, 1U, 1U, 22U, 100U, true},
     {CARVALLO_MATRIX_C1, 0U, 1U, 22U, 101U, false},
     {CARVALLO_MATRIX_C1, 1U, 0U, 22U, 102U, false},
@@ -242,17 +242,17 @@ const carvallo_partial_t balance_assist_partials[BALANCE_ASSIST_PARTIALS] = {
     {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 107U, false},
     {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 108U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 23U, 109U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 110U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 110U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 110U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 110U, false},
     {CARVALLO_MATRIX_M, 1U, 1U, 23U, 111U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 23U, 112U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 113U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 113U, true},
     {CARVALLO_MATRIX_K0, 0U, 0U, 23U, 114U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 115U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 115U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 116U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 115U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 115U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 116U, true},
     {CARVALLO_MATRIX_K2, 0U, 1U, 23U, 117U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 118U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 118U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 24U, 35U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 24U, 91U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 24U, 91U, false},
@@ -397,49 +397,54 @@ balance_assist_validity_t balance_assist_f64_validate(const balance_assist_f64_t
 
 void balance_assist_f64_matrices(const balance_assist_f64_t *p, balance_assist_f64_matrices_t *matrices)
 {
-    const double t4 = p->zH * p->mH;
-    const double t9 = p->rF * p->mF;
-    const double Jxx_delta = p->IHxx + ((p->zH * t4) + (p->IFxx + (p->rF * t9)));
-    const double t17 = p->zB * p->mB;
-    const double t22 = p->rR * p->mR;
-    const double M_11 = p->IBxx + Jxx_delta + ((p->zB * t17) + (p->IRxx + (p->rR * t22)));
+    const double t6 = p->zH * p->mH;
+    const double t10 = p->rF * p->mF;
+    const double Jxx_delta = p->IHxx + p->IFxx + (p->zH * t6) + (p->rF * t10);
+    const double t17 = p->rR * p->mR;
+    const double t21 = p->zB * p->mB;
+    const double M_11 = p->IRxx + p->IBxx + Jxx_delta + (p->rR * t17) + (p->zB * t21);
     double sin_lam = 0.0;
     double cos_lam = 0.0;
     carvallo_sin_cos_f64(p->lam, &sin_lam, &cos_lam);
-    const double t34 = p->c + p->w;
-    const double t35 = t34 - p->xH;
-    const double t38 = p->mF * p->c;
-    const double t40 = (p->rF * t38) - (p->IHxz + (t4 * t35));
-    const double hx_delta = (Jxx_delta * sin_lam) - (t40 * cos_lam);
+    const double t35 = p->c + p->w;
+    const double t36 = t35 - p->xH;
+    const double Jxz_delta = p->IHxz + (t6 * t36) - (t10 * p->c);
+    const double hx_delta = (Jxx_delta * sin_lam) + (Jxz_delta * cos_lam);
     const double yaw_per_v_delta = cos_lam / p->w;
-    const double t46 = p->mB * p->xB;
-    const double Sz_delta = t4 - t9;
-    const double t54 = yaw_per_v_delta * (p->IBxz - t40 - (t34 * Sz_delta) - (p->zB * t46));
-    const double M_12 = hx_delta + (p->c * t54);
-    const double t57 = p->mH * t35;
-    const double Jzz_delta = (t35 * t57) + (p->IFxx + (p->IHzz + (p->c * t38)));
-    const double t66 = (sin_lam * t40) - (cos_lam * Jzz_delta);
     const double mu = p->c * yaw_per_v_delta;
-    const double t70 = t57 + t38;
-    const double t73 = (cos_lam * t70) + (sin_lam * Sz_delta);
-    const double t75 = (t34 * t73) + t66;
+    const double Sz_delta = t6 - t10;
+    const double Jxz_all = Jxz_delta + p->IBxz - (t21 * p->xB) - (t35 * Sz_delta);
+    const double M_12 = hx_delta + (mu * Jxz_all);
+    const double t57 = p->mH * t36;
+    const double t59 = p->mF * p->c;
+    const double Jzz_delta = p->IFxx + p->IHzz + (t36 * t57) + (p->c * t59);
+    const double hz_delta = (sin_lam * Jxz_delta) + (cos_lam * Jzz_delta);
+    const double t67 = t57 + t59;
+    const double t69 = (sin_lam * Sz_delta) + (cos_lam * t67);
+    const double M_yaw_delta = hz_delta - (t35 * t69);
+    const double t73 = p->mB * p->xB;
     const double mA = p->mH + p->mF;
-    const double t79 = t70 - (t34 * mA);
-    const double t87 = mu * (p->IRxx + Jzz_delta - ((t34 * (t70 + t79)) - (p->xB * t46) - p->IBzz));
-    const double t88 = t87 - t75;
+    const double t77 = t67 - (t35 * mA);
+    const double P_delta_yaw = M_yaw_delta + (mu * (p->IRxx + Jzz_delta + p->IBzz + (p->xB * t73) -
+        (t35 * (t67 + t77))));
+    const double M_22 = (mu * (M_yaw_delta + P_delta_yaw)) + (sin_lam * hx_delta) + (cos_lam *
+        hz_delta);
     const double SF = p->IFyy / p->rF;
-    const double t98 = cos_lam * SF;
     const double ST = SF + (p->IRyy / p->rR);
-    const double K0_11 = t17 + Sz_delta - t22;
-    const double K2_12 = yaw_per_v_delta * (ST - K0_11);
-    const double C1_12 = t54 + t98 + (p->c * K2_12);
-    const double C1_21 = p->kappa - ((mu * ST) + t98);
-    const double K0_12 = t73 + ((t79 - t46) * mu);
-    const double C1_22 = (yaw_per_v_delta * t88) - (mu * K0_12);
-    const double K0_22 = sin_lam * K0_12;
-    const double K2_22 = yaw_per_v_delta * ((sin_lam * SF) - K0_12);
-    const double M_22 = (sin_lam * hx_delta) + (mu * (t88 - t75)) - (cos_lam * t66);
+    const double Sz_all = t21 + Sz_delta - t17;
+    const double t103 = ST - Sz_all;
+    const double t105 = cos_lam * SF;
+    const double C1_12 = (mu * t103) + t105 + (yaw_per_v_delta * Jxz_all);
+    const double C1_21 = p->kappa - t105 - (mu * ST);
+    const double Sx_all = t73 - t77;
+    const double t113 = mu * Sx_all;
+    const double P_delta_lateral = t113 - t69;
+    const double C1_22 = (mu * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
+    const double K2_12 = yaw_per_v_delta * t103;
+    const double K2_22 = yaw_per_v_delta * (P_delta_lateral + (sin_lam * SF));
     const double C0_21 = -(p->kappa * p->vo);
+    const double K0_12 = t69 - t113;
+    const double K0_22 = -(sin_lam * P_delta_lateral);
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -452,7 +457,7 @@ void balance_assist_f64_matrices(const balance_assist_f64_t *p, balance_assist_f
     matrices->c1[0][1] = C1_12;
     matrices->c1[1][0] = C1_21;
     matrices->c1[1][1] = C1_22;
-    matrices->k0[0][0] = K0_11;
+    matrices->k0[0][0] = Sz_all;
     matrices->k0[0][1] = K0_12;
     matrices->k0[1][0] = K0_12;
     matrices->k0[1][1] = K0_22;
@@ -596,222 +601,228 @@ void balance_assist_f64_derivatives(const balance_assist_f64_t *p,
     balance_assist_f64_matrices_t *matrices, balance_assist_f64_derivatives_t *derivatives)
 {
     const double t2 = p->zB * p->mB;
-    const double t7 = p->rR * p->mR;
-    const double M_11_mH = p->zH * p->zH;
-    const double t18 = p->rF * p->mF;
-    const double Jxx_delta = p->IHxx + p->IFxx + (p->mH * M_11_mH) + (p->rF * t18);
-    const double M_11 = (p->zB * t2) + p->IRxx + (p->rR * t7) + p->IBxx + Jxx_delta;
-    const double t29 = p->mF * p->c;
-    const double t31 = p->mH * p->zH;
-    const double t33 = p->c + p->w;
-    const double t35 = t33 - p->xH;
-    const double t38 = p->IHxz + (t31 * t35) - (p->rF * t29);
+    const double t9 = p->rF * p->mF;
+    const double t13 = p->zH * p->mH;
+    const double Jxx_delta = p->IHxx + p->IFxx + (p->rF * t9) + (p->zH * t13);
+    const double t21 = p->rR * p->mR;
+    const double M_11 = (p->zB * t2) + p->IRxx + Jxx_delta + p->IBxx + (p->rR * t21);
     double sin_lam = 0.0;
     double cos_lam = 0.0;
     carvallo_sin_cos_f64(p->lam, &sin_lam, &cos_lam);
-    const double t41 = t38 * cos_lam;
-    const double hx_delta = t41 + (Jxx_delta * sin_lam);
-    const double t45 = 1.0 / p->w;
-    const double yaw_per_v_delta = cos_lam * t45;
-    const double Sz_delta = t31 - t18;
-    const double t54 = t38 + p->IBxz - (t2 * p->xB) - (t33 * Sz_delta);
-    const double t55 = yaw_per_v_delta * t54;
-    const double M_12 = hx_delta + (p->c * t55);
-    const double t59 = p->mH * t35;
-    const double Jzz_delta = p->IFxx + (t35 * t59) + p->IHzz + (p->c * t29);
-    const double t67 = t38 * sin_lam;
-    const double t68 = (cos_lam * Jzz_delta) + t67;
-    const double t69 = t29 + t59;
-    const double t72 = (cos_lam * t69) + (sin_lam * Sz_delta);
-    const double t74 = t68 - (t33 * t72);
-    const double t75 = p->c * t45;
-    const double t78 = p->mB * p->xB;
-    const double mA = p->mH + p->mF;
-    const double t82 = t69 - (t33 * mA);
-    const double t89 = yaw_per_v_delta * (p->IRxx + Jzz_delta + p->IBzz + (p->xB * t78) - (t33 *
-        (t69 + t82)));
-    const double t90 = p->c * t89;
-    const double t91 = t74 + t90;
-    const double t92 = t75 * t91;
-    const double M_22 = (sin_lam * hx_delta) + (cos_lam * (t68 + (t74 * t75) + t92));
-    const double t102 = 1.0 / p->rF;
-    const double SF = p->IFyy * t102;
-    const double t105 = 1.0 / p->rR;
-    const double t106 = p->IRyy * t105;
-    const double ST = SF + t106;
-    const double K0_11 = t2 + Sz_delta - t7;
-    const double t110 = ST - K0_11;
-    const double t112 = t54 + (p->c * t110);
-    const double t113 = yaw_per_v_delta * t112;
-    const double t114 = cos_lam * SF;
-    const double C1_12 = t113 + t114;
-    const double t116 = yaw_per_v_delta * ST;
-    const double t117 = p->c * t116;
-    const double C1_21 = p->kappa - t114 - t117;
-    const double t120 = p->mB * yaw_per_v_delta;
-    const double t121 = p->c * t120;
-    const double t122 = p->xB * t121;
+    const double t33 = p->c + p->w;
+    const double t35 = t33 - p->xH;
+    const double t39 = p->IHxz + (t13 * t35) - (t9 * p->c);
+    const double t41 = t39 * cos_lam;
+    const double t42 = (Jxx_delta * sin_lam) + t41;
+    const double Sz_delta = t13 - t9;
+    const double t47 = p->mB * p->xB;
+    const double t51 = (t33 * Sz_delta) + (p->zB * t47) - t39 - p->IBxz;
+    const double t52 = 1.0 / p->w;
+    const double yaw_per_v_delta = cos_lam * t52;
     const double mu = p->c * yaw_per_v_delta;
-    const double t124 = t82 * mu;
-    const double t125 = t122 - t124;
-    const double K0_12 = t72 - t125;
-    const double t128 = t91 - (p->c * K0_12);
-    const double C1_22 = yaw_per_v_delta * t128;
-    const double K0_22 = sin_lam * K0_12;
-    const double K2_12 = yaw_per_v_delta * t110;
-    const double t132 = sin_lam * SF;
-    const double t134 = t45 * (t132 - K0_12);
-    const double K2_22 = cos_lam * t134;
-    const double C1_12_SF = cos_lam + mu;
-    const double t137 = t31 * C1_12_SF;
-    const double t138 = cos_lam * Sz_delta;
-    const double M_12_c = t55 + t138;
-    const double M_12_w = t137 - (t75 * M_12_c);
-    const double t143 = t72 + t124 + t124;
-    const double t146 = t35 * C1_12_SF;
+    const double M_12 = t42 - (t51 * mu);
+    const double t57 = sin_lam * t39;
+    const double t58 = p->mF * p->c;
+    const double t61 = p->mH * t35;
+    const double Jzz_delta = p->IFxx + (p->c * t58) + p->IHzz + (t35 * t61);
+    const double t66 = cos_lam * Jzz_delta;
+    const double t67 = t57 + t66;
+    const double t69 = t58 + t61;
+    const double t72 = (cos_lam * t69) + (sin_lam * Sz_delta);
+    const double t74 = (t33 * t72) - t67;
+    const double mA = p->mF + p->mH;
+    const double t77 = t69 - (t33 * mA);
+    const double t86 = yaw_per_v_delta * (p->IRxx + Jzz_delta + p->IBzz + (p->xB * t47) - (t33 *
+        (t69 + t77)));
+    const double t87 = p->c * t86;
+    const double t88 = t74 - t87;
+    const double t89 = t74 + t88;
+    const double M_22 = (cos_lam * t67) + (sin_lam * t42) - (mu * t89);
+    const double t99 = 1.0 / p->rF;
+    const double SF = p->IFyy * t99;
+    const double t101 = t51 * t52;
+    const double t103 = 1.0 / p->rR;
+    const double t104 = p->IRyy * t103;
+    const double ST = SF + t104;
+    const double K0_11 = t2 + Sz_delta - t21;
+    const double t109 = t52 * (ST - K0_11);
+    const double t111 = t101 - (p->c * t109);
+    const double t112 = SF - t111;
+    const double C1_12 = cos_lam * t112;
+    const double t114 = cos_lam * SF;
+    const double t115 = yaw_per_v_delta * ST;
+    const double t116 = p->c * t115;
+    const double C1_21 = p->kappa - t114 - t116;
+    const double t119 = t47 * mu;
+    const double t120 = mu * t77;
+    const double t121 = t72 + t120;
+    const double t122 = t119 - t121;
+    const double t124 = t88 - (p->c * t122);
+    const double K2_12 = cos_lam * t109;
+    const double t128 = sin_lam * SF;
+    const double t130 = t52 * (t122 + t128);
+    const double K2_22 = cos_lam * t130;
+    const double M_12_Jxz_delta = cos_lam + mu;
+    const double t134 = t13 * M_12_Jxz_delta;
+    const double t135 = p->c * t52;
+    const double t136 = cos_lam * Sz_delta;
+    const double t138 = t134 - (t135 * t136);
+    const double M_12_w = (mu * t101) + t138;
+    const double t140 = t89 - t87;
+    const double t141 = yaw_per_v_delta * t140;
+    const double t143 = mu * t121;
+    const double t144 = p->w * yaw_per_v_delta;
+    const double t145 = mu + t144;
+    const double t146 = p->c * t145;
     const double t147 = p->zH * sin_lam;
-    const double t148 = t146 + t147;
-    const double t149 = t33 * yaw_per_v_delta;
-    const double t150 = p->c * t149;
-    const double K0_12_mH = t148 - t150;
-    const double t152 = K0_12_mH + K0_12_mH;
-    const double t153 = p->mH * C1_12_SF;
-    const double t154 = t152 * t153;
-    const double t155 = (mu * (t72 + t143)) - t154;
-    const double t156 = yaw_per_v_delta * t91;
-    const double t159 = t155 + (t156 * (t75 + t75));
-    const double t162 = p->zH * yaw_per_v_delta;
-    const double t163 = p->mH * t162;
-    const double C1_12_w = t163 - (t45 * (t113 + t138));
-    const double C1_21_w = t45 * t117;
-    const double t167 = t153 - (mA * mu);
-    const double K0_12_w = t167 + (t45 * t125);
-    const double C1_22_yaw_per_v_delta = t90 + t128;
-    const double t176 = p->mH * yaw_per_v_delta;
-    const double t179 = t149 * (mu + C1_12_SF);
-    const double t181 = t179 - (yaw_per_v_delta * t146);
-    const double t183 = (t148 * t176) - (p->mH * t181);
-    const double t184 = (yaw_per_v_delta * t143) - t183;
-    const double t185 = (yaw_per_v_delta * ((p->c * K0_12_w) + (t45 * C1_22_yaw_per_v_delta))) +
-        t184;
-    const double K0_22_w = sin_lam * K0_12_w;
-    const double t187 = t45 * K2_12;
-    const double t189 = yaw_per_v_delta * (t134 + K0_12_w);
-    const double t190 = p->mF * C1_12_SF;
-    const double t191 = p->c * C1_12_SF;
-    const double t192 = p->rF * sin_lam;
-    const double t193 = t150 + t192;
-    const double K0_12_mF = t191 - t193;
-    const double t196 = t156 + (t190 * K0_12_mF);
-    const double M_22_c = t196 + t196 - t155;
-    const double t199 = t78 - t82;
-    const double t201 = t167 - (yaw_per_v_delta * t199);
-    const double t206 = t191 - t192;
-    const double t208 = (yaw_per_v_delta * t206) - t179;
-    const double C1_22_c = (p->mF * t208) - t184 - (yaw_per_v_delta * (K0_12 + (p->c * t201) -
-        t89));
-    const double K0_12_c = t190 + t201;
+    const double t148 = t146 - t147;
+    const double t149 = t35 * M_12_Jxz_delta;
+    const double t150 = t148 - t149;
+    const double P_delta_yaw_mA = t150 + t150;
+    const double t152 = p->mH * M_12_Jxz_delta;
+    const double M_22_xH = P_delta_yaw_mA * t152;
+    const double t155 = t143 + t143 + M_22_xH;
+    const double M_22_w = (t135 * t141) - t155;
+    const double C1_12_w = yaw_per_v_delta * (t9 + t111);
+    const double C1_21_w = t52 * t116;
+    const double t160 = t77 - t47;
+    const double K0_12_c = cos_lam * (mA + (t52 * t160));
+    const double t164 = p->c * K0_12_c;
+    const double K0_12_w = t152 - (t52 * t164);
+    const double t169 = t52 * (t124 - t87);
+    const double M_22_mA = yaw_per_v_delta * t169;
+    const double t174 = t150 + (t33 * M_12_Jxz_delta);
+    const double t175 = p->mH * yaw_per_v_delta;
+    const double t176 = t174 * t175;
+    const double t177 = p->xH * yaw_per_v_delta;
+    const double t178 = t145 - t177;
+    const double C1_22_mA = t152 * t178;
+    const double t181 = (yaw_per_v_delta * (t120 + t121)) + t176 - C1_22_mA;
+    const double C1_22_w = M_22_mA - (mu * K0_12_w) - t181;
+    const double t185 = yaw_per_v_delta * t109;
+    const double M_12_c = t138 - (cos_lam * (t9 + t101 + (t9 * t135)));
+    const double t193 = p->c * M_12_Jxz_delta;
+    const double t194 = t146 - t193;
+    const double t195 = p->rF * sin_lam;
+    const double t196 = t194 + t195;
+    const double t198 = p->mF * M_12_Jxz_delta * t196;
+    const double t201 = t141 + t155 + t198 + t198;
+    const double t207 = t164 + (p->mF * (t196 + (p->w * M_12_Jxz_delta))) - t86 - t122;
+    const double t209 = t181 + (yaw_per_v_delta * t207);
     const double K0_22_c = sin_lam * K0_12_c;
-    const double t214 = yaw_per_v_delta * K0_12_c;
-    const double t215 = sin_lam * t75;
-    const double t218 = t67 - (Jxx_delta * cos_lam);
-    const double t219 = (t54 * t215) + t218;
-    const double t223 = t41 - (sin_lam * Jzz_delta);
-    const double t225 = (sin_lam * t69) - t138;
-    const double t227 = t223 + (t33 * t225);
-    const double t231 = (sin_lam * (t92 + t218)) - (cos_lam * (t223 + (t75 * t227)));
-    const double t232 = t231 + t231;
-    const double t233 = sin_lam * t45;
-    const double t235 = t132 + (t112 * t233);
-    const double C1_21_lam = t132 + (ST * t215);
-    const double K0_12_lam = (t199 * t215) - t225;
-    const double C1_22_lam = (yaw_per_v_delta * (t227 - (p->c * K0_12_lam))) -
-        (C1_22_yaw_per_v_delta * t233);
-    const double K0_22_lam = (sin_lam * K0_12_lam) + (cos_lam * K0_12);
-    const double t248 = t110 * t233;
-    const double K2_22_lam = (yaw_per_v_delta * (t114 - K0_12_lam)) - (sin_lam * t134);
-    const double M_11_rR = t7 + t7;
-    const double K2_12_IRyy = yaw_per_v_delta * t105;
-    const double t256 = t106 * K2_12_IRyy;
-    const double K2_12_rR = (p->mR * yaw_per_v_delta) - t256;
-    const double C1_12_rR = p->c * K2_12_rR;
-    const double C1_21_rR = p->c * t256;
+    const double t211 = yaw_per_v_delta * K0_12_c;
+    const double t212 = sin_lam * t135;
+    const double t214 = Jxx_delta * cos_lam;
+    const double hx_delta_lam = t214 - t57;
+    const double M_12_lam = (t51 * t212) + hx_delta_lam;
+    const double t222 = sin_lam * (t67 + (t135 * (t66 - t140)) - t214 - hx_delta_lam);
+    const double t224 = (sin_lam * Jzz_delta) - t41;
+    const double t228 = t136 - (sin_lam * t69);
+    const double t229 = t146 * t228;
+    const double t232 = t222 + (M_12_Jxz_delta * (t224 - t41)) + t229 + t229;
+    const double t233 = sin_lam * t112;
+    const double C1_21_lam = t128 + (ST * t212);
+    const double t236 = t160 * t212;
+    const double t241 = mu + t145;
+    const double C1_22_lam = (sin_lam * t169) - (yaw_per_v_delta * (t224 - (p->c * t236))) - (t228 *
+        t241);
+    const double K0_12_lam = t228 - t236;
+    const double t248 = (cos_lam * t122) - (sin_lam * K0_12_lam);
+    const double t249 = sin_lam * t109;
+    const double K2_22_lam = (yaw_per_v_delta * (t114 - K0_12_lam)) - (sin_lam * t130);
+    const double M_11_rR = t21 + t21;
+    const double t255 = t103 * t104;
+    const double t256 = p->mR - t255;
+    const double C1_12_rR = mu * t256;
+    const double C1_21_rR = mu * t255;
+    const double K2_12_rR = yaw_per_v_delta * t256;
     const double M_11_mR = p->rR * p->rR;
     const double K2_12_mR = p->rR * yaw_per_v_delta;
     const double C1_12_mR = p->c * K2_12_mR;
-    const double M_22_IRxx = mu * mu;
     const double C1_22_IRxx = yaw_per_v_delta * mu;
-    const double C1_12_IRyy = t105 * mu;
-    const double t267 = t2 * mu;
-    const double t268 = t78 * C1_22_IRxx;
-    const double t269 = t268 + t268;
-    const double M_22_xB = p->c * t269;
-    const double t271 = p->zB * t120;
-    const double C1_22_xB = t269 + (t121 * mu);
-    const double t274 = sin_lam * t121;
-    const double K2_22_xB = yaw_per_v_delta * t121;
+    const double M_22_IRxx = p->c * C1_22_IRxx;
+    const double K2_12_IRyy = yaw_per_v_delta * t103;
+    const double C1_12_IRyy = p->c * K2_12_IRyy;
+    const double t268 = p->zB * yaw_per_v_delta;
+    const double t269 = p->mB * t268;
+    const double t270 = p->c * t269;
+    const double t271 = t47 * M_22_IRxx;
+    const double M_22_xB = t271 + t271;
+    const double t273 = p->xB * mu;
+    const double K2_22_mB = yaw_per_v_delta * t273;
+    const double t275 = M_22_IRxx + K2_22_mB;
+    const double C1_22_xB = p->mB * (t275 + (p->xB * C1_22_IRxx));
+    const double t279 = p->mB * mu;
+    const double t280 = sin_lam * t279;
+    const double K2_22_xB = yaw_per_v_delta * t279;
     const double M_11_zB = t2 + t2;
-    const double t277 = p->c + p->xB;
-    const double t278 = t120 * t277;
+    const double t283 = p->c + p->xB;
+    const double t284 = p->mB * yaw_per_v_delta;
+    const double t285 = t283 * t284;
     const double M_11_mB = p->zB * p->zB;
-    const double t280 = p->xB * mu;
-    const double t281 = p->zB * t280;
-    const double M_22_mB = t280 * t280;
-    const double t283 = p->zB * yaw_per_v_delta;
-    const double t284 = t277 * t283;
-    const double K2_22_mB = yaw_per_v_delta * t280;
-    const double C1_22_mB = t277 * K2_22_mB;
-    const double t287 = sin_lam * t280;
-    const double C1_22_xH = (t176 * t191) - t183;
+    const double t287 = p->zB * t273;
+    const double M_22_mB = t273 * t273;
+    const double t289 = t268 * t283;
+    const double C1_22_mB = p->xB * t275;
+    const double t291 = sin_lam * t273;
+    const double t292 = t13 * yaw_per_v_delta;
+    const double C1_22_xH = t176 + (t152 * (t177 - t144));
     const double K0_12_zH = p->mH * sin_lam;
-    const double t291 = C1_12_SF * K0_12_zH;
-    const double K2_22_xH = yaw_per_v_delta * t153;
-    const double M_11_zH = t31 + t31;
-    const double M_12_zH = p->mH * (t147 + K0_12_mH);
-    const double M_22_zH = t152 * K0_12_zH;
-    const double t297 = p->c + p->xH;
-    const double t298 = t176 * t297;
-    const double K2_22_SF = cos_lam * t233;
-    const double t300 = p->mH * K2_22_SF;
-    const double t301 = t297 * t300;
+    const double t297 = M_12_Jxz_delta * K0_12_zH;
+    const double K2_22_xH = M_12_Jxz_delta * t175;
+    const double M_11_zH = t13 + t13;
+    const double M_12_zH = p->mH * (t147 - t150);
+    const double t302 = P_delta_yaw_mA * K0_12_zH;
+    const double t303 = mu + t177;
+    const double t304 = p->mH * t303;
+    const double t305 = sin_lam * t304;
     const double K0_22_zH = sin_lam * K0_12_zH;
-    const double M_12_mH = p->zH * K0_12_mH;
-    const double M_22_mH = K0_12_mH * K0_12_mH;
-    const double t305 = t162 * t297;
-    const double C1_22_mH = (t149 * t150) - (t35 * t181) - (yaw_per_v_delta * ((p->xH * t147) +
-        (p->c * K0_12_mH)));
-    const double K0_22_mH = sin_lam * K0_12_mH;
-    const double t315 = yaw_per_v_delta * K0_12_mH;
+    const double t307 = sin_lam * t175;
+    const double M_11_mH = p->zH * p->zH;
+    const double t309 = p->zH * t150;
+    const double M_22_mH = t150 * t150;
+    const double t311 = p->zH * t303;
+    const double C1_22_mH = (t148 * t241) - (t178 * (t174 + t193));
+    const double t316 = sin_lam * t150;
+    const double t317 = p->zH * yaw_per_v_delta;
+    const double K2_22_mH = yaw_per_v_delta * t150;
     const double M_22_Jxx_delta = sin_lam * sin_lam;
-    const double M_22_Jzz_delta = C1_12_SF * C1_12_SF;
-    const double C1_22_Jzz_delta = yaw_per_v_delta * C1_12_SF;
-    const double C1_22_mA = sin_lam * C1_12_SF;
-    const double M_22_IHxz = C1_22_mA + C1_22_mA;
-    const double Jxx_delta_rF = t18 + t18;
-    const double t323 = p->mF * (t206 - t193);
-    const double K0_22_mF = sin_lam * K0_12_mF;
-    const double t325 = p->mF * K0_22_mF;
-    const double t326 = t325 + t325;
-    const double t328 = t102 * SF;
-    const double C1_21_rF = C1_12_SF * t328;
-    const double C1_12_rF = (p->mF * t149) - C1_21_rF;
-    const double t331 = p->mF * sin_lam;
-    const double C1_22_rF = t149 * t331;
-    const double t333 = sin_lam * t331;
-    const double K2_12_rF = yaw_per_v_delta * (p->mF - t328);
+    const double M_22_Jzz_delta = M_12_Jxz_delta * M_12_Jxz_delta;
+    const double C1_22_Jzz_delta = yaw_per_v_delta * M_12_Jxz_delta;
+    const double t322 = sin_lam * M_12_Jxz_delta;
+    const double M_22_Jxz_delta = t322 + t322;
+    const double C1_22_Jxz_delta = sin_lam * yaw_per_v_delta;
+    const double M_11_rF = t9 + t9;
+    const double M_12_rF = p->mF * (t195 + t196);
+    const double t330 = (p->c * (cos_lam - t144)) - t195;
+    const double P_delta_lateral_rF = p->mF * sin_lam;
+    const double t333 = (t330 - t196) * P_delta_lateral_rF;
+    const double t335 = t99 * SF;
+    const double C1_21_rF = M_12_Jxz_delta * t335;
+    const double C1_12_rF = (p->mF * t145) - C1_21_rF;
+    const double C1_22_rF = t145 * P_delta_lateral_rF;
+    const double t339 = p->mF * M_22_Jxx_delta;
+    const double K2_12_rF = yaw_per_v_delta * (p->mF - t335);
     const double K2_22_rF = sin_lam * K2_12_rF;
-    const double Jxx_delta_mF = p->rF * p->rF;
-    const double t338 = p->rF * K0_12_mF;
-    const double M_22_mF = K0_12_mF * K0_12_mF;
+    const double M_11_mF = p->rF * p->rF;
+    const double M_12_mF = p->rF * t196;
+    const double M_22_mF = (t194 * t196) - (t195 * t330);
+    const double C1_12_mF = p->rF * t145;
+    const double t349 = t145 * t330;
+    const double t350 = sin_lam * t196;
     const double K2_12_mF = p->rF * yaw_per_v_delta;
-    const double C1_12_mF = t33 * K2_12_mF;
-    const double t342 = yaw_per_v_delta * K0_12_mF;
-    const double C1_22_mF = (t149 * t193) - (p->c * (t342 - t208));
+    const double K2_22_mF = yaw_per_v_delta * t196;
     const double M_22_IFxx = M_22_Jxx_delta + M_22_Jzz_delta;
-    const double C1_12_IFyy = t102 * C1_12_SF;
-    const double K2_12_IFyy = yaw_per_v_delta * t102;
+    const double C1_12_IFyy = t99 * M_12_Jxz_delta;
+    const double K2_12_IFyy = yaw_per_v_delta * t99;
     const double K2_22_IFyy = sin_lam * K2_12_IFyy;
     const double C0_21 = -(p->kappa * p->vo);
+    const double C1_22 = -(yaw_per_v_delta * t124);
+    const double K0_12 = t121 - t119;
+    const double K0_22 = -(sin_lam * t122);
+    const double t361 = -(sin_lam * K0_12_w);
+    const double K2_22_w = -(yaw_per_v_delta * (t130 + K0_12_w));
+    const double K0_12_mH = t149 - t148;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -833,30 +844,30 @@ void balance_assist_f64_derivatives(const balance_assist_f64_t *p,
     matrices->k2[1][0] = 0.0;
     matrices->k2[1][1] = K2_22;
     derivatives->values[0] = M_12_w;
-    derivatives->values[1] = t159;
+    derivatives->values[1] = M_22_w;
     derivatives->values[2] = C1_12_w;
     derivatives->values[3] = C1_21_w;
-    derivatives->values[4] = t185;
+    derivatives->values[4] = C1_22_w;
     derivatives->values[5] = K0_12_w;
-    derivatives->values[6] = K0_22_w;
-    derivatives->values[7] = t187;
-    derivatives->values[8] = t189;
+    derivatives->values[6] = t361;
+    derivatives->values[7] = t185;
+    derivatives->values[8] = K2_22_w;
     derivatives->values[9] = M_12_c;
-    derivatives->values[10] = M_22_c;
+    derivatives->values[10] = t201;
     derivatives->values[11] = K2_12;
-    derivatives->values[12] = t116;
-    derivatives->values[13] = C1_22_c;
+    derivatives->values[12] = t115;
+    derivatives->values[13] = t209;
     derivatives->values[14] = K0_12_c;
     derivatives->values[15] = K0_22_c;
-    derivatives->values[16] = t214;
-    derivatives->values[17] = t219;
+    derivatives->values[16] = t211;
+    derivatives->values[17] = M_12_lam;
     derivatives->values[18] = t232;
-    derivatives->values[19] = t235;
+    derivatives->values[19] = t233;
     derivatives->values[20] = C1_21_lam;
     derivatives->values[21] = C1_22_lam;
     derivatives->values[22] = K0_12_lam;
-    derivatives->values[23] = K0_22_lam;
-    derivatives->values[24] = t248;
+    derivatives->values[23] = t248;
+    derivatives->values[24] = t249;
     derivatives->values[25] = K2_22_lam;
     derivatives->values[26] = M_11_rR;
     derivatives->values[27] = C1_12_rR;
@@ -872,85 +883,85 @@ void balance_assist_f64_derivatives(const balance_assist_f64_t *p,
     derivatives->values[37] = C1_22_IRxx;
     derivatives->values[38] = C1_12_IRyy;
     derivatives->values[39] = K2_12_IRyy;
-    derivatives->values[40] = t267;
+    derivatives->values[40] = t270;
     derivatives->values[41] = M_22_xB;
-    derivatives->values[42] = t271;
+    derivatives->values[42] = t269;
     derivatives->values[43] = C1_22_xB;
-    derivatives->values[44] = t121;
-    derivatives->values[45] = t274;
+    derivatives->values[44] = t279;
+    derivatives->values[45] = t280;
     derivatives->values[46] = K2_22_xB;
     derivatives->values[47] = M_11_zB;
-    derivatives->values[48] = t122;
-    derivatives->values[49] = t278;
+    derivatives->values[48] = t119;
+    derivatives->values[49] = t285;
     derivatives->values[50] = p->mB;
-    derivatives->values[51] = t120;
+    derivatives->values[51] = t284;
     derivatives->values[52] = M_11_mB;
-    derivatives->values[53] = t281;
+    derivatives->values[53] = t287;
     derivatives->values[54] = M_22_mB;
-    derivatives->values[55] = t284;
+    derivatives->values[55] = t289;
     derivatives->values[56] = C1_22_mB;
     derivatives->values[57] = p->zB;
-    derivatives->values[58] = t280;
-    derivatives->values[59] = t287;
-    derivatives->values[60] = t283;
+    derivatives->values[58] = t273;
+    derivatives->values[59] = t291;
+    derivatives->values[60] = t268;
     derivatives->values[61] = K2_22_mB;
     derivatives->values[62] = mu;
     derivatives->values[63] = yaw_per_v_delta;
-    derivatives->values[64] = t137;
-    derivatives->values[65] = t154;
-    derivatives->values[66] = t163;
+    derivatives->values[64] = t134;
+    derivatives->values[65] = M_22_xH;
+    derivatives->values[66] = t292;
     derivatives->values[67] = C1_22_xH;
-    derivatives->values[68] = t153;
-    derivatives->values[69] = t291;
+    derivatives->values[68] = t152;
+    derivatives->values[69] = t297;
     derivatives->values[70] = K2_22_xH;
     derivatives->values[71] = M_11_zH;
     derivatives->values[72] = M_12_zH;
-    derivatives->values[73] = M_22_zH;
-    derivatives->values[74] = t298;
-    derivatives->values[75] = t301;
+    derivatives->values[73] = t302;
+    derivatives->values[74] = t304;
+    derivatives->values[75] = t305;
     derivatives->values[76] = p->mH;
     derivatives->values[77] = K0_12_zH;
     derivatives->values[78] = K0_22_zH;
-    derivatives->values[79] = t176;
-    derivatives->values[80] = t300;
+    derivatives->values[79] = t175;
+    derivatives->values[80] = t307;
     derivatives->values[81] = M_11_mH;
-    derivatives->values[82] = M_12_mH;
+    derivatives->values[82] = t309;
     derivatives->values[83] = M_22_mH;
-    derivatives->values[84] = t305;
+    derivatives->values[84] = t311;
     derivatives->values[85] = C1_22_mH;
     derivatives->values[86] = p->zH;
     derivatives->values[87] = K0_12_mH;
-    derivatives->values[88] = K0_22_mH;
-    derivatives->values[89] = t162;
-    derivatives->values[90] = t315;
+    derivatives->values[88] = t316;
+    derivatives->values[89] = t317;
+    derivatives->values[90] = K2_22_mH;
     derivatives->values[91] = sin_lam;
     derivatives->values[92] = M_22_Jxx_delta;
     derivatives->values[93] = M_22_Jzz_delta;
     derivatives->values[94] = C1_22_Jzz_delta;
-    derivatives->values[95] = C1_12_SF;
-    derivatives->values[96] = M_22_IHxz;
-    derivatives->values[97] = K2_22_SF;
-    derivatives->values[98] = Jxx_delta_rF;
-    derivatives->values[99] = t323;
-    derivatives->values[100] = t326;
+    derivatives->values[95] = M_12_Jxz_delta;
+    derivatives->values[96] = M_22_Jxz_delta;
+    derivatives->values[97] = C1_22_Jxz_delta;
+    derivatives->values[98] = M_11_rF;
+    derivatives->values[99] = M_12_rF;
+    derivatives->values[100] = t333;
     derivatives->values[101] = C1_12_rF;
     derivatives->values[102] = C1_21_rF;
     derivatives->values[103] = C1_22_rF;
     derivatives->values[104] = p->mF;
-    derivatives->values[105] = t331;
-    derivatives->values[106] = t333;
+    derivatives->values[105] = P_delta_lateral_rF;
+    derivatives->values[106] = t339;
     derivatives->values[107] = K2_12_rF;
     derivatives->values[108] = K2_22_rF;
-    derivatives->values[109] = Jxx_delta_mF;
-    derivatives->values[110] = t338;
+    derivatives->values[109] = M_11_mF;
+    derivatives->values[110] = M_12_mF;
     derivatives->values[111] = M_22_mF;
     derivatives->values[112] = C1_12_mF;
-    derivatives->values[113] = C1_22_mF;
+    derivatives->values[113] = t349;
     derivatives->values[114] = p->rF;
-    derivatives->values[115] = K0_12_mF;
-    derivatives->values[116] = K0_22_mF;
+    derivatives->values[115] = t196;
+    derivatives->values[116] = t350;
     derivatives->values[117] = K2_12_mF;
-    derivatives->values[118] = t342;
+    derivatives->values[118] = K2_22_mF;
     derivatives->values[119] = M_22_IFxx;
     derivatives->values[120] = C1_12_IFyy;
     derivatives->values[121] = K2_12_IFyy;
@@ -1130,49 +1141,54 @@ balance_assist_validity_t balance_assist_f32_validate(const balance_assist_f32_t
 
 void balance_assist_f32_matrices(const balance_assist_f32_t *p, balance_assist_f32_matrices_t *matrices)
 {
-    const float t4 = p->zH * p->mH;
-    const float t9 = p->rF * p->mF;
-    const float Jxx_delta = p->IHxx + ((p->zH * t4) + (p->IFxx + (p->rF * t9)));
-    const float t17 = p->zB * p->mB;
-    const float t22 = p->rR * p->mR;
-    const float M_11 = p->IBxx + Jxx_delta + ((p->zB * t17) + (p->IRxx + (p->rR * t22)));
+    const float t6 = p->zH * p->mH;
+    const float t10 = p->rF * p->mF;
+    const float Jxx_delta = p->IHxx + p->IFxx + (p->zH * t6) + (p->rF * t10);
+    const float t17 = p->rR * p->mR;
+    const float t21 = p->zB * p->mB;
+    const float M_11 = p->IRxx + p->IBxx + Jxx_delta + (p->rR * t17) + (p->zB * t21);
     float sin_lam = 0.0F;
     float cos_lam = 0.0F;
     carvallo_sin_cos_f32(p->lam, &sin_lam, &cos_lam);
-    const float t34 = p->c + p->w;
-    const float t35 = t34 - p->xH;
-    const float t38 = p->mF * p->c;
-    const float t40 = (p->rF * t38) - (p->IHxz + (t4 * t35));
-    const float hx_delta = (Jxx_delta * sin_lam) - (t40 * cos_lam);
+    const float t35 = p->c + p->w;
+    const float t36 = t35 - p->xH;
+    const float Jxz_delta = p->IHxz + (t6 * t36) - (t10 * p->c);
+    const float hx_delta = (Jxx_delta * sin_lam) + (Jxz_delta * cos_lam);
     const float yaw_per_v_delta = cos_lam / p->w;
-    const float t46 = p->mB * p->xB;
-    const float Sz_delta = t4 - t9;
-    const float t54 = yaw_per_v_delta * (p->IBxz - t40 - (t34 * Sz_delta) - (p->zB * t46));
-    const float M_12 = hx_delta + (p->c * t54);
-    const float t57 = p->mH * t35;
-    const float Jzz_delta = (t35 * t57) + (p->IFxx + (p->IHzz + (p->c * t38)));
-    const float t66 = (sin_lam * t40) - (cos_lam * Jzz_delta);
     const float mu = p->c * yaw_per_v_delta;
-    const float t70 = t57 + t38;
-    const float t73 = (cos_lam * t70) + (sin_lam * Sz_delta);
-    const float t75 = (t34 * t73) + t66;
+    const float Sz_delta = t6 - t10;
+    const float Jxz_all = Jxz_delta + p->IBxz - (t21 * p->xB) - (t35 * Sz_delta);
+    const float M_12 = hx_delta + (mu * Jxz_all);
+    const float t57 = p->mH * t36;
+    const float t59 = p->mF * p->c;
+    const float Jzz_delta = p->IFxx + p->IHzz + (t36 * t57) + (p->c * t59);
+    const float hz_delta = (sin_lam * Jxz_delta) + (cos_lam * Jzz_delta);
+    const float t67 = t57 + t59;
+    const float t69 = (sin_lam * Sz_delta) + (cos_lam * t67);
+    const float M_yaw_delta = hz_delta - (t35 * t69);
+    const float t73 = p->mB * p->xB;
     const float mA = p->mH + p->mF;
-    const float t79 = t70 - (t34 * mA);
-    const float t87 = mu * (p->IRxx + Jzz_delta - ((t34 * (t70 + t79)) - (p->xB * t46) - p->IBzz));
-    const float t88 = t87 - t75;
+    const float t77 = t67 - (t35 * mA);
+    const float P_delta_yaw = M_yaw_delta + (mu * (p->IRxx + Jzz_delta + p->IBzz + (p->xB * t73) -
+        (t35 * (t67 + t77))));
+    const float M_22 = (mu * (M_yaw_delta + P_delta_yaw)) + (sin_lam * hx_delta) + (cos_lam *
+        hz_delta);
     const float SF = p->IFyy / p->rF;
-    const float t98 = cos_lam * SF;
     const float ST = SF + (p->IRyy / p->rR);
-    const float K0_11 = t17 + Sz_delta - t22;
-    const float K2_12 = yaw_per_v_delta * (ST - K0_11);
-    const float C1_12 = t54 + t98 + (p->c * K2_12);
-    const float C1_21 = p->kappa - ((mu * ST) + t98);
-    const float K0_12 = t73 + ((t79 - t46) * mu);
-    const float C1_22 = (yaw_per_v_delta * t88) - (mu * K0_12);
-    const float K0_22 = sin_lam * K0_12;
-    const float K2_22 = yaw_per_v_delta * ((sin_lam * SF) - K0_12);
-    const float M_22 = (sin_lam * hx_delta) + (mu * (t88 - t75)) - (cos_lam * t66);
+    const float Sz_all = t21 + Sz_delta - t17;
+    const float t103 = ST - Sz_all;
+    const float t105 = cos_lam * SF;
+    const float C1_12 = (mu * t103) + t105 + (yaw_per_v_delta * Jxz_all);
+    const float C1_21 = p->kappa - t105 - (mu * ST);
+    const float Sx_all = t73 - t77;
+    const float t113 = mu * Sx_all;
+    const float P_delta_lateral = t113 - t69;
+    const float C1_22 = (mu * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
+    const float K2_12 = yaw_per_v_delta * t103;
+    const float K2_22 = yaw_per_v_delta * (P_delta_lateral + (sin_lam * SF));
     const float C0_21 = -(p->kappa * p->vo);
+    const float K0_12 = t69 - t113;
+    const float K0_22 = -(sin_lam * P_delta_lateral);
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -1185,7 +1201,7 @@ void balance_assist_f32_matrices(const balance_assist_f32_t *p, balance_assist_f
     matrices->c1[0][1] = C1_12;
     matrices->c1[1][0] = C1_21;
     matrices->c1[1][1] = C1_22;
-    matrices->k0[0][0] = K0_11;
+    matrices->k0[0][0] = Sz_all;
     matrices->k0[0][1] = K0_12;
     matrices->k0[1][0] = K0_12;
     matrices->k0[1][1] = K0_22;
@@ -1329,221 +1345,228 @@ void balance_assist_f32_derivatives(const balance_assist_f32_t *p,
     balance_assist_f32_matrices_t *matrices, balance_assist_f32_derivatives_t *derivatives)
 {
     const float t2 = p->zB * p->mB;
-    const float t7 = p->rR * p->mR;
-    const float M_11_mH = p->zH * p->zH;
-    const float t18 = p->rF * p->mF;
-    const float Jxx_delta = p->IHxx + p->IFxx + (p->mH * M_11_mH) + (p->rF * t18);
-    const float M_11 = (p->zB * t2) + p->IRxx + (p->rR * t7) + p->IBxx + Jxx_delta;
-    const float t29 = p->mF * p->c;
-    const float t31 = p->mH * p->zH;
-    const float t33 = p->c + p->w;
-    const float t35 = t33 - p->xH;
-    const float t38 = p->IHxz + (t31 * t35) - (p->rF * t29);
+    const float t9 = p->rF * p->mF;
+    const float t13 = p->zH * p->mH;
+    const float Jxx_delta = p->IHxx + p->IFxx + (p->rF * t9) + (p->zH * t13);
+    const float t21 = p->rR * p->mR;
+    const float M_11 = (p->zB * t2) + p->IRxx + Jxx_delta + p->IBxx + (p->rR * t21);
     float sin_lam = 0.0F;
     float cos_lam = 0.0F;
     carvallo_sin_cos_f32(p->lam, &sin_lam, &cos_lam);
-    const float t41 = t38 * cos_lam;
-    const float hx_delta = t41 + (Jxx_delta * sin_lam);
-    const float t45 = 1.0F / p->w;
-    const float yaw_per_v_delta = cos_lam * t45;
-    const float Sz_delta = t31 - t18;
-    const float t54 = t38 + p->IBxz - (t2 * p->xB) - (t33 * Sz_delta);
-    const float t55 = yaw_per_v_delta * t54;
-    const float M_12 = hx_delta + (p->c * t55);
-    const float t59 = p->mH * t35;
-    const float Jzz_delta = p->IFxx + (t35 * t59) + p->IHzz + (p->c * t29);
-    const float t67 = t38 * sin_lam;
-    const float t68 = (cos_lam * Jzz_delta) + t67;
-    const float t69 = t29 + t59;
-    const float t72 = (cos_lam * t69) + (sin_lam * Sz_delta);
-    const float t74 = t68 - (t33 * t72);
-    const float t75 = p->c * t45;
-    const float t78 = p->mB * p->xB;
-    const float mA = p->mH + p->mF;
-    const float t82 = t69 - (t33 * mA);
-    const float t89 = yaw_per_v_delta * (p->IRxx + Jzz_delta + p->IBzz + (p->xB * t78) - (t33 *
-        (t69 + t82)));
-    const float t90 = p->c * t89;
-    const float t91 = t74 + t90;
-    const float t92 = t75 * t91;
-    const float M_22 = (sin_lam * hx_delta) + (cos_lam * (t68 + (t74 * t75) + t92));
-    const float t102 = 1.0F / p->rF;
-    const float SF = p->IFyy * t102;
-    const float t105 = 1.0F / p->rR;
-    const float t106 = p->IRyy * t105;
-    const float ST = SF + t106;
-    const float K0_11 = t2 + Sz_delta - t7;
-    const float t110 = ST - K0_11;
-    const float t112 = t54 + (p->c * t110);
-    const float t113 = yaw_per_v_delta * t112;
-    const float t114 = cos_lam * SF;
-    const float C1_12 = t113 + t114;
-    const float t116 = yaw_per_v_delta * ST;
-    const float t117 = p->c * t116;
-    const float C1_21 = p->kappa - t114 - t117;
-    const float t120 = p->mB * yaw_per_v_delta;
-    const float t121 = p->c * t120;
-    const float t122 = p->xB * t121;
+    const float t33 = p->c + p->w;
+    const float t35 = t33 - p->xH;
+    const float t39 = p->IHxz + (t13 * t35) - (t9 * p->c);
+    const float t41 = t39 * cos_lam;
+    const float t42 = (Jxx_delta * sin_lam) + t41;
+    const float Sz_delta = t13 - t9;
+    const float t47 = p->mB * p->xB;
+    const float t51 = (t33 * Sz_delta) + (p->zB * t47) - t39 - p->IBxz;
+    const float t52 = 1.0F / p->w;
+    const float yaw_per_v_delta = cos_lam * t52;
     const float mu = p->c * yaw_per_v_delta;
-    const float t124 = t82 * mu;
-    const float t125 = t122 - t124;
-    const float K0_12 = t72 - t125;
-    const float t128 = t91 - (p->c * K0_12);
-    const float C1_22 = yaw_per_v_delta * t128;
-    const float K0_22 = sin_lam * K0_12;
-    const float K2_12 = yaw_per_v_delta * t110;
-    const float t132 = sin_lam * SF;
-    const float t134 = t45 * (t132 - K0_12);
-    const float K2_22 = cos_lam * t134;
-    const float C1_12_SF = cos_lam + mu;
-    const float t137 = t31 * C1_12_SF;
-    const float t138 = cos_lam * Sz_delta;
-    const float M_12_c = t55 + t138;
-    const float M_12_w = t137 - (t75 * M_12_c);
-    const float t143 = t72 + t124 + t124;
-    const float t146 = t35 * C1_12_SF;
+    const float M_12 = t42 - (t51 * mu);
+    const float t57 = sin_lam * t39;
+    const float t58 = p->mF * p->c;
+    const float t61 = p->mH * t35;
+    const float Jzz_delta = p->IFxx + (p->c * t58) + p->IHzz + (t35 * t61);
+    const float t66 = cos_lam * Jzz_delta;
+    const float t67 = t57 + t66;
+    const float t69 = t58 + t61;
+    const float t72 = (cos_lam * t69) + (sin_lam * Sz_delta);
+    const float t74 = (t33 * t72) - t67;
+    const float mA = p->mF + p->mH;
+    const float t77 = t69 - (t33 * mA);
+    const float t86 = yaw_per_v_delta * (p->IRxx + Jzz_delta + p->IBzz + (p->xB * t47) - (t33 *
+        (t69 + t77)));
+    const float t87 = p->c * t86;
+    const float t88 = t74 - t87;
+    const float t89 = t74 + t88;
+    const float M_22 = (cos_lam * t67) + (sin_lam * t42) - (mu * t89);
+    const float t99 = 1.0F / p->rF;
+    const float SF = p->IFyy * t99;
+    const float t101 = t51 * t52;
+    const float t103 = 1.0F / p->rR;
+    const float t104 = p->IRyy * t103;
+    const float ST = SF + t104;
+    const float K0_11 = t2 + Sz_delta - t21;
+    const float t109 = t52 * (ST - K0_11);
+    const float t111 = t101 - (p->c * t109);
+    const float t112 = SF - t111;
+    const float C1_12 = cos_lam * t112;
+    const float t114 = cos_lam * SF;
+    const float t115 = yaw_per_v_delta * ST;
+    const float t116 = p->c * t115;
+    const float C1_21 = p->kappa - t114 - t116;
+    const float t119 = t47 * mu;
+    const float t120 = mu * t77;
+    const float t121 = t72 + t120;
+    const float t122 = t119 - t121;
+    const float t124 = t88 - (p->c * t122);
+    const float K2_12 = cos_lam * t109;
+    const float t128 = sin_lam * SF;
+    const float t130 = t52 * (t122 + t128);
+    const float K2_22 = cos_lam * t130;
+    const float M_12_Jxz_delta = cos_lam + mu;
+    const float t134 = t13 * M_12_Jxz_delta;
+    const float t135 = p->c * t52;
+    const float t136 = cos_lam * Sz_delta;
+    const float t138 = t134 - (t135 * t136);
+    const float M_12_w = (mu * t101) + t138;
+    const float t140 = t89 - t87;
+    const float t141 = yaw_per_v_delta * t140;
+    const float t143 = mu * t121;
+    const float t144 = p->w * yaw_per_v_delta;
+    const float t145 = mu + t144;
+    const float t146 = p->c * t145;
     const float t147 = p->zH * sin_lam;
-    const float t148 = t146 + t147;
-    const float t149 = t33 * yaw_per_v_delta;
-    const float t150 = p->c * t149;
-    const float K0_12_mH = t148 - t150;
-    const float t152 = K0_12_mH + K0_12_mH;
-    const float t153 = p->mH * C1_12_SF;
-    const float t154 = t152 * t153;
-    const float t155 = (mu * (t72 + t143)) - t154;
-    const float t156 = yaw_per_v_delta * t91;
-    const float t159 = t155 + (t156 * (t75 + t75));
-    const float t162 = p->zH * yaw_per_v_delta;
-    const float t163 = p->mH * t162;
-    const float C1_12_w = t163 - (t45 * (t113 + t138));
-    const float C1_21_w = t45 * t117;
-    const float t167 = t153 - (mA * mu);
-    const float K0_12_w = t167 + (t45 * t125);
-    const float C1_22_yaw_per_v_delta = t90 + t128;
-    const float t176 = p->mH * yaw_per_v_delta;
-    const float t179 = t149 * (mu + C1_12_SF);
-    const float t181 = t179 - (yaw_per_v_delta * t146);
-    const float t183 = (t148 * t176) - (p->mH * t181);
-    const float t184 = (yaw_per_v_delta * t143) - t183;
-    const float t185 = (yaw_per_v_delta * ((p->c * K0_12_w) + (t45 * C1_22_yaw_per_v_delta))) +
-        t184;
-    const float K0_22_w = sin_lam * K0_12_w;
-    const float t187 = t45 * K2_12;
-    const float t189 = yaw_per_v_delta * (t134 + K0_12_w);
-    const float t190 = p->mF * C1_12_SF;
-    const float t191 = p->c * C1_12_SF;
-    const float t192 = p->rF * sin_lam;
-    const float t193 = t150 + t192;
-    const float K0_12_mF = t191 - t193;
-    const float t196 = t156 + (t190 * K0_12_mF);
-    const float M_22_c = t196 + t196 - t155;
-    const float t199 = t78 - t82;
-    const float t201 = t167 - (yaw_per_v_delta * t199);
-    const float t206 = t191 - t192;
-    const float t208 = (yaw_per_v_delta * t206) - t179;
-    const float C1_22_c = (p->mF * t208) - t184 - (yaw_per_v_delta * (K0_12 + (p->c * t201) - t89));
-    const float K0_12_c = t190 + t201;
+    const float t148 = t146 - t147;
+    const float t149 = t35 * M_12_Jxz_delta;
+    const float t150 = t148 - t149;
+    const float P_delta_yaw_mA = t150 + t150;
+    const float t152 = p->mH * M_12_Jxz_delta;
+    const float M_22_xH = P_delta_yaw_mA * t152;
+    const float t155 = t143 + t143 + M_22_xH;
+    const float M_22_w = (t135 * t141) - t155;
+    const float C1_12_w = yaw_per_v_delta * (t9 + t111);
+    const float C1_21_w = t52 * t116;
+    const float t160 = t77 - t47;
+    const float K0_12_c = cos_lam * (mA + (t52 * t160));
+    const float t164 = p->c * K0_12_c;
+    const float K0_12_w = t152 - (t52 * t164);
+    const float t169 = t52 * (t124 - t87);
+    const float M_22_mA = yaw_per_v_delta * t169;
+    const float t174 = t150 + (t33 * M_12_Jxz_delta);
+    const float t175 = p->mH * yaw_per_v_delta;
+    const float t176 = t174 * t175;
+    const float t177 = p->xH * yaw_per_v_delta;
+    const float t178 = t145 - t177;
+    const float C1_22_mA = t152 * t178;
+    const float t181 = (yaw_per_v_delta * (t120 + t121)) + t176 - C1_22_mA;
+    const float C1_22_w = M_22_mA - (mu * K0_12_w) - t181;
+    const float t185 = yaw_per_v_delta * t109;
+    const float M_12_c = t138 - (cos_lam * (t9 + t101 + (t9 * t135)));
+    const float t193 = p->c * M_12_Jxz_delta;
+    const float t194 = t146 - t193;
+    const float t195 = p->rF * sin_lam;
+    const float t196 = t194 + t195;
+    const float t198 = p->mF * M_12_Jxz_delta * t196;
+    const float t201 = t141 + t155 + t198 + t198;
+    const float t207 = t164 + (p->mF * (t196 + (p->w * M_12_Jxz_delta))) - t86 - t122;
+    const float t209 = t181 + (yaw_per_v_delta * t207);
     const float K0_22_c = sin_lam * K0_12_c;
-    const float t214 = yaw_per_v_delta * K0_12_c;
-    const float t215 = sin_lam * t75;
-    const float t218 = t67 - (Jxx_delta * cos_lam);
-    const float t219 = (t54 * t215) + t218;
-    const float t223 = t41 - (sin_lam * Jzz_delta);
-    const float t225 = (sin_lam * t69) - t138;
-    const float t227 = t223 + (t33 * t225);
-    const float t231 = (sin_lam * (t92 + t218)) - (cos_lam * (t223 + (t75 * t227)));
-    const float t232 = t231 + t231;
-    const float t233 = sin_lam * t45;
-    const float t235 = t132 + (t112 * t233);
-    const float C1_21_lam = t132 + (ST * t215);
-    const float K0_12_lam = (t199 * t215) - t225;
-    const float C1_22_lam = (yaw_per_v_delta * (t227 - (p->c * K0_12_lam))) -
-        (C1_22_yaw_per_v_delta * t233);
-    const float K0_22_lam = (sin_lam * K0_12_lam) + (cos_lam * K0_12);
-    const float t248 = t110 * t233;
-    const float K2_22_lam = (yaw_per_v_delta * (t114 - K0_12_lam)) - (sin_lam * t134);
-    const float M_11_rR = t7 + t7;
-    const float K2_12_IRyy = yaw_per_v_delta * t105;
-    const float t256 = t106 * K2_12_IRyy;
-    const float K2_12_rR = (p->mR * yaw_per_v_delta) - t256;
-    const float C1_12_rR = p->c * K2_12_rR;
-    const float C1_21_rR = p->c * t256;
+    const float t211 = yaw_per_v_delta * K0_12_c;
+    const float t212 = sin_lam * t135;
+    const float t214 = Jxx_delta * cos_lam;
+    const float hx_delta_lam = t214 - t57;
+    const float M_12_lam = (t51 * t212) + hx_delta_lam;
+    const float t222 = sin_lam * (t67 + (t135 * (t66 - t140)) - t214 - hx_delta_lam);
+    const float t224 = (sin_lam * Jzz_delta) - t41;
+    const float t228 = t136 - (sin_lam * t69);
+    const float t229 = t146 * t228;
+    const float t232 = t222 + (M_12_Jxz_delta * (t224 - t41)) + t229 + t229;
+    const float t233 = sin_lam * t112;
+    const float C1_21_lam = t128 + (ST * t212);
+    const float t236 = t160 * t212;
+    const float t241 = mu + t145;
+    const float C1_22_lam = (sin_lam * t169) - (yaw_per_v_delta * (t224 - (p->c * t236))) - (t228 *
+        t241);
+    const float K0_12_lam = t228 - t236;
+    const float t248 = (cos_lam * t122) - (sin_lam * K0_12_lam);
+    const float t249 = sin_lam * t109;
+    const float K2_22_lam = (yaw_per_v_delta * (t114 - K0_12_lam)) - (sin_lam * t130);
+    const float M_11_rR = t21 + t21;
+    const float t255 = t103 * t104;
+    const float t256 = p->mR - t255;
+    const float C1_12_rR = mu * t256;
+    const float C1_21_rR = mu * t255;
+    const float K2_12_rR = yaw_per_v_delta * t256;
     const float M_11_mR = p->rR * p->rR;
     const float K2_12_mR = p->rR * yaw_per_v_delta;
     const float C1_12_mR = p->c * K2_12_mR;
-    const float M_22_IRxx = mu * mu;
     const float C1_22_IRxx = yaw_per_v_delta * mu;
-    const float C1_12_IRyy = t105 * mu;
-    const float t267 = t2 * mu;
-    const float t268 = t78 * C1_22_IRxx;
-    const float t269 = t268 + t268;
-    const float M_22_xB = p->c * t269;
-    const float t271 = p->zB * t120;
-    const float C1_22_xB = t269 + (t121 * mu);
-    const float t274 = sin_lam * t121;
-    const float K2_22_xB = yaw_per_v_delta * t121;
+    const float M_22_IRxx = p->c * C1_22_IRxx;
+    const float K2_12_IRyy = yaw_per_v_delta * t103;
+    const float C1_12_IRyy = p->c * K2_12_IRyy;
+    const float t268 = p->zB * yaw_per_v_delta;
+    const float t269 = p->mB * t268;
+    const float t270 = p->c * t269;
+    const float t271 = t47 * M_22_IRxx;
+    const float M_22_xB = t271 + t271;
+    const float t273 = p->xB * mu;
+    const float K2_22_mB = yaw_per_v_delta * t273;
+    const float t275 = M_22_IRxx + K2_22_mB;
+    const float C1_22_xB = p->mB * (t275 + (p->xB * C1_22_IRxx));
+    const float t279 = p->mB * mu;
+    const float t280 = sin_lam * t279;
+    const float K2_22_xB = yaw_per_v_delta * t279;
     const float M_11_zB = t2 + t2;
-    const float t277 = p->c + p->xB;
-    const float t278 = t120 * t277;
+    const float t283 = p->c + p->xB;
+    const float t284 = p->mB * yaw_per_v_delta;
+    const float t285 = t283 * t284;
     const float M_11_mB = p->zB * p->zB;
-    const float t280 = p->xB * mu;
-    const float t281 = p->zB * t280;
-    const float M_22_mB = t280 * t280;
-    const float t283 = p->zB * yaw_per_v_delta;
-    const float t284 = t277 * t283;
-    const float K2_22_mB = yaw_per_v_delta * t280;
-    const float C1_22_mB = t277 * K2_22_mB;
-    const float t287 = sin_lam * t280;
-    const float C1_22_xH = (t176 * t191) - t183;
+    const float t287 = p->zB * t273;
+    const float M_22_mB = t273 * t273;
+    const float t289 = t268 * t283;
+    const float C1_22_mB = p->xB * t275;
+    const float t291 = sin_lam * t273;
+    const float t292 = t13 * yaw_per_v_delta;
+    const float C1_22_xH = t176 + (t152 * (t177 - t144));
     const float K0_12_zH = p->mH * sin_lam;
-    const float t291 = C1_12_SF * K0_12_zH;
-    const float K2_22_xH = yaw_per_v_delta * t153;
-    const float M_11_zH = t31 + t31;
-    const float M_12_zH = p->mH * (t147 + K0_12_mH);
-    const float M_22_zH = t152 * K0_12_zH;
-    const float t297 = p->c + p->xH;
-    const float t298 = t176 * t297;
-    const float K2_22_SF = cos_lam * t233;
-    const float t300 = p->mH * K2_22_SF;
-    const float t301 = t297 * t300;
+    const float t297 = M_12_Jxz_delta * K0_12_zH;
+    const float K2_22_xH = M_12_Jxz_delta * t175;
+    const float M_11_zH = t13 + t13;
+    const float M_12_zH = p->mH * (t147 - t150);
+    const float t302 = P_delta_yaw_mA * K0_12_zH;
+    const float t303 = mu + t177;
+    const float t304 = p->mH * t303;
+    const float t305 = sin_lam * t304;
     const float K0_22_zH = sin_lam * K0_12_zH;
-    const float M_12_mH = p->zH * K0_12_mH;
-    const float M_22_mH = K0_12_mH * K0_12_mH;
-    const float t305 = t162 * t297;
-    const float C1_22_mH = (t149 * t150) - (t35 * t181) - (yaw_per_v_delta * ((p->xH * t147) +
-        (p->c * K0_12_mH)));
-    const float K0_22_mH = sin_lam * K0_12_mH;
-    const float t315 = yaw_per_v_delta * K0_12_mH;
+    const float t307 = sin_lam * t175;
+    const float M_11_mH = p->zH * p->zH;
+    const float t309 = p->zH * t150;
+    const float M_22_mH = t150 * t150;
+    const float t311 = p->zH * t303;
+    const float C1_22_mH = (t148 * t241) - (t178 * (t174 + t193));
+    const float t316 = sin_lam * t150;
+    const float t317 = p->zH * yaw_per_v_delta;
+    const float K2_22_mH = yaw_per_v_delta * t150;
     const float M_22_Jxx_delta = sin_lam * sin_lam;
-    const float M_22_Jzz_delta = C1_12_SF * C1_12_SF;
-    const float C1_22_Jzz_delta = yaw_per_v_delta * C1_12_SF;
-    const float C1_22_mA = sin_lam * C1_12_SF;
-    const float M_22_IHxz = C1_22_mA + C1_22_mA;
-    const float Jxx_delta_rF = t18 + t18;
-    const float t323 = p->mF * (t206 - t193);
-    const float K0_22_mF = sin_lam * K0_12_mF;
-    const float t325 = p->mF * K0_22_mF;
-    const float t326 = t325 + t325;
-    const float t328 = t102 * SF;
-    const float C1_21_rF = C1_12_SF * t328;
-    const float C1_12_rF = (p->mF * t149) - C1_21_rF;
-    const float t331 = p->mF * sin_lam;
-    const float C1_22_rF = t149 * t331;
-    const float t333 = sin_lam * t331;
-    const float K2_12_rF = yaw_per_v_delta * (p->mF - t328);
+    const float M_22_Jzz_delta = M_12_Jxz_delta * M_12_Jxz_delta;
+    const float C1_22_Jzz_delta = yaw_per_v_delta * M_12_Jxz_delta;
+    const float t322 = sin_lam * M_12_Jxz_delta;
+    const float M_22_Jxz_delta = t322 + t322;
+    const float C1_22_Jxz_delta = sin_lam * yaw_per_v_delta;
+    const float M_11_rF = t9 + t9;
+    const float M_12_rF = p->mF * (t195 + t196);
+    const float t330 = (p->c * (cos_lam - t144)) - t195;
+    const float P_delta_lateral_rF = p->mF * sin_lam;
+    const float t333 = (t330 - t196) * P_delta_lateral_rF;
+    const float t335 = t99 * SF;
+    const float C1_21_rF = M_12_Jxz_delta * t335;
+    const float C1_12_rF = (p->mF * t145) - C1_21_rF;
+    const float C1_22_rF = t145 * P_delta_lateral_rF;
+    const float t339 = p->mF * M_22_Jxx_delta;
+    const float K2_12_rF = yaw_per_v_delta * (p->mF - t335);
     const float K2_22_rF = sin_lam * K2_12_rF;
-    const float Jxx_delta_mF = p->rF * p->rF;
-    const float t338 = p->rF * K0_12_mF;
-    const float M_22_mF = K0_12_mF * K0_12_mF;
+    const float M_11_mF = p->rF * p->rF;
+    const float M_12_mF = p->rF * t196;
+    const float M_22_mF = (t194 * t196) - (t195 * t330);
+    const float C1_12_mF = p->rF * t145;
+    const float t349 = t145 * t330;
+    const float t350 = sin_lam * t196;
     const float K2_12_mF = p->rF * yaw_per_v_delta;
-    const float C1_12_mF = t33 * K2_12_mF;
-    const float t342 = yaw_per_v_delta * K0_12_mF;
-    const float C1_22_mF = (t149 * t193) - (p->c * (t342 - t208));
+    const float K2_22_mF = yaw_per_v_delta * t196;
     const float M_22_IFxx = M_22_Jxx_delta + M_22_Jzz_delta;
-    const float C1_12_IFyy = t102 * C1_12_SF;
-    const float K2_12_IFyy = yaw_per_v_delta * t102;
+    const float C1_12_IFyy = t99 * M_12_Jxz_delta;
+    const float K2_12_IFyy = yaw_per_v_delta * t99;
     const float K2_22_IFyy = sin_lam * K2_12_IFyy;
     const float C0_21 = -(p->kappa * p->vo);
+    const float C1_22 = -(yaw_per_v_delta * t124);
+    const float K0_12 = t121 - t119;
+    const float K0_22 = -(sin_lam * t122);
+    const float t361 = -(sin_lam * K0_12_w);
+    const float K2_22_w = -(yaw_per_v_delta * (t130 + K0_12_w));
+    const float K0_12_mH = t149 - t148;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -1565,30 +1588,30 @@ void balance_assist_f32_derivatives(const balance_assist_f32_t *p,
     matrices->k2[1][0] = 0.0F;
     matrices->k2[1][1] = K2_22;
     derivatives->values[0] = M_12_w;
-    derivatives->values[1] = t159;
+    derivatives->values[1] = M_22_w;
     derivatives->values[2] = C1_12_w;
     derivatives->values[3] = C1_21_w;
-    derivatives->values[4] = t185;
+    derivatives->values[4] = C1_22_w;
     derivatives->values[5] = K0_12_w;
-    derivatives->values[6] = K0_22_w;
-    derivatives->values[7] = t187;
-    derivatives->values[8] = t189;
+    derivatives->values[6] = t361;
+    derivatives->values[7] = t185;
+    derivatives->values[8] = K2_22_w;
     derivatives->values[9] = M_12_c;
-    derivatives->values[10] = M_22_c;
+    derivatives->values[10] = t201;
     derivatives->values[11] = K2_12;
-    derivatives->values[12] = t116;
-    derivatives->values[13] = C1_22_c;
+    derivatives->values[12] = t115;
+    derivatives->values[13] = t209;
     derivatives->values[14] = K0_12_c;
     derivatives->values[15] = K0_22_c;
-    derivatives->values[16] = t214;
-    derivatives->values[17] = t219;
+    derivatives->values[16] = t211;
+    derivatives->values[17] = M_12_lam;
     derivatives->values[18] = t232;
-    derivatives->values[19] = t235;
+    derivatives->values[19] = t233;
     derivatives->values[20] = C1_21_lam;
     derivatives->values[21] = C1_22_lam;
     derivatives->values[22] = K0_12_lam;
-    derivatives->values[23] = K0_22_lam;
-    derivatives->values[24] = t248;
+    derivatives->values[23] = t248;
+    derivatives->values[24] = t249;
     derivatives->values[25] = K2_22_lam;
     derivatives->values[26] = M_11_rR;
     derivatives->values[27] = C1_12_rR;
@@ -1604,85 +1627,85 @@ void balance_assist_f32_derivatives(const balance_assist_f32_t *p,
     derivatives->values[37] = C1_22_IRxx;
     derivatives->values[38] = C1_12_IRyy;
     derivatives->values[39] = K2_12_IRyy;
-    derivatives->values[40] = t267;
+    derivatives->values[40] = t270;
     derivatives->values[41] = M_22_xB;
-    derivatives->values[42] = t271;
+    derivatives->values[42] = t269;
     derivatives->values[43] = C1_22_xB;
-    derivatives->values[44] = t121;
-    derivatives->values[45] = t274;
+    derivatives->values[44] = t279;
+    derivatives->values[45] = t280;
     derivatives->values[46] = K2_22_xB;
     derivatives->values[47] = M_11_zB;
-    derivatives->values[48] = t122;
-    derivatives->values[49] = t278;
+    derivatives->values[48] = t119;
+    derivatives->values[49] = t285;
     derivatives->values[50] = p->mB;
-    derivatives->values[51] = t120;
+    derivatives->values[51] = t284;
     derivatives->values[52] = M_11_mB;
-    derivatives->values[53] = t281;
+    derivatives->values[53] = t287;
     derivatives->values[54] = M_22_mB;
-    derivatives->values[55] = t284;
+    derivatives->values[55] = t289;
     derivatives->values[56] = C1_22_mB;
     derivatives->values[57] = p->zB;
-    derivatives->values[58] = t280;
-    derivatives->values[59] = t287;
-    derivatives->values[60] = t283;
+    derivatives->values[58] = t273;
+    derivatives->values[59] = t291;
+    derivatives->values[60] = t268;
     derivatives->values[61] = K2_22_mB;
     derivatives->values[62] = mu;
     derivatives->values[63] = yaw_per_v_delta;
-    derivatives->values[64] = t137;
-    derivatives->values[65] = t154;
-    derivatives->values[66] = t163;
+    derivatives->values[64] = t134;
+    derivatives->values[65] = M_22_xH;
+    derivatives->values[66] = t292;
     derivatives->values[67] = C1_22_xH;
-    derivatives->values[68] = t153;
-    derivatives->values[69] = t291;
+    derivatives->values[68] = t152;
+    derivatives->values[69] = t297;
     derivatives->values[70] = K2_22_xH;
     derivatives->values[71] = M_11_zH;
     derivatives->values[72] = M_12_zH;
-    derivatives->values[73] = M_22_zH;
-    derivatives->values[74] = t298;
-    derivatives->values[75] = t301;
+    derivatives->values[73] = t302;
+    derivatives->values[74] = t304;
+    derivatives->values[75] = t305;
     derivatives->values[76] = p->mH;
     derivatives->values[77] = K0_12_zH;
     derivatives->values[78] = K0_22_zH;
-    derivatives->values[79] = t176;
-    derivatives->values[80] = t300;
+    derivatives->values[79] = t175;
+    derivatives->values[80] = t307;
     derivatives->values[81] = M_11_mH;
-    derivatives->values[82] = M_12_mH;
+    derivatives->values[82] = t309;
     derivatives->values[83] = M_22_mH;
-    derivatives->values[84] = t305;
+    derivatives->values[84] = t311;
     derivatives->values[85] = C1_22_mH;
     derivatives->values[86] = p->zH;
     derivatives->values[87] = K0_12_mH;
-    derivatives->values[88] = K0_22_mH;
-    derivatives->values[89] = t162;
-    derivatives->values[90] = t315;
+    derivatives->values[88] = t316;
+    derivatives->values[89] = t317;
+    derivatives->values[90] = K2_22_mH;
     derivatives->values[91] = sin_lam;
     derivatives->values[92] = M_22_Jxx_delta;
     derivatives->values[93] = M_22_Jzz_delta;
     derivatives->values[94] = C1_22_Jzz_delta;
-    derivatives->values[95] = C1_12_SF;
-    derivatives->values[96] = M_22_IHxz;
-    derivatives->values[97] = K2_22_SF;
-    derivatives->values[98] = Jxx_delta_rF;
-    derivatives->values[99] = t323;
-    derivatives->values[100] = t326;
+    derivatives->values[95] = M_12_Jxz_delta;
+    derivatives->values[96] = M_22_Jxz_delta;
+    derivatives->values[97] = C1_22_Jxz_delta;
+    derivatives->values[98] = M_11_rF;
+    derivatives->values[99] = M_12_rF;
+    derivatives->values[100] = t333;
     derivatives->values[101] = C1_12_rF;
     derivatives->values[102] = C1_21_rF;
     derivatives->values[103] = C1_22_rF;
     derivatives->values[104] = p->mF;
-    derivatives->values[105] = t331;
-    derivatives->values[106] = t333;
+    derivatives->values[105] = P_delta_lateral_rF;
+    derivatives->values[106] = t339;
     derivatives->values[107] = K2_12_rF;
     derivatives->values[108] = K2_22_rF;
-    derivatives->values[109] = Jxx_delta_mF;
-    derivatives->values[110] = t338;
+    derivatives->values[109] = M_11_mF;
+    derivatives->values[110] = M_12_mF;
     derivatives->values[111] = M_22_mF;
     derivatives->values[112] = C1_12_mF;
-    derivatives->values[113] = C1_22_mF;
+    derivatives->values[113] = t349;
     derivatives->values[114] = p->rF;
-    derivatives->values[115] = K0_12_mF;
-    derivatives->values[116] = K0_22_mF;
+    derivatives->values[115] = t196;
+    derivatives->values[116] = t350;
     derivatives->values[117] = K2_12_mF;
-    derivatives->values[118] = t342;
+    derivatives->values[118] = K2_22_mF;
     derivatives->values[119] = M_22_IFxx;
     derivatives->values[120] = C1_12_IFyy;
     derivatives->values[121] = K2_12_IFyy;

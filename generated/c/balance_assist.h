@@ -241,7 +241,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 47 additions, 45 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 98 operations.
+ * 48 additions, 45 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 100 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -358,7 +358,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 124 additions, 195 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 325 operations.
+ * 131 additions, 196 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 337 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -479,7 +479,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 47 additions, 45 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 98 operations.
+ * 48 additions, 45 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 100 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -596,7 +596,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 124 additions, 195 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 325 operations.
+ * 131 additions, 196 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 337 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

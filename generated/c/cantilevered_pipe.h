@@ -194,7 +194,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 1 addition, 79 multiplications, 3 divisions and 11 negations: 94 operations.
+ * 1 addition, 81 multiplications, 3 divisions and 11 negations: 96 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -311,7 +311,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 1 addition, 79 multiplications, 3 divisions and 11 negations: 94 operations.
+ * 1 addition, 81 multiplications, 3 divisions and 11 negations: 96 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

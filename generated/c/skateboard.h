@@ -177,7 +177,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 5 additions, 12 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 25 operations.
+ * 5 additions, 14 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 27 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -393,7 +393,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 5 additions, 12 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 25 operations.
+ * 5 additions, 14 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 27 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.

@@ -198,7 +198,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 3 additions, 10 multiplications, 1 division and 1 negation: 15 operations.
+ * 4 additions, 9 multiplications, 1 division and 1 negation: 15 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -323,7 +323,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 3 additions, 10 multiplications, 1 division and 1 negation: 15 operations.
+ * 4 additions, 9 multiplications, 1 division and 1 negation: 15 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

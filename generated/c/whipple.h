@@ -231,7 +231,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 48 additions, 50 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 104 operations.
+ * 49 additions, 50 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 105 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -290,7 +290,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 107 additions, 198 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 313 operations.
+ * 108 additions, 198 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 314 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -405,7 +405,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 48 additions, 50 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 104 operations.
+ * 49 additions, 50 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 105 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -464,7 +464,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 107 additions, 198 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 313 operations.
+ * 108 additions, 198 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 314 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

@@ -358,7 +358,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 98 additions, 179 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 285 operations.
+ * 95 additions, 180 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 283 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -598,7 +598,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 98 additions, 179 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 285 operations.
+ * 95 additions, 180 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 283 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

@@ -224,57 +224,63 @@ pub struct BalanceAssistMatrices<T = f64> {
 
 impl<T: Number> BalanceAssist<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 47 additions, 45 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 98 operations.
+    /// 48 additions, 45 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 100 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> BalanceAssistMatrices<T> {
-        let t4 = self.zH * self.mH;
-        let t9 = self.rF * self.mF;
-        let Jxx_delta = self.IHxx + (self.zH * t4 + (self.IFxx + self.rF * t9));
-        let t17 = self.zB * self.mB;
-        let t22 = self.rR * self.mR;
-        let M_11 = self.IBxx + Jxx_delta + (self.zB * t17 + (self.IRxx + self.rR * t22));
+        let t6 = self.zH * self.mH;
+        let t10 = self.rF * self.mF;
+        let Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
+        let t17 = self.rR * self.mR;
+        let t21 = self.zB * self.mB;
+        let M_11 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
         let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t34 = self.c + self.w;
-        let t35 = t34 - self.xH;
-        let t38 = self.mF * self.c;
-        let t40 = self.rF * t38 - (self.IHxz + t4 * t35);
-        let hx_delta = Jxx_delta * sin_lam - t40 * cos_lam;
+        let t35 = self.c + self.w;
+        let t36 = t35 - self.xH;
+        let Jxz_delta = self.IHxz + t6 * t36 - t10 * self.c;
+        let hx_delta = Jxx_delta * sin_lam + Jxz_delta * cos_lam;
         let yaw_per_v_delta = cos_lam / self.w;
-        let t46 = self.mB * self.xB;
-        let Sz_delta = t4 - t9;
-        let t54 = yaw_per_v_delta * (self.IBxz - t40 - t34 * Sz_delta - self.zB * t46);
-        let M_12 = hx_delta + self.c * t54;
-        let t57 = self.mH * t35;
-        let Jzz_delta = t35 * t57 + (self.IFxx + (self.IHzz + self.c * t38));
-        let t66 = sin_lam * t40 - cos_lam * Jzz_delta;
         let mu = self.c * yaw_per_v_delta;
-        let t70 = t57 + t38;
-        let t73 = cos_lam * t70 + sin_lam * Sz_delta;
-        let t75 = t34 * t73 + t66;
+        let Sz_delta = t6 - t10;
+        let Jxz_all = Jxz_delta + self.IBxz - t21 * self.xB - t35 * Sz_delta;
+        let M_12 = hx_delta + mu * Jxz_all;
+        let t57 = self.mH * t36;
+        let t59 = self.mF * self.c;
+        let Jzz_delta = self.IFxx + self.IHzz + t36 * t57 + self.c * t59;
+        let hz_delta = sin_lam * Jxz_delta + cos_lam * Jzz_delta;
+        let t67 = t57 + t59;
+        let t69 = sin_lam * Sz_delta + cos_lam * t67;
+        let M_yaw_delta = hz_delta - t35 * t69;
+        let t73 = self.mB * self.xB;
         let mA = self.mH + self.mF;
-        let t79 = t70 - t34 * mA;
-        let t87 = mu
-            * (self.IRxx + Jzz_delta - (t34 * (t70 + t79) - self.xB * t46 - self.IBzz));
-        let t88 = t87 - t75;
+        let t77 = t67 - t35 * mA;
+        let P_delta_yaw = M_yaw_delta
+            + mu
+                * (self.IRxx + Jzz_delta + self.IBzz + self.xB * t73
+                    - t35 * (t67 + t77));
+        let M_22 = mu * (M_yaw_delta + P_delta_yaw) + sin_lam * hx_delta
+            + cos_lam * hz_delta;
         let zero = self.w.like(0.0);
         let SF = self.IFyy / self.rF;
-        let t98 = cos_lam * SF;
         let ST = SF + self.IRyy / self.rR;
-        let K0_11 = t17 + Sz_delta - t22;
-        let K2_12 = yaw_per_v_delta * (ST - K0_11);
-        let C1_12 = t54 + t98 + self.c * K2_12;
-        let C1_21 = self.kappa - (mu * ST + t98);
-        let K0_12 = t73 + (t79 - t46) * mu;
-        let C1_22 = yaw_per_v_delta * t88 - mu * K0_12;
-        let K0_22 = sin_lam * K0_12;
-        let K2_22 = yaw_per_v_delta * (sin_lam * SF - K0_12);
-        let M_22 = sin_lam * hx_delta + mu * (t88 - t75) - cos_lam * t66;
+        let Sz_all = t21 + Sz_delta - t17;
+        let t103 = ST - Sz_all;
+        let t105 = cos_lam * SF;
+        let C1_12 = mu * t103 + t105 + yaw_per_v_delta * Jxz_all;
+        let C1_21 = self.kappa - t105 - mu * ST;
+        let Sx_all = t73 - t77;
+        let t113 = mu * Sx_all;
+        let P_delta_lateral = t113 - t69;
+        let C1_22 = mu * P_delta_lateral + yaw_per_v_delta * P_delta_yaw;
+        let K2_12 = yaw_per_v_delta * t103;
+        let K2_22 = yaw_per_v_delta * (P_delta_lateral + sin_lam * SF);
         let C0_21 = -(self.kappa * self.vo);
+        let K0_12 = t69 - t113;
+        let K0_22 = -(sin_lam * P_delta_lateral);
         BalanceAssistMatrices::from_entries([
-            M_11, M_12, M_12, M_22, zero, zero, C0_21, zero, zero, C1_12, C1_21, C1_22, K0_11,
+            M_11, M_12, M_12, M_22, zero, zero, C0_21, zero, zero, C1_12, C1_21, C1_22, Sz_all,
             K0_12, K0_12, K0_22, zero, K2_12, zero, K2_22,
         ])
     }
@@ -343,228 +349,234 @@ pub struct BalanceAssistDerivatives<T = f64> {
 
 impl<T: Number> BalanceAssist<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 124 additions, 195 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 325 operations.
+    /// 131 additions, 196 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 337 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (BalanceAssistMatrices<T>, BalanceAssistDerivatives<T>) {
         let t2 = self.zB * self.mB;
-        let t7 = self.rR * self.mR;
-        let M_11_mH = self.zH * self.zH;
-        let t18 = self.rF * self.mF;
-        let Jxx_delta = self.IHxx + self.IFxx + self.mH * M_11_mH + self.rF * t18;
-        let M_11 = self.zB * t2 + self.IRxx + self.rR * t7 + self.IBxx + Jxx_delta;
-        let t29 = self.mF * self.c;
-        let t31 = self.mH * self.zH;
+        let t9 = self.rF * self.mF;
+        let t13 = self.zH * self.mH;
+        let Jxx_delta = self.IHxx + self.IFxx + self.rF * t9 + self.zH * t13;
+        let t21 = self.rR * self.mR;
+        let M_11 = self.zB * t2 + self.IRxx + Jxx_delta + self.IBxx + self.rR * t21;
+        let (sin_lam, cos_lam) = self.lam.sin_cos();
         let t33 = self.c + self.w;
         let t35 = t33 - self.xH;
-        let t38 = self.IHxz + t31 * t35 - self.rF * t29;
-        let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t41 = t38 * cos_lam;
-        let hx_delta = t41 + Jxx_delta * sin_lam;
-        let t45 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = cos_lam * t45;
-        let Sz_delta = t31 - t18;
-        let t54 = t38 + self.IBxz - t2 * self.xB - t33 * Sz_delta;
-        let t55 = yaw_per_v_delta * t54;
-        let M_12 = hx_delta + self.c * t55;
-        let t59 = self.mH * t35;
-        let Jzz_delta = self.IFxx + t35 * t59 + self.IHzz + self.c * t29;
-        let t67 = t38 * sin_lam;
-        let t68 = cos_lam * Jzz_delta + t67;
-        let t69 = t29 + t59;
-        let t72 = cos_lam * t69 + sin_lam * Sz_delta;
-        let t74 = t68 - t33 * t72;
-        let t75 = self.c * t45;
-        let t78 = self.mB * self.xB;
-        let mA = self.mH + self.mF;
-        let t82 = t69 - t33 * mA;
-        let t89 = yaw_per_v_delta
-            * (self.IRxx + Jzz_delta + self.IBzz + self.xB * t78 - t33 * (t69 + t82));
-        let t90 = self.c * t89;
-        let t91 = t74 + t90;
-        let t92 = t75 * t91;
-        let M_22 = sin_lam * hx_delta + cos_lam * (t68 + t74 * t75 + t92);
-        let zero = self.w.like(0.0);
-        let t102 = self.w.like(1.0) / self.rF;
-        let SF = self.IFyy * t102;
-        let t105 = self.w.like(1.0) / self.rR;
-        let t106 = self.IRyy * t105;
-        let ST = SF + t106;
-        let K0_11 = t2 + Sz_delta - t7;
-        let t110 = ST - K0_11;
-        let t112 = t54 + self.c * t110;
-        let t113 = yaw_per_v_delta * t112;
-        let t114 = cos_lam * SF;
-        let C1_12 = t113 + t114;
-        let t116 = yaw_per_v_delta * ST;
-        let t117 = self.c * t116;
-        let C1_21 = self.kappa - t114 - t117;
-        let t120 = self.mB * yaw_per_v_delta;
-        let t121 = self.c * t120;
-        let t122 = self.xB * t121;
+        let t39 = self.IHxz + t13 * t35 - t9 * self.c;
+        let t41 = t39 * cos_lam;
+        let t42 = Jxx_delta * sin_lam + t41;
+        let Sz_delta = t13 - t9;
+        let t47 = self.mB * self.xB;
+        let t51 = t33 * Sz_delta + self.zB * t47 - t39 - self.IBxz;
+        let t52 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = cos_lam * t52;
         let mu = self.c * yaw_per_v_delta;
-        let t124 = t82 * mu;
-        let t125 = t122 - t124;
-        let K0_12 = t72 - t125;
-        let t128 = t91 - self.c * K0_12;
-        let C1_22 = yaw_per_v_delta * t128;
-        let K0_22 = sin_lam * K0_12;
-        let K2_12 = yaw_per_v_delta * t110;
-        let t132 = sin_lam * SF;
-        let t134 = t45 * (t132 - K0_12);
-        let K2_22 = cos_lam * t134;
-        let C1_12_SF = cos_lam + mu;
-        let t137 = t31 * C1_12_SF;
-        let t138 = cos_lam * Sz_delta;
-        let M_12_c = t55 + t138;
-        let M_12_w = t137 - t75 * M_12_c;
-        let t143 = t72 + t124 + t124;
-        let t146 = t35 * C1_12_SF;
+        let M_12 = t42 - t51 * mu;
+        let t57 = sin_lam * t39;
+        let t58 = self.mF * self.c;
+        let t61 = self.mH * t35;
+        let Jzz_delta = self.IFxx + self.c * t58 + self.IHzz + t35 * t61;
+        let t66 = cos_lam * Jzz_delta;
+        let t67 = t57 + t66;
+        let t69 = t58 + t61;
+        let t72 = cos_lam * t69 + sin_lam * Sz_delta;
+        let t74 = t33 * t72 - t67;
+        let mA = self.mF + self.mH;
+        let t77 = t69 - t33 * mA;
+        let t86 = yaw_per_v_delta
+            * (self.IRxx + Jzz_delta + self.IBzz + self.xB * t47 - t33 * (t69 + t77));
+        let t87 = self.c * t86;
+        let t88 = t74 - t87;
+        let t89 = t74 + t88;
+        let M_22 = cos_lam * t67 + sin_lam * t42 - mu * t89;
+        let zero = self.w.like(0.0);
+        let t99 = self.w.like(1.0) / self.rF;
+        let SF = self.IFyy * t99;
+        let t101 = t51 * t52;
+        let t103 = self.w.like(1.0) / self.rR;
+        let t104 = self.IRyy * t103;
+        let ST = SF + t104;
+        let K0_11 = t2 + Sz_delta - t21;
+        let t109 = t52 * (ST - K0_11);
+        let t111 = t101 - self.c * t109;
+        let t112 = SF - t111;
+        let C1_12 = cos_lam * t112;
+        let t114 = cos_lam * SF;
+        let t115 = yaw_per_v_delta * ST;
+        let t116 = self.c * t115;
+        let C1_21 = self.kappa - t114 - t116;
+        let t119 = t47 * mu;
+        let t120 = mu * t77;
+        let t121 = t72 + t120;
+        let t122 = t119 - t121;
+        let t124 = t88 - self.c * t122;
+        let K2_12 = cos_lam * t109;
+        let t128 = sin_lam * SF;
+        let t130 = t52 * (t122 + t128);
+        let K2_22 = cos_lam * t130;
+        let M_12_Jxz_delta = cos_lam + mu;
+        let t134 = t13 * M_12_Jxz_delta;
+        let t135 = self.c * t52;
+        let t136 = cos_lam * Sz_delta;
+        let t138 = t134 - t135 * t136;
+        let M_12_w = mu * t101 + t138;
+        let t140 = t89 - t87;
+        let t141 = yaw_per_v_delta * t140;
+        let t143 = mu * t121;
+        let t144 = self.w * yaw_per_v_delta;
+        let t145 = mu + t144;
+        let t146 = self.c * t145;
         let t147 = self.zH * sin_lam;
-        let t148 = t146 + t147;
-        let t149 = t33 * yaw_per_v_delta;
-        let t150 = self.c * t149;
-        let K0_12_mH = t148 - t150;
-        let t152 = K0_12_mH + K0_12_mH;
-        let t153 = self.mH * C1_12_SF;
-        let t154 = t152 * t153;
-        let t155 = mu * (t72 + t143) - t154;
-        let t156 = yaw_per_v_delta * t91;
-        let t159 = t155 + t156 * (t75 + t75);
-        let t162 = self.zH * yaw_per_v_delta;
-        let t163 = self.mH * t162;
-        let C1_12_w = t163 - t45 * (t113 + t138);
-        let C1_21_w = t45 * t117;
-        let t167 = t153 - mA * mu;
-        let K0_12_w = t167 + t45 * t125;
-        let C1_22_yaw_per_v_delta = t90 + t128;
-        let t176 = self.mH * yaw_per_v_delta;
-        let t179 = t149 * (mu + C1_12_SF);
-        let t181 = t179 - yaw_per_v_delta * t146;
-        let t183 = t148 * t176 - self.mH * t181;
-        let t184 = yaw_per_v_delta * t143 - t183;
-        let t185 = yaw_per_v_delta * (self.c * K0_12_w + t45 * C1_22_yaw_per_v_delta)
-            + t184;
-        let K0_22_w = sin_lam * K0_12_w;
-        let t187 = t45 * K2_12;
-        let t189 = yaw_per_v_delta * (t134 + K0_12_w);
-        let t190 = self.mF * C1_12_SF;
-        let t191 = self.c * C1_12_SF;
-        let t192 = self.rF * sin_lam;
-        let t193 = t150 + t192;
-        let K0_12_mF = t191 - t193;
-        let t196 = t156 + t190 * K0_12_mF;
-        let M_22_c = t196 + t196 - t155;
-        let t199 = t78 - t82;
-        let t201 = t167 - yaw_per_v_delta * t199;
-        let t206 = t191 - t192;
-        let t208 = yaw_per_v_delta * t206 - t179;
-        let C1_22_c = self.mF * t208 - t184
-            - yaw_per_v_delta * (K0_12 + self.c * t201 - t89);
-        let K0_12_c = t190 + t201;
+        let t148 = t146 - t147;
+        let t149 = t35 * M_12_Jxz_delta;
+        let t150 = t148 - t149;
+        let P_delta_yaw_mA = t150 + t150;
+        let t152 = self.mH * M_12_Jxz_delta;
+        let M_22_xH = P_delta_yaw_mA * t152;
+        let t155 = t143 + t143 + M_22_xH;
+        let M_22_w = t135 * t141 - t155;
+        let C1_12_w = yaw_per_v_delta * (t9 + t111);
+        let C1_21_w = t52 * t116;
+        let t160 = t77 - t47;
+        let K0_12_c = cos_lam * (mA + t52 * t160);
+        let t164 = self.c * K0_12_c;
+        let K0_12_w = t152 - t52 * t164;
+        let t169 = t52 * (t124 - t87);
+        let M_22_mA = yaw_per_v_delta * t169;
+        let t174 = t150 + t33 * M_12_Jxz_delta;
+        let t175 = self.mH * yaw_per_v_delta;
+        let t176 = t174 * t175;
+        let t177 = self.xH * yaw_per_v_delta;
+        let t178 = t145 - t177;
+        let C1_22_mA = t152 * t178;
+        let t181 = yaw_per_v_delta * (t120 + t121) + t176 - C1_22_mA;
+        let C1_22_w = M_22_mA - mu * K0_12_w - t181;
+        let t185 = yaw_per_v_delta * t109;
+        let M_12_c = t138 - cos_lam * (t9 + t101 + t9 * t135);
+        let t193 = self.c * M_12_Jxz_delta;
+        let t194 = t146 - t193;
+        let t195 = self.rF * sin_lam;
+        let t196 = t194 + t195;
+        let t198 = self.mF * M_12_Jxz_delta * t196;
+        let t201 = t141 + t155 + t198 + t198;
+        let t207 = t164 + self.mF * (t196 + self.w * M_12_Jxz_delta) - t86 - t122;
+        let t209 = t181 + yaw_per_v_delta * t207;
         let K0_22_c = sin_lam * K0_12_c;
-        let t214 = yaw_per_v_delta * K0_12_c;
-        let t215 = sin_lam * t75;
-        let t218 = t67 - Jxx_delta * cos_lam;
-        let t219 = t54 * t215 + t218;
-        let t223 = t41 - sin_lam * Jzz_delta;
-        let t225 = sin_lam * t69 - t138;
-        let t227 = t223 + t33 * t225;
-        let t231 = sin_lam * (t92 + t218) - cos_lam * (t223 + t75 * t227);
-        let t232 = t231 + t231;
-        let t233 = sin_lam * t45;
-        let t235 = t132 + t112 * t233;
-        let C1_21_lam = t132 + ST * t215;
-        let K0_12_lam = t199 * t215 - t225;
-        let C1_22_lam = yaw_per_v_delta * (t227 - self.c * K0_12_lam)
-            - C1_22_yaw_per_v_delta * t233;
-        let K0_22_lam = sin_lam * K0_12_lam + cos_lam * K0_12;
-        let t248 = t110 * t233;
-        let K2_22_lam = yaw_per_v_delta * (t114 - K0_12_lam) - sin_lam * t134;
-        let M_11_rR = t7 + t7;
-        let K2_12_IRyy = yaw_per_v_delta * t105;
-        let t256 = t106 * K2_12_IRyy;
-        let K2_12_rR = self.mR * yaw_per_v_delta - t256;
-        let C1_12_rR = self.c * K2_12_rR;
-        let C1_21_rR = self.c * t256;
+        let t211 = yaw_per_v_delta * K0_12_c;
+        let t212 = sin_lam * t135;
+        let t214 = Jxx_delta * cos_lam;
+        let hx_delta_lam = t214 - t57;
+        let M_12_lam = t51 * t212 + hx_delta_lam;
+        let t222 = sin_lam * (t67 + t135 * (t66 - t140) - t214 - hx_delta_lam);
+        let t224 = sin_lam * Jzz_delta - t41;
+        let t228 = t136 - sin_lam * t69;
+        let t229 = t146 * t228;
+        let t232 = t222 + M_12_Jxz_delta * (t224 - t41) + t229 + t229;
+        let t233 = sin_lam * t112;
+        let C1_21_lam = t128 + ST * t212;
+        let t236 = t160 * t212;
+        let t241 = mu + t145;
+        let C1_22_lam = sin_lam * t169 - yaw_per_v_delta * (t224 - self.c * t236)
+            - t228 * t241;
+        let K0_12_lam = t228 - t236;
+        let t248 = cos_lam * t122 - sin_lam * K0_12_lam;
+        let t249 = sin_lam * t109;
+        let K2_22_lam = yaw_per_v_delta * (t114 - K0_12_lam) - sin_lam * t130;
+        let M_11_rR = t21 + t21;
+        let t255 = t103 * t104;
+        let t256 = self.mR - t255;
+        let C1_12_rR = mu * t256;
+        let C1_21_rR = mu * t255;
+        let K2_12_rR = yaw_per_v_delta * t256;
         let M_11_mR = self.rR * self.rR;
         let K2_12_mR = self.rR * yaw_per_v_delta;
         let C1_12_mR = self.c * K2_12_mR;
-        let M_22_IRxx = mu * mu;
         let C1_22_IRxx = yaw_per_v_delta * mu;
-        let C1_12_IRyy = t105 * mu;
-        let t267 = t2 * mu;
-        let t268 = t78 * C1_22_IRxx;
-        let t269 = t268 + t268;
-        let M_22_xB = self.c * t269;
-        let t271 = self.zB * t120;
-        let C1_22_xB = t269 + t121 * mu;
-        let t274 = sin_lam * t121;
-        let K2_22_xB = yaw_per_v_delta * t121;
+        let M_22_IRxx = self.c * C1_22_IRxx;
+        let K2_12_IRyy = yaw_per_v_delta * t103;
+        let C1_12_IRyy = self.c * K2_12_IRyy;
+        let t268 = self.zB * yaw_per_v_delta;
+        let t269 = self.mB * t268;
+        let t270 = self.c * t269;
+        let t271 = t47 * M_22_IRxx;
+        let M_22_xB = t271 + t271;
+        let t273 = self.xB * mu;
+        let K2_22_mB = yaw_per_v_delta * t273;
+        let t275 = M_22_IRxx + K2_22_mB;
+        let C1_22_xB = self.mB * (t275 + self.xB * C1_22_IRxx);
+        let t279 = self.mB * mu;
+        let t280 = sin_lam * t279;
+        let K2_22_xB = yaw_per_v_delta * t279;
         let M_11_zB = t2 + t2;
-        let t277 = self.c + self.xB;
-        let t278 = t120 * t277;
+        let t283 = self.c + self.xB;
+        let t284 = self.mB * yaw_per_v_delta;
+        let t285 = t283 * t284;
         let M_11_mB = self.zB * self.zB;
-        let t280 = self.xB * mu;
-        let t281 = self.zB * t280;
-        let M_22_mB = t280 * t280;
-        let t283 = self.zB * yaw_per_v_delta;
-        let t284 = t277 * t283;
-        let K2_22_mB = yaw_per_v_delta * t280;
-        let C1_22_mB = t277 * K2_22_mB;
-        let t287 = sin_lam * t280;
-        let C1_22_xH = t176 * t191 - t183;
+        let t287 = self.zB * t273;
+        let M_22_mB = t273 * t273;
+        let t289 = t268 * t283;
+        let C1_22_mB = self.xB * t275;
+        let t291 = sin_lam * t273;
+        let t292 = t13 * yaw_per_v_delta;
+        let C1_22_xH = t176 + t152 * (t177 - t144);
         let K0_12_zH = self.mH * sin_lam;
-        let t291 = C1_12_SF * K0_12_zH;
-        let K2_22_xH = yaw_per_v_delta * t153;
-        let M_11_zH = t31 + t31;
-        let M_12_zH = self.mH * (t147 + K0_12_mH);
-        let M_22_zH = t152 * K0_12_zH;
-        let t297 = self.c + self.xH;
-        let t298 = t176 * t297;
-        let K2_22_SF = cos_lam * t233;
-        let t300 = self.mH * K2_22_SF;
-        let t301 = t297 * t300;
+        let t297 = M_12_Jxz_delta * K0_12_zH;
+        let K2_22_xH = M_12_Jxz_delta * t175;
+        let M_11_zH = t13 + t13;
+        let M_12_zH = self.mH * (t147 - t150);
+        let t302 = P_delta_yaw_mA * K0_12_zH;
+        let t303 = mu + t177;
+        let t304 = self.mH * t303;
+        let t305 = sin_lam * t304;
         let K0_22_zH = sin_lam * K0_12_zH;
-        let M_12_mH = self.zH * K0_12_mH;
-        let M_22_mH = K0_12_mH * K0_12_mH;
-        let t305 = t162 * t297;
-        let C1_22_mH = t149 * t150 - t35 * t181
-            - yaw_per_v_delta * (self.xH * t147 + self.c * K0_12_mH);
-        let K0_22_mH = sin_lam * K0_12_mH;
-        let t315 = yaw_per_v_delta * K0_12_mH;
+        let t307 = sin_lam * t175;
+        let M_11_mH = self.zH * self.zH;
+        let t309 = self.zH * t150;
+        let M_22_mH = t150 * t150;
+        let t311 = self.zH * t303;
+        let C1_22_mH = t148 * t241 - t178 * (t174 + t193);
+        let t316 = sin_lam * t150;
+        let t317 = self.zH * yaw_per_v_delta;
+        let K2_22_mH = yaw_per_v_delta * t150;
         let M_22_Jxx_delta = sin_lam * sin_lam;
-        let M_22_Jzz_delta = C1_12_SF * C1_12_SF;
-        let C1_22_Jzz_delta = yaw_per_v_delta * C1_12_SF;
-        let C1_22_mA = sin_lam * C1_12_SF;
-        let M_22_IHxz = C1_22_mA + C1_22_mA;
-        let Jxx_delta_rF = t18 + t18;
-        let t323 = self.mF * (t206 - t193);
-        let K0_22_mF = sin_lam * K0_12_mF;
-        let t325 = self.mF * K0_22_mF;
-        let t326 = t325 + t325;
-        let t328 = t102 * SF;
-        let C1_21_rF = C1_12_SF * t328;
-        let C1_12_rF = self.mF * t149 - C1_21_rF;
-        let t331 = self.mF * sin_lam;
-        let C1_22_rF = t149 * t331;
-        let t333 = sin_lam * t331;
-        let K2_12_rF = yaw_per_v_delta * (self.mF - t328);
+        let M_22_Jzz_delta = M_12_Jxz_delta * M_12_Jxz_delta;
+        let C1_22_Jzz_delta = yaw_per_v_delta * M_12_Jxz_delta;
+        let t322 = sin_lam * M_12_Jxz_delta;
+        let M_22_Jxz_delta = t322 + t322;
+        let C1_22_Jxz_delta = sin_lam * yaw_per_v_delta;
+        let M_11_rF = t9 + t9;
+        let M_12_rF = self.mF * (t195 + t196);
+        let t330 = self.c * (cos_lam - t144) - t195;
+        let P_delta_lateral_rF = self.mF * sin_lam;
+        let t333 = (t330 - t196) * P_delta_lateral_rF;
+        let t335 = t99 * SF;
+        let C1_21_rF = M_12_Jxz_delta * t335;
+        let C1_12_rF = self.mF * t145 - C1_21_rF;
+        let C1_22_rF = t145 * P_delta_lateral_rF;
+        let t339 = self.mF * M_22_Jxx_delta;
+        let K2_12_rF = yaw_per_v_delta * (self.mF - t335);
         let K2_22_rF = sin_lam * K2_12_rF;
-        let Jxx_delta_mF = self.rF * self.rF;
-        let t338 = self.rF * K0_12_mF;
-        let M_22_mF = K0_12_mF * K0_12_mF;
+        let M_11_mF = self.rF * self.rF;
+        let M_12_mF = self.rF * t196;
+        let M_22_mF = t194 * t196 - t195 * t330;
+        let C1_12_mF = self.rF * t145;
+        let t349 = t145 * t330;
+        let t350 = sin_lam * t196;
         let K2_12_mF = self.rF * yaw_per_v_delta;
-        let C1_12_mF = t33 * K2_12_mF;
-        let t342 = yaw_per_v_delta * K0_12_mF;
-        let C1_22_mF = t149 * t193 - self.c * (t342 - t208);
+        let K2_22_mF = yaw_per_v_delta * t196;
         let M_22_IFxx = M_22_Jxx_delta + M_22_Jzz_delta;
-        let C1_12_IFyy = t102 * C1_12_SF;
-        let K2_12_IFyy = yaw_per_v_delta * t102;
+        let C1_12_IFyy = t99 * M_12_Jxz_delta;
+        let K2_12_IFyy = yaw_per_v_delta * t99;
         let K2_22_IFyy = sin_lam * K2_12_IFyy;
         let C0_21 = -(self.kappa * self.vo);
+        let C1_22 = -(yaw_per_v_delta * t124);
+        let K0_12 = t121 - t119;
+        let K0_22 = -(sin_lam * t122);
+        let t361 = -(sin_lam * K0_12_w);
+        let K2_22_w = -(yaw_per_v_delta * (t130 + K0_12_w));
+        let K0_12_mH = t149 - t148;
         (
             BalanceAssistMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, zero, C0_21, zero, zero, C1_12, C1_21, C1_22, K0_11,
@@ -572,21 +584,21 @@ impl<T: Number> BalanceAssist<T> {
             ]),
             BalanceAssistDerivatives {
                 values: [
-                    M_12_w, t159, C1_12_w, C1_21_w, t185, K0_12_w, K0_22_w, t187, t189, M_12_c,
-                    M_22_c, K2_12, t116, C1_22_c, K0_12_c, K0_22_c, t214, t219, t232, t235,
-                    C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t248, K2_22_lam, M_11_rR, C1_12_rR,
+                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_12_w, t361, t185, K2_22_w, M_12_c,
+                    t201, K2_12, t115, t209, K0_12_c, K0_22_c, t211, M_12_lam, t232, t233,
+                    C1_21_lam, C1_22_lam, K0_12_lam, t248, t249, K2_22_lam, M_11_rR, C1_12_rR,
                     C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
-                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t267, M_22_xB,
-                    t271, C1_22_xB, t121, t274, K2_22_xB, M_11_zB, t122, t278, self.mB, t120,
-                    M_11_mB, t281, M_22_mB, t284, C1_22_mB, self.zB, t280, t287, t283, K2_22_mB, mu,
-                    yaw_per_v_delta, t137, t154, t163, C1_22_xH, t153, t291, K2_22_xH, M_11_zH,
-                    M_12_zH, M_22_zH, t298, t301, self.mH, K0_12_zH, K0_22_zH, t176, t300, M_11_mH,
-                    M_12_mH, M_22_mH, t305, C1_22_mH, self.zH, K0_12_mH, K0_22_mH, t162, t315,
-                    sin_lam, M_22_Jxx_delta, M_22_Jzz_delta, C1_22_Jzz_delta, C1_12_SF, M_22_IHxz,
-                    K2_22_SF, Jxx_delta_rF, t323, t326, C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t331,
-                    t333, K2_12_rF, K2_22_rF, Jxx_delta_mF, t338, M_22_mF, C1_12_mF, C1_22_mF,
-                    self.rF, K0_12_mF, K0_22_mF, K2_12_mF, t342, M_22_IFxx, C1_12_IFyy, K2_12_IFyy,
-                    K2_22_IFyy, self.vo, self.kappa,
+                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t270, M_22_xB,
+                    t269, C1_22_xB, t279, t280, K2_22_xB, M_11_zB, t119, t285, self.mB, t284,
+                    M_11_mB, t287, M_22_mB, t289, C1_22_mB, self.zB, t273, t291, t268, K2_22_mB, mu,
+                    yaw_per_v_delta, t134, M_22_xH, t292, C1_22_xH, t152, t297, K2_22_xH, M_11_zH,
+                    M_12_zH, t302, t304, t305, self.mH, K0_12_zH, K0_22_zH, t175, t307, M_11_mH,
+                    t309, M_22_mH, t311, C1_22_mH, self.zH, K0_12_mH, t316, t317, K2_22_mH, sin_lam,
+                    M_22_Jxx_delta, M_22_Jzz_delta, C1_22_Jzz_delta, M_12_Jxz_delta, M_22_Jxz_delta,
+                    C1_22_Jxz_delta, M_11_rF, M_12_rF, t333, C1_12_rF, C1_21_rF, C1_22_rF, self.mF,
+                    P_delta_lateral_rF, t339, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF,
+                    C1_12_mF, t349, self.rF, t196, t350, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy,
+                    K2_12_IFyy, K2_22_IFyy, self.vo, self.kappa,
                 ],
             },
         )
@@ -1090,26 +1102,28 @@ impl BalanceAssistDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 161] = &[
         Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 0, 2), Partial::new(MatrixName::C1, 1, 0, 0, 3),
-        Partial::new(MatrixName::C1, 1, 1, 0, 4).negative(),
+        Partial::new(MatrixName::M, 1, 1, 0, 1), Partial::new(MatrixName::C1, 0, 1, 0, 2),
+        Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
         Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
-        Partial::new(MatrixName::K0, 1, 1, 0, 6),
+        Partial::new(MatrixName::K0, 1, 1, 0, 6).negative(),
         Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 0, 8).negative(),
-        Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
-        Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
+        Partial::new(MatrixName::K2, 1, 1, 0, 8), Partial::new(MatrixName::M, 0, 1, 1, 9),
+        Partial::new(MatrixName::M, 1, 0, 1, 9),
+        Partial::new(MatrixName::M, 1, 1, 1, 10).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 1, 11),
         Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 13), Partial::new(MatrixName::K0, 0, 1, 1, 14),
-        Partial::new(MatrixName::K0, 1, 0, 1, 14), Partial::new(MatrixName::K0, 1, 1, 1, 15),
+        Partial::new(MatrixName::C1, 1, 1, 1, 13).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 1, 14),
+        Partial::new(MatrixName::K0, 1, 0, 1, 14),
+        Partial::new(MatrixName::K0, 1, 1, 1, 15),
         Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
-        Partial::new(MatrixName::M, 0, 1, 2, 17).negative(),
-        Partial::new(MatrixName::M, 1, 0, 2, 17).negative(),
+        Partial::new(MatrixName::M, 0, 1, 2, 17),
+        Partial::new(MatrixName::M, 1, 0, 2, 17),
         Partial::new(MatrixName::M, 1, 1, 2, 18).negative(),
         Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
         Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
         Partial::new(MatrixName::K0, 0, 1, 2, 22), Partial::new(MatrixName::K0, 1, 0, 2, 22),
-        Partial::new(MatrixName::K0, 1, 1, 2, 23),
+        Partial::new(MatrixName::K0, 1, 1, 2, 23).negative(),
         Partial::new(MatrixName::K2, 0, 1, 2, 24).negative(),
         Partial::new(MatrixName::K2, 1, 1, 2, 25), Partial::new(MatrixName::M, 0, 0, 4, 26),
         Partial::new(MatrixName::C1, 0, 1, 4, 27), Partial::new(MatrixName::C1, 1, 0, 4, 28),
@@ -1154,7 +1168,7 @@ impl BalanceAssistDerivatives {
         Partial::new(MatrixName::C1, 0, 1, 14, 63),
         Partial::new(MatrixName::M, 0, 1, 15, 64).negative(),
         Partial::new(MatrixName::M, 1, 0, 15, 64).negative(),
-        Partial::new(MatrixName::M, 1, 1, 15, 65).negative(),
+        Partial::new(MatrixName::M, 1, 1, 15, 65),
         Partial::new(MatrixName::C1, 0, 1, 15, 66).negative(),
         Partial::new(MatrixName::C1, 1, 1, 15, 67),
         Partial::new(MatrixName::K0, 0, 1, 15, 68).negative(),
@@ -1162,29 +1176,30 @@ impl BalanceAssistDerivatives {
         Partial::new(MatrixName::K0, 1, 1, 15, 69).negative(),
         Partial::new(MatrixName::K2, 1, 1, 15, 70), Partial::new(MatrixName::M, 0, 0, 16, 71),
         Partial::new(MatrixName::M, 0, 1, 16, 72), Partial::new(MatrixName::M, 1, 0, 16, 72),
-        Partial::new(MatrixName::M, 1, 1, 16, 73),
+        Partial::new(MatrixName::M, 1, 1, 16, 73).negative(),
         Partial::new(MatrixName::C1, 0, 1, 16, 74).negative(),
         Partial::new(MatrixName::C1, 1, 1, 16, 75).negative(),
         Partial::new(MatrixName::K0, 0, 0, 16, 76), Partial::new(MatrixName::K0, 0, 1, 16, 77),
         Partial::new(MatrixName::K0, 1, 0, 16, 77), Partial::new(MatrixName::K0, 1, 1, 16, 78),
         Partial::new(MatrixName::K2, 0, 1, 16, 79).negative(),
         Partial::new(MatrixName::K2, 1, 1, 16, 80).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 81), Partial::new(MatrixName::M, 0, 1, 17, 82),
-        Partial::new(MatrixName::M, 1, 0, 17, 82), Partial::new(MatrixName::M, 1, 1, 17, 83),
+        Partial::new(MatrixName::M, 0, 0, 17, 81),
+        Partial::new(MatrixName::M, 0, 1, 17, 82).negative(),
+        Partial::new(MatrixName::M, 1, 0, 17, 82).negative(),
+        Partial::new(MatrixName::M, 1, 1, 17, 83),
         Partial::new(MatrixName::C1, 0, 1, 17, 84).negative(),
         Partial::new(MatrixName::C1, 1, 1, 17, 85), Partial::new(MatrixName::K0, 0, 0, 17, 86),
         Partial::new(MatrixName::K0, 0, 1, 17, 87), Partial::new(MatrixName::K0, 1, 0, 17, 87),
-        Partial::new(MatrixName::K0, 1, 1, 17, 88),
+        Partial::new(MatrixName::K0, 1, 1, 17, 88).negative(),
         Partial::new(MatrixName::K2, 0, 1, 17, 89).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 17, 90).negative(),
-        Partial::new(MatrixName::M, 0, 0, 18, 35), Partial::new(MatrixName::M, 0, 1, 18, 91),
-        Partial::new(MatrixName::M, 1, 0, 18, 91), Partial::new(MatrixName::M, 1, 1, 18, 92),
-        Partial::new(MatrixName::M, 1, 1, 20, 93), Partial::new(MatrixName::C1, 1, 1, 20, 94),
-        Partial::new(MatrixName::M, 0, 1, 21, 95), Partial::new(MatrixName::M, 1, 0, 21, 95),
-        Partial::new(MatrixName::M, 1, 1, 21, 96), Partial::new(MatrixName::C1, 0, 1, 21, 63),
-        Partial::new(MatrixName::C1, 1, 1, 21, 97), Partial::new(MatrixName::M, 0, 0, 22, 98),
-        Partial::new(MatrixName::M, 0, 1, 22, 99).negative(),
-        Partial::new(MatrixName::M, 1, 0, 22, 99).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 17, 90), Partial::new(MatrixName::M, 0, 0, 18, 35),
+        Partial::new(MatrixName::M, 0, 1, 18, 91), Partial::new(MatrixName::M, 1, 0, 18, 91),
+        Partial::new(MatrixName::M, 1, 1, 18, 92), Partial::new(MatrixName::M, 1, 1, 20, 93),
+        Partial::new(MatrixName::C1, 1, 1, 20, 94), Partial::new(MatrixName::M, 0, 1, 21, 95),
+        Partial::new(MatrixName::M, 1, 0, 21, 95), Partial::new(MatrixName::M, 1, 1, 21, 96),
+        Partial::new(MatrixName::C1, 0, 1, 21, 63), Partial::new(MatrixName::C1, 1, 1, 21, 97),
+        Partial::new(MatrixName::M, 0, 0, 22, 98), Partial::new(MatrixName::M, 0, 1, 22, 99),
+        Partial::new(MatrixName::M, 1, 0, 22, 99),
         Partial::new(MatrixName::M, 1, 1, 22, 100).negative(),
         Partial::new(MatrixName::C1, 0, 1, 22, 101),
         Partial::new(MatrixName::C1, 1, 0, 22, 102),
@@ -1193,18 +1208,16 @@ impl BalanceAssistDerivatives {
         Partial::new(MatrixName::K0, 0, 1, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 0, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 1, 22, 106).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 107),
-        Partial::new(MatrixName::K2, 1, 1, 22, 108),
-        Partial::new(MatrixName::M, 0, 0, 23, 109),
-        Partial::new(MatrixName::M, 0, 1, 23, 110).negative(),
-        Partial::new(MatrixName::M, 1, 0, 23, 110).negative(),
-        Partial::new(MatrixName::M, 1, 1, 23, 111),
+        Partial::new(MatrixName::K2, 0, 1, 22, 107), Partial::new(MatrixName::K2, 1, 1, 22, 108),
+        Partial::new(MatrixName::M, 0, 0, 23, 109), Partial::new(MatrixName::M, 0, 1, 23, 110),
+        Partial::new(MatrixName::M, 1, 0, 23, 110), Partial::new(MatrixName::M, 1, 1, 23, 111),
         Partial::new(MatrixName::C1, 0, 1, 23, 112),
-        Partial::new(MatrixName::C1, 1, 1, 23, 113),
+        Partial::new(MatrixName::C1, 1, 1, 23, 113).negative(),
         Partial::new(MatrixName::K0, 0, 0, 23, 114).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 23, 115), Partial::new(MatrixName::K0, 1, 0, 23, 115),
-        Partial::new(MatrixName::K0, 1, 1, 23, 116), Partial::new(MatrixName::K2, 0, 1, 23, 117),
-        Partial::new(MatrixName::K2, 1, 1, 23, 118).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 23, 115).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 23, 115).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 23, 116).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 23, 117), Partial::new(MatrixName::K2, 1, 1, 23, 118),
         Partial::new(MatrixName::M, 0, 0, 24, 35), Partial::new(MatrixName::M, 0, 1, 24, 91),
         Partial::new(MatrixName::M, 1, 0, 24, 91), Partial::new(MatrixName::M, 1, 1, 24, 119),
         Partial::new(MatrixName::C1, 1, 1, 24, 94), Partial::new(MatrixName::C1, 0, 1, 25, 120),

@@ -183,7 +183,7 @@ pub struct CantileveredPipeDerivatives<T = f64> {
 
 impl<T: Number> CantileveredPipe<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 1 addition, 79 multiplications, 3 divisions and 11 negations: 94 operations.
+    /// 1 addition, 81 multiplications, 3 divisions and 11 negations: 96 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -203,77 +203,75 @@ impl<T: Number> CantileveredPipe<T> {
         let C1_43 = self.f * self.l.like(8.336799302190666);
         let t33 = self.l * self.l;
         let t35 = self.l.like(1.0) / (self.l * t33);
-        let Kc_11_EI = t35 * self.l.like(12.362363368326193);
-        let Kc_11 = self.EI * Kc_11_EI;
-        let Kc_22_EI = t35 * self.l.like(485.51881851337106);
-        let Kc_22 = self.EI * Kc_22_EI;
-        let Kc_33_EI = t35 * self.l.like(3806.546266391451);
-        let Kc_33 = self.EI * Kc_33_EI;
-        let Kc_44_EI = t35 * self.l.like(14617.27330511878);
-        let Kc_44 = self.EI * Kc_44_EI;
-        let t48 = self.l.like(1.0) / self.l;
-        let flow = self.f * t48;
+        let stiffness = self.EI * t35;
+        let Kc_11 = stiffness * self.l.like(12.362363368326193);
+        let Kc_22 = stiffness * self.l.like(485.51881851337106);
+        let Kc_33 = stiffness * self.l.like(3806.546266391451);
+        let Kc_44 = stiffness * self.l.like(14617.27330511878);
+        let t45 = self.l.like(1.0) / self.l;
+        let flow = self.f * t45;
         let K2_11 = flow * self.l.like(0.8582436200114997);
-        let t53 = flow * self.l.like(11.743238371184557);
-        let K2_13_f = t48 * self.l.like(27.45314869883141);
-        let K2_13 = self.f * K2_13_f;
-        let K2_21_f = t48 * self.l.like(1.8738533309718404);
-        let K2_21 = self.f * K2_21_f;
-        let t63 = flow * self.l.like(13.294285387122413);
+        let K2_13 = flow * self.l.like(27.45314869883141);
+        let K2_21 = flow * self.l.like(1.8738533309718404);
         let K2_24 = flow * self.l.like(30.40116729418553);
         let K2_31 = flow * self.l.like(1.564506451563535);
-        let K2_32_f = t48 * self.l.like(3.229330799040317);
-        let K2_32 = self.f * K2_32_f;
-        let t74 = t48 * self.l.like(45.90422661633816);
-        let t75 = self.f * t74;
-        let t77 = t48 * self.l.like(8.33536903529716);
+        let K2_32 = flow * self.l.like(3.229330799040317);
         let K2_41 = flow * self.l.like(1.087366479542848);
         let K2_42 = flow * self.l.like(5.540642250946188);
         let K2_43 = flow * self.l.like(4.253605462830704);
-        let t86 = flow * self.l.like(98.91821015122052);
-        let t90 = self.EI * self.l.like(3.0) / (t33 * t33);
-        let t91 = self.l.like(12.362363368326193) * t90;
-        let t92 = self.l.like(485.51881851337106) * t90;
-        let t93 = self.l.like(3806.546266391451) * t90;
-        let t94 = self.l.like(14617.27330511878) * t90;
-        let t95 = t48 * K2_11;
-        let K2_12_l = t48 * t53;
-        let t97 = flow * K2_13_f;
-        let t98 = t48 * self.l.like(37.39025026585289);
-        let K2_14_l = flow * t98;
-        let t100 = t48 * K2_21;
-        let K2_22_l = t48 * t63;
-        let t102 = t48 * self.l.like(9.04221974607116);
-        let K2_23_l = flow * t102;
-        let K2_24_f = t48 * self.l.like(30.40116729418553);
-        let t105 = flow * K2_24_f;
-        let K2_31_f = t48 * self.l.like(1.564506451563535);
-        let t107 = flow * K2_31_f;
-        let t108 = flow * K2_32_f;
-        let K2_33_l = t48 * t75;
-        let K2_34_l = flow * t77;
-        let t111 = t48 * K2_41;
-        let t112 = t48 * K2_42;
-        let t113 = t48 * K2_43;
-        let K2_44_l = t48 * t86;
-        let K2_11_f = t48 * self.l.like(0.8582436200114997);
-        let t116 = t48 * self.l.like(11.743238371184557);
-        let t117 = t48 * self.l.like(13.294285387122413);
-        let K2_41_f = t48 * self.l.like(1.087366479542848);
-        let K2_42_f = t48 * self.l.like(5.540642250946188);
-        let K2_43_f = t48 * self.l.like(4.253605462830704);
-        let t121 = t48 * self.l.like(98.91821015122052);
+        let t82 = self.EI * self.l.like(3.0) / (t33 * t33);
+        let t83 = self.l.like(12.362363368326193) * t82;
+        let t84 = self.l.like(485.51881851337106) * t82;
+        let t85 = self.l.like(3806.546266391451) * t82;
+        let t86 = self.l.like(14617.27330511878) * t82;
+        let t87 = t45 * flow;
+        let t88 = self.l.like(0.8582436200114997) * t87;
+        let K2_12_l = self.l.like(11.743238371184557) * t87;
+        let t90 = self.l.like(27.45314869883141) * t87;
+        let K2_14_l = self.l.like(37.39025026585289) * t87;
+        let t92 = self.l.like(1.8738533309718404) * t87;
+        let K2_22_l = self.l.like(13.294285387122413) * t87;
+        let K2_23_l = self.l.like(9.04221974607116) * t87;
+        let t95 = self.l.like(30.40116729418553) * t87;
+        let t96 = self.l.like(1.564506451563535) * t87;
+        let t97 = self.l.like(3.229330799040317) * t87;
+        let K2_33_l = self.l.like(45.90422661633816) * t87;
+        let K2_34_l = self.l.like(8.33536903529716) * t87;
+        let t100 = self.l.like(1.087366479542848) * t87;
+        let t101 = self.l.like(5.540642250946188) * t87;
+        let t102 = self.l.like(4.253605462830704) * t87;
+        let K2_44_l = self.l.like(98.91821015122052) * t87;
+        let Kc_11_EI = t35 * self.l.like(12.362363368326193);
+        let Kc_22_EI = t35 * self.l.like(485.51881851337106);
+        let Kc_33_EI = t35 * self.l.like(3806.546266391451);
+        let Kc_44_EI = t35 * self.l.like(14617.27330511878);
+        let K2_11_f = t45 * self.l.like(0.8582436200114997);
+        let t109 = t45 * self.l.like(11.743238371184557);
+        let K2_13_f = t45 * self.l.like(27.45314869883141);
+        let t111 = t45 * self.l.like(37.39025026585289);
+        let K2_21_f = t45 * self.l.like(1.8738533309718404);
+        let t113 = t45 * self.l.like(13.294285387122413);
+        let t114 = t45 * self.l.like(9.04221974607116);
+        let K2_24_f = t45 * self.l.like(30.40116729418553);
+        let K2_31_f = t45 * self.l.like(1.564506451563535);
+        let K2_32_f = t45 * self.l.like(3.229330799040317);
+        let t118 = t45 * self.l.like(45.90422661633816);
+        let t119 = t45 * self.l.like(8.33536903529716);
+        let K2_41_f = t45 * self.l.like(1.087366479542848);
+        let K2_42_f = t45 * self.l.like(5.540642250946188);
+        let K2_43_f = t45 * self.l.like(4.253605462830704);
+        let t123 = t45 * self.l.like(98.91821015122052);
         let C1_12 = -(self.f * self.l.like(9.518922059144996));
         let C1_14 = -(self.f * self.l.like(8.23962095924796));
         let C1_23 = -(self.f * self.l.like(12.4443729491028));
         let C1_34 = -(self.f * self.l.like(16.336799302190666));
-        let K2_12 = -t53;
+        let K2_12 = -(flow * self.l.like(11.743238371184557));
         let K2_14 = -(flow * self.l.like(37.39025026585289));
-        let K2_22 = -t63;
+        let K2_22 = -(flow * self.l.like(13.294285387122413));
         let K2_23 = -(flow * self.l.like(9.04221974607116));
-        let K2_33 = -t75;
-        let K2_34 = -(self.f * t77);
-        let K2_44 = -t86;
+        let K2_33 = -(flow * self.l.like(45.90422661633816));
+        let K2_34 = -(flow * self.l.like(8.33536903529716));
+        let K2_44 = -(flow * self.l.like(98.91821015122052));
         (
             CantileveredPipeMatrices::from_entries([
                 mass, zero, zero, zero, zero, mass, zero, zero, zero, zero, mass, zero, zero, zero,
@@ -285,17 +283,16 @@ impl<T: Number> CantileveredPipe<T> {
             ]),
             CantileveredPipeDerivatives {
                 values: [
-                    M_11_l, t91, t92, t93, t94, t95, K2_12_l, t97, K2_14_l, t100, K2_22_l, K2_23_l,
-                    t105, t107, t108, K2_33_l, K2_34_l, t111, t112, t113, K2_44_l, Kc_11_EI,
-                    Kc_22_EI, Kc_33_EI, Kc_44_EI, self.l, self.l.like(4.0),
-                    self.l.like(-9.518922059144996), self.l.like(7.568674603525367),
-                    self.l.like(-8.23962095924796), self.l.like(1.5189220591449966),
-                    self.l.like(-12.4443729491028), self.l.like(6.766752743711723),
-                    self.l.like(0.43132539647463314), self.l.like(4.4443729491027995),
-                    self.l.like(-16.336799302190666), self.l.like(0.2396209592479588),
-                    self.l.like(1.2332472562882775), self.l.like(8.336799302190666), K2_11_f, t116,
-                    K2_13_f, t98, K2_21_f, t117, t102, K2_24_f, K2_31_f, K2_32_f, t74, t77, K2_41_f,
-                    K2_42_f, K2_43_f, t121,
+                    M_11_l, t83, t84, t85, t86, t88, K2_12_l, t90, K2_14_l, t92, K2_22_l, K2_23_l,
+                    t95, t96, t97, K2_33_l, K2_34_l, t100, t101, t102, K2_44_l, Kc_11_EI, Kc_22_EI,
+                    Kc_33_EI, Kc_44_EI, self.l, self.l.like(4.0), self.l.like(-9.518922059144996),
+                    self.l.like(7.568674603525367), self.l.like(-8.23962095924796),
+                    self.l.like(1.5189220591449966), self.l.like(-12.4443729491028),
+                    self.l.like(6.766752743711723), self.l.like(0.43132539647463314),
+                    self.l.like(4.4443729491027995), self.l.like(-16.336799302190666),
+                    self.l.like(0.2396209592479588), self.l.like(1.2332472562882775),
+                    self.l.like(8.336799302190666), K2_11_f, t109, K2_13_f, t111, K2_21_f, t113,
+                    t114, K2_24_f, K2_31_f, K2_32_f, t118, t119, K2_41_f, K2_42_f, K2_43_f, t123,
                 ],
             },
         )

@@ -227,57 +227,60 @@ pub struct FlywheelBicycleMatrices<T = f64> {
 
 impl<T: Number> FlywheelBicycle<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 42 additions, 49 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 98 operations.
+    /// 42 additions, 48 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 97 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> FlywheelBicycleMatrices<T> {
-        let t2 = self.rR * self.mR;
-        let t6 = self.zB * self.mB;
-        let t11 = self.zH * self.mH;
-        let t18 = self.rF * self.mF;
-        let t22 = self.IFxx + (self.rF * t18 + self.IHxx);
-        let M_11 = self.rR * t2
-            + (self.zB * t6 + (self.IBxx + self.zH * t11 + (self.IRxx + t22)));
+        let t2 = self.zB * self.mB;
+        let t7 = self.rF * self.mF;
+        let t11 = self.IFxx + (self.rF * t7 + self.IHxx);
+        let t15 = self.zH * self.mH;
+        let t20 = self.rR * self.mR;
+        let vy_spin_F4_delta = self.IBxx + self.rR * t20;
+        let M_11 = self.zB * t2
+            + (t11 + (self.IRxx + (self.zH * t15 + vy_spin_F4_delta)));
         let (wx_delta2_delta, cos_lam) = self.lam.sin_cos();
-        let t32 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = cos_lam * t32;
+        let yaw_per_v_delta = cos_lam / self.w;
         let mu = self.c * yaw_per_v_delta;
         let wz_delta2_delta = cos_lam + mu;
-        let t42 = self.zH * wx_delta2_delta + cos_lam * (self.c + self.w)
-            - self.xH * wz_delta2_delta;
-        let t43 = self.mH * t42;
-        let t48 = self.IHxz * wz_delta2_delta + wx_delta2_delta * t22;
-        let t52 = self.IBxz - t6 * self.xB;
-        let M_12 = self.zH * t43 + (t48 + mu * t52);
-        let t57 = self.mB * self.xB;
-        let ST = self.IRxx + (self.IBzz + self.xB * t57);
-        let t66 = wz_delta2_delta * (self.IFxx + self.IHzz)
-            + wx_delta2_delta * self.IHxz;
-        let t67 = mu * ST + t66;
-        let M_22 = mu * t67 + (cos_lam * t66 + t48 * wx_delta2_delta) + t42 * t43;
+        let t40 = cos_lam * (self.c + self.w) - self.xH * wz_delta2_delta;
+        let t42 = self.mH * (self.zH * wx_delta2_delta + t40);
+        let t46 = self.IHxz * wz_delta2_delta;
+        let t48 = self.zH * t42 + (wx_delta2_delta * t11 + t46);
+        let t52 = t2 * self.xB - self.IBxz;
+        let M_12 = t48 - mu * t52;
+        let t58 = wz_delta2_delta * (self.IFxx + self.IHzz);
+        let t62 = self.mB * self.xB;
+        let t67 = mu * (self.xB * t62 + (self.IRxx + self.IBzz));
+        let M_22 = t42 * t40
+            + (wz_delta2_delta * t58 + (wx_delta2_delta * (t46 + t48) + mu * t67));
         let zero = self.w.like(0.0);
-        let C0_12 = wz_delta2_delta * self.hH + mu * self.hB;
-        let SF = self.IFyy / self.rF;
+        let t76 = self.hH + self.hB;
+        let C0_12 = cos_lam * self.hH + mu * t76;
         let SR = self.IRyy / self.rR;
-        let ay_delta2_delta = SR + SF;
-        let t88 = cos_lam * SF + mu * ay_delta2_delta;
-        let t93 = t11 + (t6 - t2);
-        let C1_12 = t88 + t18 * wz_delta2_delta
-            + yaw_per_v_delta * (self.IHxz + t52 - (self.c * t93 + t11 * self.xH));
-        let t100 = t18 * wx_delta2_delta;
-        let K0_12 = t43 - mu * t57 - t100;
-        let C1_22 = cos_lam * (t32 * (t67 - (self.c * K0_12 + self.xH * t43)) + t100);
-        let K0_11 = t93 - t18;
+        let SF = self.IFyy / self.rF;
+        let t83 = SR + SF;
+        let t86 = mu * t83 + cos_lam * SF;
+        let t89 = t15 + (t2 - t20);
+        let t96 = t7 * wz_delta2_delta + yaw_per_v_delta * self.IHxz;
+        let C1_12 = t86
+            - ((t52 + (t15 * self.xH + self.c * t89)) * yaw_per_v_delta - t96);
+        let t100 = t42 - mu * t62;
+        let ay_delta2_delta = self.xH * t42;
+        let K0_11 = t89 - t7;
+        let K0_12 = t100 - t7 * wx_delta2_delta;
         let K0_22 = wx_delta2_delta * K0_12;
-        let t113 = yaw_per_v_delta * self.hH;
-        let K1_12 = t113 + yaw_per_v_delta * self.hB;
-        let K1_22 = wx_delta2_delta * t113;
-        let K2_12 = yaw_per_v_delta * (ay_delta2_delta - K0_11);
-        let K2_22 = yaw_per_v_delta * (wx_delta2_delta * SF - K0_12);
+        let K1_12 = yaw_per_v_delta * t76;
+        let t113 = yaw_per_v_delta * wx_delta2_delta;
+        let K1_22 = self.hH * t113;
+        let K2_12 = yaw_per_v_delta * (t83 - K0_11);
+        let K2_22 = SF * t113 - yaw_per_v_delta * K0_12;
         let C0_21 = -C0_12;
-        let C1_21 = -t88;
+        let C1_21 = -t86;
+        let C1_22 = wx_delta2_delta * t96
+            - (self.c * t100 + (ay_delta2_delta - (t58 + t67))) * yaw_per_v_delta;
         FlywheelBicycleMatrices::from_entries([
             M_11, M_12, M_12, M_22, zero, C0_12, C0_21, zero, zero, C1_12, C1_21, C1_22, K0_11,
             K0_12, K0_12, K0_22, zero, K1_12, zero, K1_22, zero, K2_12, zero, K2_22,
@@ -348,225 +351,222 @@ pub struct FlywheelBicycleDerivatives<T = f64> {
 
 impl<T: Number> FlywheelBicycle<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 103 additions, 187 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 299 operations.
+    /// 104 additions, 194 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 307 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (FlywheelBicycleMatrices<T>, FlywheelBicycleDerivatives<T>) {
-        let t5 = self.rF * self.mF;
-        let t8 = self.IHxx + self.IFxx + self.rF * t5;
-        let t11 = self.zB * self.mB;
-        let t15 = self.rR * self.mR;
+        let M_11_mF = self.rF * self.rF;
+        let t7 = self.IHxx + self.IFxx + self.mF * M_11_mF;
+        let M_11_mB = self.zB * self.zB;
+        let t16 = self.rR * self.mR;
         let t20 = self.zH * self.mH;
-        let M_11 = self.IRxx + t8 + self.zB * t11 + self.rR * t15 + self.IBxx
+        let M_11 = t7 + self.IBxx + self.mB * M_11_mB + self.IRxx + self.rR * t16
             + self.zH * t20;
         let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
-        let t31 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = wx_delta2_delta_lam * t31;
-        let mu = self.c * yaw_per_v_delta;
-        let t36 = self.mB * self.xB;
-        let t38 = self.IBxz - self.zB * t36;
-        let wz_delta2_delta = wx_delta2_delta_lam + mu;
-        let t45 = self.IHxz * wz_delta2_delta + t8 * wx_delta2_delta;
-        let t46 = self.zH * wx_delta2_delta;
-        let t49 = self.c + self.w - self.xH;
-        let t50 = self.c * t31;
-        let K0_12_mH = t46 - wx_delta2_delta_lam * (self.xH * t50 - t49);
+        let t35 = self.xH - self.c - self.w;
+        let t37 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = wx_delta2_delta_lam * t37;
+        let t39 = self.xH * yaw_per_v_delta;
+        let t40 = self.c * t39;
+        let K0_12_mH = self.zH * wx_delta2_delta - wx_delta2_delta_lam * t35 - t40;
         let M_12_mH = self.zH * K0_12_mH;
-        let M_12 = mu * t38 + t45 + self.mH * M_12_mH;
-        let M_22_mH = K0_12_mH * K0_12_mH;
-        let t63 = self.IFxx + self.IHzz;
-        let t65 = self.IHxz * wx_delta2_delta;
-        let M_22_wz_delta2_delta = wz_delta2_delta * t63 + t65;
-        let t70 = self.IRxx + self.IBzz + self.xB * t36;
-        let K1_22_yaw_per_v_delta = mu * t70;
-        let t72 = M_22_wz_delta2_delta + K1_22_yaw_per_v_delta;
-        let t73 = t50 * t72;
-        let M_22_mu = M_22_wz_delta2_delta + t73;
-        let M_22 = wx_delta2_delta * t45 + self.mH * M_22_mH
-            + wx_delta2_delta_lam * M_22_mu;
+        let mu = self.c * yaw_per_v_delta;
+        let wz_delta2_delta = wx_delta2_delta_lam + mu;
+        let t50 = wz_delta2_delta * self.IHxz + t7 * wx_delta2_delta;
+        let t51 = self.mH * M_12_mH + t50;
+        let t54 = self.mB * self.xB;
+        let t56 = self.IBxz - self.zB * t54;
+        let M_12 = t51 + mu * t56;
+        let t60 = self.IFxx + self.IHzz;
+        let t62 = wx_delta2_delta * self.IHxz;
+        let t63 = wz_delta2_delta * t60 + t62;
+        let t65 = self.mH * K0_12_mH;
+        let t71 = self.IRxx + self.IBzz + self.xB * t54;
+        let M_22_IRxx = mu * mu;
+        let M_22 = wz_delta2_delta * t63 + K0_12_mH * t65 + wx_delta2_delta * t50
+            + t71 * M_22_IRxx;
         let zero = self.w.like(0.0);
-        let K1_12_yaw_per_v_delta = self.hH + self.hB;
-        let t83 = self.hH + t50 * K1_12_yaw_per_v_delta;
-        let C0_12 = wx_delta2_delta_lam * t83;
-        let t85 = self.mH * self.xH;
-        let t88 = t38 + self.IHxz - self.zH * t85;
-        let K0_11 = t20 - (t5 + t15 - t11);
-        let t93 = t88 - self.c * K0_11;
-        let t96 = self.w.like(1.0) / self.rF;
-        let SF = self.IFyy * t96;
-        let t99 = self.w.like(1.0) / self.rR;
-        let t100 = self.IRyy * t99;
-        let ay_delta2_delta = SF + t100;
-        let t102 = yaw_per_v_delta * ay_delta2_delta;
-        let t103 = self.c * t102;
-        let t104 = yaw_per_v_delta * t93 + t103;
-        let t105 = wx_delta2_delta_lam * SF;
-        let t106 = t5 * wx_delta2_delta_lam;
-        let C1_12 = t104 + t105 + t106;
-        let t110 = self.rF * wx_delta2_delta;
-        let t111 = self.mF * t110;
-        let t112 = self.mH * K0_12_mH;
-        let t115 = t31 * (t72 - self.xH * t112);
-        let t116 = mu * t36;
-        let t117 = t116 - t112;
-        let t118 = t111 + t117;
-        let C1_22 = wx_delta2_delta_lam * (t111 + t115 + t50 * t118);
-        let K1_12 = yaw_per_v_delta * K1_12_yaw_per_v_delta;
-        let K2_22_SF = yaw_per_v_delta * wx_delta2_delta;
-        let K1_22 = self.hH * K2_22_SF;
-        let K2_12_yaw_per_v_delta = ay_delta2_delta - K0_11;
+        let t79 = wx_delta2_delta_lam * self.hH;
+        let t81 = self.hH + self.hB;
+        let C0_12 = t79 + mu * t81;
+        let t84 = self.mH * self.xH;
+        let M_22_wz_delta2_delta = self.IHxz + t56;
+        let t87 = self.zH * t84 - M_22_wz_delta2_delta;
+        let t88 = self.mB * self.zB;
+        let t89 = self.mF * self.rF;
+        let K0_11 = t88 - (t16 + t89 - t20);
+        let t94 = t87 + self.c * K0_11;
+        let t97 = self.w.like(1.0) / self.rF;
+        let SF = self.IFyy * t97;
+        let t100 = self.w.like(1.0) / self.rR;
+        let t101 = self.IRyy * t100;
+        let t102 = SF + t101;
+        let t103 = yaw_per_v_delta * t102;
+        let t104 = self.c * t103;
+        let t105 = t104 - yaw_per_v_delta * t94;
+        let t106 = wx_delta2_delta_lam * SF;
+        let t107 = wx_delta2_delta_lam * t89;
+        let C1_12 = t105 + t106 + t107;
+        let t111 = self.mB * yaw_per_v_delta;
+        let C1_12_yaw_per_v_delta = self.xB * t111;
+        let t113 = self.c * C1_12_yaw_per_v_delta;
+        let t114 = t113 - t65;
+        let t116 = K0_12_mH * t84;
+        let t117 = yaw_per_v_delta * t71;
+        let t119 = t63 + self.c * t117;
+        let t120 = t119 - t116;
+        let C1_12_mF = self.rF * wz_delta2_delta;
+        let t123 = self.mF * C1_12_mF;
+        let C1_22 = mu * t114 + yaw_per_v_delta * t120 + wx_delta2_delta * t123;
+        let t127 = self.mF * wx_delta2_delta;
+        let t128 = self.rF * t127;
+        let t129 = t114 + t128;
+        let K1_12 = yaw_per_v_delta * t81;
+        let t132 = wx_delta2_delta * t37;
+        let K1_22 = t79 * t132;
+        let K2_12_yaw_per_v_delta = t102 - K0_11;
         let K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
-        let t129 = wx_delta2_delta * SF;
-        let K2_22_yaw_per_v_delta = t118 + t129;
-        let t131 = t31 * K2_22_yaw_per_v_delta;
-        let K2_22 = wx_delta2_delta_lam * t131;
-        let t133 = yaw_per_v_delta * t88;
-        let t135 = t20 * wx_delta2_delta_lam;
-        let M_12_w = t135 - t50 * t133;
-        let t137 = yaw_per_v_delta * self.xH;
-        let t139 = wx_delta2_delta_lam + t50 * t137;
-        let t140 = self.mH * t139;
-        let t143 = yaw_per_v_delta * t73 - K0_12_mH * t140;
-        let t144 = t143 + t143;
-        let t145 = t31 * K1_12;
-        let C0_21_w = self.c * t145;
-        let t147 = t31 * t104;
-        let C1_21_w = t50 * t102;
-        let t150 = t111 + yaw_per_v_delta * t63;
-        let t154 = t116 + t117 + t150 + yaw_per_v_delta * t70;
-        let t156 = t115 + t50 * t154;
-        let t158 = mu + t137;
-        let t159 = self.mH * t158;
-        let t161 = yaw_per_v_delta * t156 + t139 * t159;
-        let K0_12_w = t140 + t31 * t116;
+        let t136 = wx_delta2_delta * SF;
+        let t138 = t37 * (t129 + t136);
+        let K2_22 = wx_delta2_delta_lam * t138;
+        let t140 = t20 * wx_delta2_delta_lam;
+        let t141 = t37 * mu;
+        let M_12_w = t140 + t87 * t141;
+        let t145 = wx_delta2_delta_lam + t37 * t40;
+        let t146 = t65 + t65;
+        let M_22_mu = t119 + t119;
+        let M_22_w = t145 * t146 - t141 * M_22_mu;
+        let t151 = t37 * K1_12;
+        let C0_21_w = self.c * t151;
+        let t153 = t37 * t105;
+        let C1_21_w = t37 * t104;
+        let t155 = self.mH * t145;
+        let t156 = self.xH + self.c;
+        let t158 = yaw_per_v_delta * t60;
+        let t161 = t113 + t117 + t129 + t158;
+        let t164 = t37 * (t120 + self.c * t161);
+        let t166 = yaw_per_v_delta * (t155 * t156 + t164);
+        let K0_12_w = t155 + t54 * t141;
         let K0_22_w = wx_delta2_delta * K0_12_w;
-        let t165 = t31 * K1_22;
-        let t166 = t31 * K2_12;
-        let t168 = yaw_per_v_delta * (t131 + K0_12_w);
-        let M_12_c = t133 + t135;
-        let t171 = wx_delta2_delta_lam * (t112 + t115);
-        let M_22_c = t171 + t171;
-        let t173 = wx_delta2_delta_lam - t137;
-        let C1_22_c = yaw_per_v_delta * t154 - t159 * t173;
-        let t177 = yaw_per_v_delta * t36;
-        let t178 = self.mH * t173;
-        let t179 = t177 - t178;
-        let t180 = wx_delta2_delta * t179;
-        let K2_22_c = yaw_per_v_delta * t179;
+        let t170 = t37 * K1_22;
+        let t171 = t37 * K2_12;
+        let t173 = yaw_per_v_delta * (t138 + K0_12_w);
+        let M_12_c = t140 - yaw_per_v_delta * t87;
+        let t176 = wx_delta2_delta_lam - t39;
+        let M_22_c = t146 * t176 + yaw_per_v_delta * M_22_mu;
+        let t181 = t39 + mu;
+        let t182 = self.mH * t176;
+        let C1_22_c = yaw_per_v_delta * t161 - t181 * t182;
+        let t185 = C1_12_yaw_per_v_delta - t182;
+        let t186 = wx_delta2_delta * t185;
+        let K2_22_c = yaw_per_v_delta * t185;
         let K0_12_zH = self.mH * wx_delta2_delta;
-        let t185 = t135 - t49 * K0_12_zH;
-        let t187 = t31 * wx_delta2_delta;
-        let t188 = self.c * t187;
-        let M_12_lam = t8 * wx_delta2_delta_lam + self.zH * t185 - t65 - t88 * t188;
-        let ST_xB = t85 * t188;
-        let t196 = t185 + ST_xB;
-        let t199 = wx_delta2_delta * M_22_mu - wx_delta2_delta_lam * t45
-            - K0_12_mH * t196;
-        let t200 = t199 + t199;
-        let C0_21_lam = wx_delta2_delta * t83;
-        let C1_21_lam = t129 + ay_delta2_delta * t188;
-        let t206 = t111 + t93 * t187 + C1_21_lam;
-        let t211 = wx_delta2_delta_lam * yaw_per_v_delta;
-        let C1_22_lam = wz_delta2_delta * t106 + self.IHxz * t211
-            - wx_delta2_delta * (t150 + t156) - t158 * t196;
-        let t217 = t196 + t36 * t188;
-        let t218 = t106 - t217;
-        let t221 = wx_delta2_delta * t218 + wx_delta2_delta_lam * t118;
-        let t222 = K1_12_yaw_per_v_delta * t187;
-        let t225 = self.hH * (wx_delta2_delta * t187 - t211);
-        let t226 = K2_12_yaw_per_v_delta * t187;
-        let K2_22_lam = yaw_per_v_delta * (t105 + t218) - wx_delta2_delta * t131;
-        let M_11_rR = t15 + t15;
-        let t233 = t99 * t100 - self.mR;
-        let t234 = mu * t233;
-        let K2_12_IRyy = yaw_per_v_delta * t99;
-        let C1_12_IRyy = self.c * K2_12_IRyy;
-        let C1_21_rR = t100 * C1_12_IRyy;
-        let t238 = yaw_per_v_delta * t233;
+        let t190 = t35 * K0_12_zH;
+        let t191 = self.c * t132;
+        let t194 = t140 + t190 + t84 * t191;
+        let t199 = t62 + M_22_wz_delta2_delta * t191 - t7 * wx_delta2_delta_lam
+            - self.zH * t194;
+        let t202 = wx_delta2_delta + wx_delta2_delta;
+        let M_22_lam = wx_delta2_delta_lam * (t50 + t51) + K0_12_mH * (t190 + t194)
+            - t63 * t202 - t191 * (M_22_mu - t116);
+        let t211 = wx_delta2_delta * self.hH;
+        let t212 = t81 * t132;
+        let C0_21_lam = t211 + self.c * t212;
+        let C1_21_lam = t136 + t102 * t191;
+        let t219 = t128 + C1_21_lam - t94 * t132;
+        let C1_22_lam = wx_delta2_delta_lam * (t123 + yaw_per_v_delta * self.IHxz)
+            - wx_delta2_delta * (t128 + t158 + t164) - t181 * t194;
+        let K0_12_lam = t194 + t54 * t191 - t107;
+        let K0_22_lam = wx_delta2_delta * K0_12_lam - wx_delta2_delta_lam * t129;
+        let K1_22_lam = yaw_per_v_delta * t79 - t132 * t211;
+        let t238 = t132 * K2_12_yaw_per_v_delta;
+        let K2_22_lam = yaw_per_v_delta * (t106 - K0_12_lam) - wx_delta2_delta * t138;
+        let M_11_rR = t16 + t16;
+        let K2_12_IRyy = yaw_per_v_delta * t100;
+        let K2_12_rR = self.mR * yaw_per_v_delta - t101 * K2_12_IRyy;
+        let C1_12_rR = self.c * K2_12_rR;
+        let C1_12_IRyy = mu * t100;
+        let C1_21_rR = t101 * C1_12_IRyy;
         let M_11_mR = self.rR * self.rR;
         let K2_12_mR = self.rR * yaw_per_v_delta;
         let C1_12_mR = self.c * K2_12_mR;
-        let M_22_ST = mu * mu;
-        let C1_22_ST = t50 * t211;
-        let t245 = self.mB * mu;
-        let t246 = self.zB * t245;
-        let ST_mB = t36 * M_22_ST;
-        let M_22_xB = ST_mB + ST_mB;
-        let t249 = t11 * yaw_per_v_delta;
-        let t250 = t177 + t245;
-        let C1_22_xB = mu * (t177 + t250);
-        let t253 = wx_delta2_delta * t245;
-        let K2_22_xB = yaw_per_v_delta * t245;
-        let M_11_zB = t11 + t11;
-        let t256 = self.mB * yaw_per_v_delta;
-        let M_11_mB = self.zB * self.zB;
-        let t258 = mu * self.xB;
-        let t259 = self.zB * t258;
-        let M_22_mB = t258 * t258;
-        let t261 = self.c + self.xB;
-        let t262 = self.zB * yaw_per_v_delta;
-        let t263 = t261 * t262;
-        let K2_22_mB = self.xB * C1_22_ST;
-        let C1_22_mB = t261 * K2_22_mB;
-        let t266 = wx_delta2_delta * t258;
-        let t267 = self.mH * wz_delta2_delta;
-        let t268 = self.zH * t267;
-        let t269 = t112 + t112;
-        let t270 = wz_delta2_delta * t269;
-        let t271 = self.zH * yaw_per_v_delta;
-        let t272 = self.mH * t271;
-        let C1_22_xH = wz_delta2_delta * t159 - yaw_per_v_delta * t112;
-        let t276 = wz_delta2_delta * K0_12_zH;
-        let K2_22_xH = yaw_per_v_delta * t267;
+        let C1_22_IRxx = yaw_per_v_delta * mu;
+        let t256 = mu * t88;
+        let t257 = self.mB * mu;
+        let K2_22_xB = yaw_per_v_delta * t257;
+        let t259 = self.xB * K2_22_xB;
+        let t260 = t259 + t259;
+        let M_22_xB = self.c * t260;
+        let t262 = yaw_per_v_delta * t88;
+        let C1_22_wz_delta2_delta = mu * t257;
+        let C1_22_xB = t260 + C1_22_wz_delta2_delta;
+        let t265 = wx_delta2_delta * t257;
+        let M_11_zB = t88 + t88;
+        let t267 = self.c + self.xB;
+        let t268 = t111 * t267;
+        let t269 = mu * self.xB;
+        let t270 = self.zB * t269;
+        let M_22_mB = t269 * t269;
+        let t272 = self.zB * yaw_per_v_delta;
+        let t273 = t267 * t272;
+        let K2_22_mB = self.xB * C1_22_IRxx;
+        let C1_22_mB = t267 * K2_22_mB;
+        let t276 = wx_delta2_delta * t269;
+        let t277 = self.mH * wz_delta2_delta;
+        let t278 = self.zH * t277;
+        let t279 = wz_delta2_delta * t146;
+        let t280 = t20 * yaw_per_v_delta;
+        let t282 = yaw_per_v_delta * K0_12_mH;
+        let C1_22_xH = self.mH * (wz_delta2_delta * t181 - t282);
+        let t285 = wz_delta2_delta * K0_12_zH;
+        let K2_22_xH = yaw_per_v_delta * t277;
         let M_11_zH = t20 + t20;
-        let M_12_zH = t112 + self.mH * t46;
-        let M_22_zH = wx_delta2_delta * t269;
-        let t282 = wx_delta2_delta * t159;
-        let K0_22_zH = wx_delta2_delta * K0_12_zH;
-        let t284 = self.mH * yaw_per_v_delta;
-        let t285 = yaw_per_v_delta * K0_12_zH;
-        let M_11_mH = self.zH * self.zH;
-        let t287 = self.zH * t158;
-        let t288 = K0_12_mH * t158;
-        let K0_22_mH = wx_delta2_delta * K0_12_mH;
-        let t290 = yaw_per_v_delta * K0_12_mH;
+        let M_12_zH = t65 + t20 * wx_delta2_delta;
+        let M_22_zH = wx_delta2_delta * t146;
+        let t291 = self.mH * t181;
+        let t292 = t181 * K0_12_zH;
         let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+        let K0_22_zH = self.mH * M_22_IHxx;
+        let t295 = self.mH * yaw_per_v_delta;
+        let C1_22_IHxz = wx_delta2_delta_lam * t132;
+        let t297 = self.mH * C1_22_IHxz;
+        let M_11_mH = self.zH * self.zH;
+        let M_22_mH = K0_12_mH * K0_12_mH;
+        let t300 = self.zH * yaw_per_v_delta;
+        let t301 = t156 * t300;
+        let t302 = K0_12_mH * t181;
+        let K0_22_mH = wx_delta2_delta * K0_12_mH;
         let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-        let C1_22_IHzz = t211 + C1_22_ST;
-        let t294 = wz_delta2_delta * wx_delta2_delta;
-        let M_22_IHxz = t294 + t294;
-        let M_11_rF = t5 + t5;
-        let M_12_rF = t111 + t111;
-        let M_22_rF = wx_delta2_delta * M_12_rF;
-        let t299 = t96 * SF;
-        let t300 = self.mF - t299;
-        let C1_12_rF = wz_delta2_delta * t300;
-        let C1_21_rF = wz_delta2_delta * t299;
-        let t303 = self.mF * wx_delta2_delta;
-        let C1_22_rF = wz_delta2_delta * t303;
-        let t305 = self.mF * M_22_IHxx;
-        let K2_12_rF = yaw_per_v_delta * t300;
-        let K2_22_rF = K2_22_SF * t300;
-        let M_11_mF = self.rF * self.rF;
-        let M_12_mF = self.rF * t110;
-        let M_22_mF = t110 * t110;
-        let C1_12_mF = self.rF * wz_delta2_delta;
-        let C1_22_mF = wz_delta2_delta * t110;
-        let t313 = wx_delta2_delta * t110;
+        let C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
+        let M_22_IHxz = wz_delta2_delta * t202;
+        let M_11_rF = t89 + t89;
+        let M_12_rF = t128 + t128;
+        let M_22_rF = t128 * t202;
+        let t311 = self.mF - t97 * SF;
+        let C1_12_rF = wz_delta2_delta * t311;
+        let C1_12_IFyy = wz_delta2_delta * t97;
+        let C1_21_rF = SF * C1_12_IFyy;
+        let C1_22_rF = wz_delta2_delta * t127;
+        let t316 = wx_delta2_delta * t127;
+        let K2_12_rF = yaw_per_v_delta * t311;
+        let K2_22_rF = wx_delta2_delta * K2_12_rF;
+        let M_12_mF = M_11_mF * wx_delta2_delta;
+        let t320 = self.rF * M_22_IHxx;
+        let M_22_mF = self.rF * t320;
+        let C1_22_mF = wx_delta2_delta * C1_12_mF;
+        let t323 = self.rF * wx_delta2_delta;
         let K2_12_mF = self.rF * yaw_per_v_delta;
-        let K2_22_mF = yaw_per_v_delta * t110;
+        let K2_22_mF = yaw_per_v_delta * t323;
         let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let C1_12_IFyy = wz_delta2_delta * t96;
-        let K2_12_IFyy = yaw_per_v_delta * t96;
-        let K2_22_IFyy = t96 * K2_22_SF;
+        let K2_12_IFyy = yaw_per_v_delta * t97;
+        let K2_22_IFyy = t97 * C1_22_IHxz;
         let C0_21 = -C0_12;
-        let C1_21 = -(t103 + t105);
-        let K0_12 = -t118;
-        let K0_22 = -(wx_delta2_delta * t118);
-        let K0_12_c = t178 - t177;
-        let K0_12_lam = t217 - t106;
+        let C1_21 = -(t104 + t106);
+        let K0_12 = -t129;
+        let K0_22 = -(wx_delta2_delta * t129);
+        let K0_12_c = t182 - C1_12_yaw_per_v_delta;
         (
             FlywheelBicycleMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, C0_12, C0_21, zero, zero, C1_12, C1_21, C1_22, K0_11,
@@ -574,21 +574,21 @@ impl<T: Number> FlywheelBicycle<T> {
             ]),
             FlywheelBicycleDerivatives {
                 values: [
-                    M_12_w, t144, C0_21_w, t147, C1_21_w, t161, K0_12_w, K0_22_w, t145, t165, t166,
-                    t168, M_12_c, M_22_c, K1_12, K2_12, t102, C1_22_c, K0_12_c, t180, K2_22_c,
-                    M_12_lam, t200, C0_21_lam, t206, C1_21_lam, C1_22_lam, K0_12_lam, t221, t222,
-                    t225, t226, K2_22_lam, M_11_rR, t234, C1_21_rR, self.mR, t238, M_11_mR,
-                    C1_12_mR, self.rR, K2_12_mR, self.w.like(1.0), M_22_ST, C1_22_ST, C1_12_IRyy,
-                    K2_12_IRyy, t246, M_22_xB, t249, C1_22_xB, t245, t253, K2_22_xB, M_11_zB, t116,
-                    t250, self.mB, t256, M_11_mB, t259, M_22_mB, t263, C1_22_mB, self.zB, t258,
-                    t266, t262, K2_22_mB, mu, yaw_per_v_delta, t268, t270, t272, C1_22_xH, t267,
-                    t276, K2_22_xH, M_11_zH, M_12_zH, M_22_zH, t159, t282, self.mH, K0_12_zH,
-                    K0_22_zH, t284, t285, M_11_mH, M_12_mH, M_22_mH, t287, t288, self.zH, K0_12_mH,
-                    K0_22_mH, t271, t290, wx_delta2_delta, M_22_IHxx, M_22_IHzz, C1_22_IHzz,
-                    wz_delta2_delta, M_22_IHxz, K2_22_SF, M_11_rF, M_12_rF, M_22_rF, C1_12_rF,
-                    C1_21_rF, C1_22_rF, self.mF, t303, t305, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF,
-                    M_22_mF, C1_12_mF, C1_22_mF, self.rF, t110, t313, K2_12_mF, K2_22_mF, M_22_IFxx,
-                    C1_12_IFyy, K2_12_IFyy, K2_22_IFyy,
+                    M_12_w, M_22_w, C0_21_w, t153, C1_21_w, t166, K0_12_w, K0_22_w, t151, t170,
+                    t171, t173, M_12_c, M_22_c, K1_12, K2_12, t103, C1_22_c, K0_12_c, t186, K2_22_c,
+                    t199, M_22_lam, C0_21_lam, t219, C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam,
+                    t212, K1_22_lam, t238, K2_22_lam, M_11_rR, C1_12_rR, C1_21_rR, self.mR,
+                    K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR, self.w.like(1.0), M_22_IRxx,
+                    C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t256, M_22_xB, t262, C1_22_xB, t257, t265,
+                    K2_22_xB, M_11_zB, t113, t268, self.mB, t111, M_11_mB, t270, M_22_mB, t273,
+                    C1_22_mB, self.zB, t269, t276, t272, K2_22_mB, mu, yaw_per_v_delta, t278, t279,
+                    t280, C1_22_xH, t277, t285, K2_22_xH, M_11_zH, M_12_zH, M_22_zH, t291, t292,
+                    self.mH, K0_12_zH, K0_22_zH, t295, t297, M_11_mH, M_12_mH, M_22_mH, t301, t302,
+                    self.zH, K0_12_mH, K0_22_mH, t300, t282, wx_delta2_delta, M_22_IHxx, M_22_IHzz,
+                    C1_22_IHzz, wz_delta2_delta, M_22_IHxz, C1_22_IHxz, M_11_rF, M_12_rF, M_22_rF,
+                    C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t127, t316, K2_12_rF, K2_22_rF, M_11_mF,
+                    M_12_mF, M_22_mF, C1_12_mF, C1_22_mF, self.rF, t323, t320, K2_12_mF, K2_22_mF,
+                    M_22_IFxx, C1_12_IFyy, K2_12_IFyy, K2_22_IFyy,
                 ],
             },
         )
@@ -1052,7 +1052,7 @@ impl FlywheelBicycleDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 175] = &[
         Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1).negative(),
+        Partial::new(MatrixName::M, 1, 1, 0, 1),
         Partial::new(MatrixName::C0, 0, 1, 0, 2).negative(),
         Partial::new(MatrixName::C0, 1, 0, 0, 2),
         Partial::new(MatrixName::C1, 0, 1, 0, 3).negative(),
@@ -1073,24 +1073,23 @@ impl FlywheelBicycleDerivatives {
         Partial::new(MatrixName::K0, 0, 1, 1, 18),
         Partial::new(MatrixName::K0, 1, 0, 1, 18),
         Partial::new(MatrixName::K0, 1, 1, 1, 19).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 1, 20), Partial::new(MatrixName::M, 0, 1, 2, 21),
-        Partial::new(MatrixName::M, 1, 0, 2, 21),
-        Partial::new(MatrixName::M, 1, 1, 2, 22).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 1, 20),
+        Partial::new(MatrixName::M, 0, 1, 2, 21).negative(),
+        Partial::new(MatrixName::M, 1, 0, 2, 21).negative(),
+        Partial::new(MatrixName::M, 1, 1, 2, 22),
         Partial::new(MatrixName::C0, 0, 1, 2, 23).negative(),
         Partial::new(MatrixName::C0, 1, 0, 2, 23),
         Partial::new(MatrixName::C1, 0, 1, 2, 24).negative(),
         Partial::new(MatrixName::C1, 1, 0, 2, 25), Partial::new(MatrixName::C1, 1, 1, 2, 26),
         Partial::new(MatrixName::K0, 0, 1, 2, 27), Partial::new(MatrixName::K0, 1, 0, 2, 27),
-        Partial::new(MatrixName::K0, 1, 1, 2, 28).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 2, 28),
         Partial::new(MatrixName::K1, 0, 1, 2, 29).negative(),
-        Partial::new(MatrixName::K1, 1, 1, 2, 30).negative(),
+        Partial::new(MatrixName::K1, 1, 1, 2, 30),
         Partial::new(MatrixName::K2, 0, 1, 2, 31).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 2, 32),
-        Partial::new(MatrixName::M, 0, 0, 4, 33),
-        Partial::new(MatrixName::C1, 0, 1, 4, 34).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 4, 35),
+        Partial::new(MatrixName::K2, 1, 1, 2, 32), Partial::new(MatrixName::M, 0, 0, 4, 33),
+        Partial::new(MatrixName::C1, 0, 1, 4, 34), Partial::new(MatrixName::C1, 1, 0, 4, 35),
         Partial::new(MatrixName::K0, 0, 0, 4, 36).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 4, 37).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 4, 37),
         Partial::new(MatrixName::M, 0, 0, 5, 38),
         Partial::new(MatrixName::C1, 0, 1, 5, 39),
         Partial::new(MatrixName::K0, 0, 0, 5, 40).negative(),

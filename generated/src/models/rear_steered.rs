@@ -207,53 +207,50 @@ pub struct RearSteeredMatrices<T = f64> {
 
 impl<T: Number> RearSteered<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 42 additions, 43 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 91 operations.
+    /// 40 additions, 44 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 92 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> RearSteeredMatrices<T> {
-        let t3 = self.zB * self.mB;
-        let t7 = self.zH * self.mH;
-        let t12 = self.rR * self.mR;
-        let t19 = self.rF * self.mF;
-        let t22 = self.IHxx + (self.IFxx + self.rF * t19);
-        let M_11 = self.IRxx
-            + (self.zB * t3 + self.zH * t7 + (self.rR * t12 + (self.IBxx + t22)));
+        let t4 = self.zB * self.mB;
+        let t8 = self.zH * self.mH;
+        let t15 = self.rR * self.mR;
+        let t20 = self.rF * self.mF;
+        let t24 = self.IHxx + (self.rF * t20 + self.IFxx);
+        let M_11 = self.IBxx + (self.IRxx + (self.zB * t4 + self.zH * t8))
+            + (self.rR * t15 + t24);
         let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t31 = cos_lam / self.w;
-        let yaw_by_delta = self.c * t31;
-        let t36 = t3 * self.xB - self.IBxz;
+        let t33 = self.w.like(1.0) / self.w;
+        let t34 = cos_lam * t33;
+        let yaw_by_delta = self.c * t34;
         let wz_delta2_delta = cos_lam + yaw_by_delta;
-        let t46 = self.zH * sin_lam
-            + (cos_lam * (self.c + self.w) - self.xH * wz_delta2_delta);
-        let t52 = wz_delta2_delta * self.IHxz + sin_lam * t22;
-        let t53 = self.mH * t46;
-        let t59 = sin_lam * self.IHxz + (self.IFxx + self.IHzz) * wz_delta2_delta;
-        let ay_all1_delta = self.mB * self.xB;
-        let t68 = yaw_by_delta * (self.IBzz + (self.IRxx + self.xB * ay_all1_delta));
-        let M_22 = t46 * t53 + wz_delta2_delta * t59
-            + (sin_lam * t52 + yaw_by_delta * t68);
+        let K_phi_delta_ = t24 * sin_lam + wz_delta2_delta * self.IHxz;
+        let t45 = self.xH * wz_delta2_delta - cos_lam * (self.c + self.w);
+        let t47 = self.mH * (t45 - self.zH * sin_lam);
+        let t49 = self.zH * t47 - K_phi_delta_;
+        let t53 = t4 * self.xB - self.IBxz;
+        let M_12 = t49 + yaw_by_delta * t53;
+        let t60 = sin_lam * self.IHxz + wz_delta2_delta * (self.IFxx + self.IHzz);
+        let t61 = self.mB * self.xB;
+        let t67 = t60 + yaw_by_delta * (self.xB * t61 + (self.IRxx + self.IBzz));
         let zero = self.w.like(0.0);
-        let t74 = t7 + (t3 - t12);
+        let t76 = self.IRyy / self.rR;
         let h_spin_R = self.IFyy / self.rF;
-        let h_wheels_all = h_spin_R + self.IRyy / self.rR;
-        let t80 = t74 - h_wheels_all;
-        let t87 = t19 * wz_delta2_delta;
-        let t88 = t87 - t31 * (self.c * t80 + (t36 + (t7 * self.xH - self.IHxz)));
-        let t89 = cos_lam * h_spin_R;
-        let C1_12 = t88 + t89;
-        let t97 = t53 - yaw_by_delta * ay_all1_delta;
-        let C1_22 = (self.xH * t53 - t68 - t59 + self.c * t97) * t31 - sin_lam * t87;
-        let K0_11 = t74 - t19;
-        let t104 = t19 * sin_lam;
-        let t105 = t97 - t104;
-        let K0_22 = sin_lam * t105;
-        let K2_12 = t31 * (t80 - t19);
-        let K2_22 = t31 * (sin_lam * h_spin_R - t105);
-        let M_12 = yaw_by_delta * t36 - t7 * t46 - t52;
-        let C1_21 = -(t89 + yaw_by_delta * h_wheels_all);
-        let K0_12 = t104 - t97;
+        let t81 = yaw_by_delta * t76 + wz_delta2_delta * h_spin_R;
+        let K0_11 = t8 - (t15 + t20 - t4);
+        let C1_12 = t81
+            + (t20 * cos_lam
+                - t34 * (t53 + self.c * K0_11 + (t8 * self.xH - self.IHxz)));
+        let t98 = t20 * sin_lam;
+        let K0_12 = yaw_by_delta * t61 + t47 + t98;
+        let t104 = cos_lam * (t33 * (t67 + self.xH * t47 + K0_12 * self.c) + t98);
+        let K2_12 = t34 * (K0_11 - t76 - h_spin_R);
+        let K2_22 = t34 * (K0_12 + sin_lam * h_spin_R);
+        let M_22 = yaw_by_delta * t67 - (sin_lam * t49 - cos_lam * t60 - t47 * t45);
+        let C1_21 = -t81;
+        let C1_22 = -t104;
+        let K0_22 = -(K0_12 * sin_lam);
         RearSteeredMatrices::from_entries([
             M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
             K2_12, zero, K2_22,
@@ -325,215 +322,204 @@ pub struct RearSteeredDerivatives<T = f64> {
 
 impl<T: Number> RearSteered<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 105 additions, 183 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 298 operations.
+    /// 99 additions, 177 multiplications, 3 divisions, 6 negations and 2 trigonometric functions: 287 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (RearSteeredMatrices<T>, RearSteeredDerivatives<T>) {
-        let t2 = self.zH * self.mH;
         let M_11_mB = self.zB * self.zB;
         let M_11_mF = self.rF * self.rF;
-        let t15 = self.IHxx + self.IFxx + self.mF * M_11_mF;
+        let t13 = self.IHxx + self.IFxx + self.mF * M_11_mF;
+        let t16 = self.zH * self.mH;
+        let t18 = t13 + self.zH * t16;
         let M_11_mR = self.rR * self.rR;
-        let M_11 = self.zH * t2 + self.mB * M_11_mB + t15 + self.IRxx + self.IBxx
-            + self.mR * M_11_mR;
+        let M_11 = self.IBxx + self.mB * M_11_mB + self.IRxx + t18 + self.mR * M_11_mR;
         let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t33 = self.w.like(1.0) / self.w;
-        let C1_12_IBxz = cos_lam * t33;
-        let yaw_by_delta = self.c * C1_12_IBxz;
+        let t29 = t13 * sin_lam;
+        let t34 = self.w.like(1.0) / self.w;
+        let t35 = self.c * t34;
+        let yaw_by_delta = cos_lam * t35;
         let wz_delta2_delta = cos_lam + yaw_by_delta;
-        let t39 = t15 * sin_lam + wz_delta2_delta * self.IHxz;
-        let t41 = self.mB * self.zB;
-        let t44 = self.IBxz - t41 * self.xB;
-        let t46 = self.zH * sin_lam;
+        let t39 = t29 + self.IHxz * wz_delta2_delta;
+        let t42 = self.mB * self.xB;
+        let t44 = self.IBxz - self.zB * t42;
         let t49 = self.c + self.w - self.xH;
-        let t51 = t46 + cos_lam * t49;
-        let t52 = C1_12_IBxz * self.xH;
-        let t53 = self.c * t52;
-        let t54 = t51 - t53;
-        let ay_all1_delta = self.mB * self.xB;
-        let t62 = self.IRxx + self.xB * ay_all1_delta + self.IBzz;
-        let t63 = yaw_by_delta * t62;
+        let t50 = t35 * self.xH;
+        let t51 = t49 - t50;
+        let t53 = self.zH * sin_lam + cos_lam * t51;
+        let t54 = self.mH * t53;
+        let C1_12_IBxz = cos_lam * t34;
+        let t59 = yaw_by_delta * C1_12_IBxz;
+        let M_22_IRxx = self.c * t59;
+        let t64 = self.IRxx + self.IBzz + self.xB * t42;
         let t66 = sin_lam * self.IHxz;
         let t68 = self.IFxx + self.IHzz;
         let t70 = t66 + wz_delta2_delta * t68;
-        let t72 = self.mH * t54;
-        let M_22 = yaw_by_delta * t63 + sin_lam * t39 + wz_delta2_delta * t70
-            + t54 * t72;
+        let M_22_mH = t53 * t53;
+        let M_22 = M_22_IRxx * t64 + wz_delta2_delta * (t66 + t70) + self.mH * M_22_mH
+            + sin_lam * t29;
         let zero = self.w.like(0.0);
-        let t78 = self.mF * self.rF;
-        let t79 = cos_lam * t78;
-        let t81 = self.w.like(1.0) / self.rF;
-        let h_spin_R = self.IFyy * t81;
-        let t83 = cos_lam * h_spin_R;
-        let t84 = self.mR * self.rR;
-        let t86 = t2 + t41 - t84;
-        let t88 = self.w.like(1.0) / self.rR;
-        let t89 = self.IRyy * t88;
-        let h_wheels_all = h_spin_R + t89;
-        let t94 = self.IHxz + t44;
-        let t95 = t2 * self.xH - t94;
-        let t96 = self.c * (h_wheels_all - t86) - t95;
-        let t98 = yaw_by_delta * t78;
-        let t99 = C1_12_IBxz * t96 + t98;
-        let C1_12 = t79 + t83 + t99;
-        let t102 = C1_12_IBxz * h_wheels_all;
-        let t103 = self.c * t102;
-        let t105 = self.c + self.xH;
+        let t81 = self.w.like(1.0) / self.rR;
+        let t82 = self.IRyy * t81;
+        let t84 = self.w.like(1.0) / self.rF;
+        let h_spin_R = self.IFyy * t84;
+        let t86 = t82 + h_spin_R;
+        let t87 = C1_12_IBxz * t86;
+        let t88 = self.c * t87;
+        let t89 = cos_lam * h_spin_R;
+        let t90 = t88 + t89;
+        let t91 = self.mF * self.rF;
+        let t92 = cos_lam * t91;
+        let t93 = self.mB * self.zB;
+        let t94 = self.mR * self.rR;
+        let K0_11 = t93 - (t91 + t94 - t16);
+        let t101 = self.IHxz + t44 - t16 * self.xH;
+        let t102 = t101 - self.c * K0_11;
+        let t103 = C1_12_IBxz * t102;
+        let C1_12 = t90 + t92 + t103;
+        let K0_12_mF = self.rF * sin_lam;
+        let t107 = self.mF * K0_12_mF;
+        let t110 = t70 + yaw_by_delta * t64;
         let K2_12_zB = self.mB * C1_12_IBxz;
-        let t109 = self.xB * K2_12_zB;
-        let M_12_zB = self.c * t109;
-        let t111 = C1_12_IBxz * t62 + M_12_zB;
-        let t112 = self.c * t111;
-        let t114 = t70 + t112 - t72 * t105;
-        let t115 = C1_12_IBxz * t114;
-        let t116 = sin_lam * wz_delta2_delta;
-        let t120 = M_12_zB - t72;
-        let K0_12_rF = self.mF * sin_lam;
-        let t122 = self.rF * K0_12_rF;
-        let K0_12 = t120 + t122;
-        let t125 = h_wheels_all + (t78 - t86);
-        let C1_12_c = C1_12_IBxz * t125;
-        let t127 = sin_lam * h_spin_R;
-        let t128 = K0_12 + t127;
-        let K2_22 = C1_12_IBxz * t128;
-        let t130 = t2 * cos_lam;
-        let t131 = t33 * yaw_by_delta;
-        let t133 = t130 + t95 * t131;
-        let t135 = cos_lam + self.xH * t131;
-        let t136 = t72 + t72;
-        let t138 = t63 + t70;
-        let M_22_yaw_by_delta = t138 + t138;
-        let M_22_w = t135 * t136 - t131 * M_22_yaw_by_delta;
-        let t142 = t33 * t99;
-        let C1_21_w = t33 * t103;
-        let t144 = yaw_by_delta + t52;
-        let t145 = self.mH * t144;
-        let t149 = t122 + C1_12_IBxz * t68;
-        let t150 = t111 + t149;
-        let C1_22_w = t135 * t145 + t33 * t115 + t131 * t150;
-        let t156 = self.mH * t135 + t33 * M_12_zB;
-        let K0_22_w = sin_lam * t156;
-        let K2_12_w = t33 * C1_12_c;
-        let t159 = t33 * t128;
-        let t161 = C1_12_IBxz * (t156 + t159);
-        let M_12_c = C1_12_IBxz * t95 - t130;
-        let t164 = cos_lam - t52;
-        let M_22_c = t136 * t164 + C1_12_IBxz * M_22_yaw_by_delta;
-        let t168 = self.mH * t164;
-        let t172 = C1_12_IBxz * (t120 + t150 - t105 * t168);
-        let K0_12_c = t109 - t168;
-        let t174 = sin_lam * K0_12_c;
+        let K0_12_xB = self.c * K2_12_zB;
+        let M_12_zB = self.xB * K0_12_xB;
+        let K0_12 = t107 + M_12_zB - t54;
+        let t119 = t34 * (self.xH * t54 - t110 - self.c * K0_12);
+        let t120 = t107 - t119;
+        let t123 = t86 - K0_11;
+        let C1_12_c = C1_12_IBxz * t123;
+        let t125 = sin_lam * h_spin_R;
+        let t126 = K0_12 + t125;
+        let K2_22 = C1_12_IBxz * t126;
+        let t128 = C1_12_IBxz * t101;
+        let t130 = t16 * cos_lam;
+        let M_12_w = t35 * t128 - t130;
+        let t133 = cos_lam + t50 * C1_12_IBxz;
+        let t135 = C1_12_IBxz * t110;
+        let t137 = t54 * t133 - t35 * t135;
+        let M_22_w = t137 + t137;
+        let t140 = t34 * (t88 + t103);
+        let C1_21_w = t34 * t88;
+        let t142 = self.mH * t133;
+        let t143 = self.c + self.xH;
+        let t147 = M_12_zB + C1_12_IBxz * (t64 + t68);
+        let t148 = t35 * t147;
+        let t151 = C1_12_IBxz * (t119 - t142 * t143 - t148);
+        let t152 = t42 * C1_12_IBxz;
+        let t154 = t142 + t35 * t152;
+        let K0_22_w = sin_lam * t154;
+        let K2_12_w = t34 * C1_12_c;
+        let t159 = t34 * (K2_22 + cos_lam * t154);
+        let t160 = t128 + t130;
+        let t161 = t54 + t54;
+        let t162 = self.xH * C1_12_IBxz;
+        let t163 = cos_lam - t162;
+        let M_22_c = t135 + t135 + t161 * t163;
+        let t167 = self.mH * t163;
+        let t171 = C1_12_IBxz * (K0_12 + t147 - t143 * t167);
+        let K0_12_c = t152 - t167;
+        let t173 = sin_lam * K0_12_c;
         let K2_22_c = C1_12_IBxz * K0_12_c;
-        let t177 = sin_lam * t33;
-        let t178 = self.c * t177;
-        let t182 = self.zH * cos_lam + self.xH * t178 - sin_lam * t49;
-        let t183 = self.mH * t182;
-        let M_12_lam = t66 + t94 * t178 - self.zH * t183 - t15 * cos_lam;
-        let t192 = sin_lam + t178;
-        let t197 = cos_lam * t39 + t72 * t182 - t63 * t178 - t70 * t192;
-        let M_22_lam = t197 + t197;
-        let t202 = t127 + t78 * t192 + t96 * t177;
-        let C1_21_lam = t127 + h_wheels_all * t178;
-        let C1_22_lam = t177 * (t112 + t114) + t149 * t192 + t145 * t182
-            - cos_lam * (t79 + t98 + C1_12_IBxz * self.IHxz);
-        let t216 = ay_all1_delta * t178;
-        let t217 = t79 - t183;
-        let t218 = t216 - t217;
-        let K0_22_lam = sin_lam * t218 - cos_lam * K0_12;
-        let K2_12_lam = t125 * t177;
-        let K2_22_lam = C1_12_IBxz * (t83 - t218) - sin_lam * t159;
-        let M_11_rR = t84 + t84;
-        let t228 = t88 * t89;
-        let t230 = C1_12_IBxz * (self.mR - t228);
-        let C1_12_rR = self.c * t230;
-        let C1_21_rR = yaw_by_delta * t228;
-        let t233 = self.rR * C1_12_IBxz;
-        let C1_12_mR = self.c * t233;
-        let t236 = C1_12_IBxz * yaw_by_delta;
-        let M_22_IRxx = self.c * t236;
-        let t238 = C1_12_IBxz * t88;
-        let C1_12_IRyy = self.c * t238;
-        let t240 = C1_12_IBxz * t41;
-        let M_12_xB = self.c * t240;
+        let t176 = sin_lam * t34;
+        let t177 = self.c * t176;
+        let t179 = self.mH * sin_lam;
+        let t180 = self.zH * t179;
+        let M_12_lam = t66 + t101 * t177 + t49 * t180 - t18 * cos_lam;
+        let t186 = t130 - t51 * t179;
+        let t193 = t53 * t186 + cos_lam * t39 - sin_lam * (t70 + t35 * t110);
+        let M_22_lam = t193 + t193;
+        let C1_21_lam = t125 + t86 * t177;
+        let t199 = t107 + t102 * t176 + C1_21_lam;
+        let t200 = yaw_by_delta + t162;
+        let t202 = cos_lam * C1_12_IBxz;
+        let C1_22_lam = t186 * t200 + sin_lam * (t120 + t148 + C1_12_IBxz * t68)
+            - self.IHxz * t202 - wz_delta2_delta * t92;
+        let K0_12_lam = t92 - t186 - t42 * t177;
+        let K2_12_lam = t123 * t176;
+        let K2_22_lam = C1_12_IBxz * (t89 + K0_12_lam) - t126 * t176;
+        let M_11_rR = t94 + t94;
+        let t226 = C1_12_IBxz * (self.mR - t81 * t82);
+        let C1_12_rR = self.c * t226;
+        let C1_12_IRyy = yaw_by_delta * t81;
+        let C1_21_rR = t82 * C1_12_IRyy;
+        let C1_12_mR = self.rR * yaw_by_delta;
+        let t231 = self.rR * C1_12_IBxz;
+        let t233 = C1_12_IBxz * t81;
+        let M_12_xB = yaw_by_delta * t93;
+        let M_22_xB = yaw_by_delta * (M_12_zB + M_12_zB);
+        let t237 = self.zB * K2_12_zB;
+        let t238 = self.c + self.xB;
+        let t239 = K2_12_zB * t238;
+        let t241 = yaw_by_delta * (t152 + t239);
+        let t242 = sin_lam * K0_12_xB;
+        let K2_22_xB = self.mB * t59;
+        let M_11_zB = t93 + t93;
         let K0_12_mB = yaw_by_delta * self.xB;
-        let K0_12_xB = self.mB * yaw_by_delta;
-        let t244 = K0_12_mB * K0_12_xB;
-        let M_22_xB = t244 + t244;
-        let K2_22_mB = self.xB * t236;
-        let t247 = self.c + self.xB;
-        let t248 = t236 * t247;
-        let t250 = self.mB * (K2_22_mB + t248);
-        let t251 = sin_lam * K0_12_xB;
-        let K2_22_xB = yaw_by_delta * K2_12_zB;
-        let M_11_zB = t41 + t41;
-        let t254 = t109 + K0_12_xB;
         let M_12_mB = self.zB * K0_12_mB;
         let M_22_mB = K0_12_mB * K0_12_mB;
         let K2_12_mB = self.zB * C1_12_IBxz;
-        let t258 = t247 * K2_12_mB;
-        let t259 = self.xB * t248;
-        let t260 = sin_lam * K0_12_mB;
+        let t249 = t238 * K2_12_mB;
+        let K2_22_mB = C1_12_IBxz * K0_12_mB;
+        let t251 = t238 * K2_22_mB;
+        let t252 = sin_lam * K0_12_mB;
         let K0_12_xH = self.mH * wz_delta2_delta;
         let M_12_xH = self.zH * K0_12_xH;
-        let t263 = wz_delta2_delta * t136;
+        let t255 = wz_delta2_delta * t161;
+        let t256 = t34 * t130;
         let K2_12_zH = self.mH * C1_12_IBxz;
-        let t265 = self.zH * K2_12_zH;
-        let t268 = C1_12_IBxz * (t105 * K0_12_xH - t72);
-        let t269 = self.mH * t116;
-        let K2_22_xH = C1_12_IBxz * K0_12_xH;
-        let M_11_zH = t2 + t2;
-        let t273 = t72 + self.mH * t46;
-        let M_22_zH = sin_lam * t136;
-        let t275 = self.mH * sin_lam;
-        let C1_22_zH = t144 * t275;
-        let K0_22_zH = sin_lam * t275;
-        let t278 = C1_12_IBxz * t275;
-        let M_11_mH = self.zH * self.zH;
-        let t280 = self.zH * t54;
-        let M_22_mH = t54 * t54;
-        let t282 = self.zH * t144;
-        let t283 = C1_12_IBxz * t54;
-        let C1_22_mH = t105 * t283;
-        let K0_22_mH = sin_lam * t54;
-        let K2_12_mH = self.zH * C1_12_IBxz;
+        let t259 = t143 * K2_12_zH;
+        let C1_22_xH = t53 * K2_12_zH - wz_delta2_delta * t259;
+        let t262 = sin_lam * wz_delta2_delta;
+        let t263 = self.mH * t262;
+        let t264 = t59 + t202;
+        let K2_22_xH = self.mH * t264;
+        let M_11_zH = t16 + t16;
+        let t267 = t54 + t180;
+        let M_22_zH = sin_lam * t161;
+        let C1_22_zH = t179 * t200;
         let M_22_IHxx = sin_lam * sin_lam;
+        let K0_22_zH = self.mH * M_22_IHxx;
+        let t272 = sin_lam * K2_12_zH;
+        let M_11_mH = self.zH * self.zH;
+        let t274 = self.zH * t53;
+        let t275 = self.zH * t200;
+        let C1_22_mH = t53 * t200;
+        let K0_22_mH = sin_lam * t53;
+        let K2_12_mH = self.zH * C1_12_IBxz;
+        let t279 = t53 * C1_12_IBxz;
         let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-        let t289 = C1_12_IBxz * wz_delta2_delta;
-        let M_22_IHxz = t116 + t116;
-        let K2_22_h_spin_R = cos_lam * t177;
-        let M_11_rF = t78 + t78;
-        let t293 = t122 + t122;
-        let M_22_rF = sin_lam * t293;
-        let t295 = t81 * h_spin_R;
-        let t296 = self.mF - t295;
-        let C1_12_rF = wz_delta2_delta * t296;
-        let C1_21_rF = wz_delta2_delta * t295;
-        let t299 = wz_delta2_delta * K0_12_rF;
-        let t300 = self.mF * M_22_IHxx;
-        let t301 = C1_12_IBxz * t296;
-        let K2_22_rF = K2_22_h_spin_R * t296;
-        let t303 = M_11_mF * sin_lam;
-        let K0_12_mF = self.rF * sin_lam;
-        let t305 = sin_lam * K0_12_mF;
-        let M_22_mF = self.rF * t305;
+        let M_22_IHxz = t262 + t262;
+        let K2_22_h_spin_R = cos_lam * t176;
+        let M_11_rF = t91 + t91;
+        let t284 = t107 + t107;
+        let M_22_rF = sin_lam * t284;
+        let t286 = t84 * h_spin_R;
+        let t287 = self.mF - t286;
+        let C1_12_rF = wz_delta2_delta * t287;
+        let C1_21_rF = wz_delta2_delta * t286;
+        let K0_12_rF = self.mF * sin_lam;
+        let t291 = wz_delta2_delta * K0_12_rF;
+        let t292 = sin_lam * K0_12_rF;
+        let t293 = C1_12_IBxz * t287;
+        let K2_22_rF = K2_22_h_spin_R * t287;
+        let t295 = self.rF * K0_12_mF;
+        let t296 = self.rF * M_22_IHxx;
+        let M_22_mF = self.rF * t296;
         let C1_12_mF = self.rF * wz_delta2_delta;
-        let t308 = wz_delta2_delta * K0_12_mF;
-        let t309 = self.rF * C1_12_IBxz;
-        let K2_22_mF = sin_lam * t309;
+        let t299 = sin_lam * C1_12_mF;
+        let t300 = self.rF * C1_12_IBxz;
+        let K2_22_mF = C1_12_IBxz * K0_12_mF;
         let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let C1_12_IFyy = wz_delta2_delta * t81;
-        let t313 = C1_12_IBxz * t81;
-        let K2_22_IFyy = t81 * K2_22_h_spin_R;
-        let M_12 = -(t39 + yaw_by_delta * t44 + t2 * t54);
-        let C1_21 = -(t83 + t103);
-        let C1_22 = -(t115 + t78 * t116);
-        let K0_11 = t86 - t78;
+        let C1_12_IFyy = wz_delta2_delta * t84;
+        let t304 = C1_12_IBxz * t84;
+        let K2_22_IFyy = t84 * K2_22_h_spin_R;
+        let M_12 = -(t39 + yaw_by_delta * t44 + self.zH * t54);
+        let C1_21 = -t90;
+        let C1_22 = -(cos_lam * t120);
         let K0_22 = -(sin_lam * K0_12);
         let K2_12 = -C1_12_c;
-        let K0_12_lam = t217 - t216;
-        let K0_12_mH = t53 - t51;
+        let K0_22_lam = -(sin_lam * K0_12_lam + cos_lam * K0_12);
         (
             RearSteeredMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
@@ -541,21 +527,20 @@ impl<T: Number> RearSteered<T> {
             ]),
             RearSteeredDerivatives {
                 values: [
-                    t133, M_22_w, t142, C1_21_w, C1_22_w, t156, K0_22_w, K2_12_w, t161, M_12_c,
-                    M_22_c, C1_12_c, t102, t172, K0_12_c, t174, K2_22_c, M_12_lam, M_22_lam, t202,
-                    C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, K2_12_lam, K2_22_lam, M_11_rR,
-                    C1_12_rR, C1_21_rR, self.mR, t230, M_11_mR, C1_12_mR, self.rR, t233,
-                    self.w.like(1.0), M_22_IRxx, t236, C1_12_IRyy, t238, M_12_xB, M_22_xB, t240,
-                    t250, K0_12_xB, t251, K2_22_xB, M_11_zB, M_12_zB, t254, self.mB, K2_12_zB,
-                    M_11_mB, M_12_mB, M_22_mB, t258, t259, self.zB, K0_12_mB, t260, K2_12_mB,
-                    K2_22_mB, yaw_by_delta, C1_12_IBxz, M_12_xH, t263, t265, t268, K0_12_xH, t269,
-                    K2_22_xH, M_11_zH, t273, M_22_zH, t145, C1_22_zH, self.mH, t275, K0_22_zH,
-                    K2_12_zH, t278, M_11_mH, t280, M_22_mH, t282, C1_22_mH, self.zH, K0_12_mH,
-                    K0_22_mH, K2_12_mH, t283, sin_lam, M_22_IHxx, M_22_IHzz, t289, wz_delta2_delta,
-                    M_22_IHxz, K2_22_h_spin_R, M_11_rF, t293, M_22_rF, C1_12_rF, C1_21_rF, t299,
-                    self.mF, K0_12_rF, t300, t301, K2_22_rF, M_11_mF, t303, M_22_mF, C1_12_mF, t308,
-                    self.rF, K0_12_mF, t305, t309, K2_22_mF, M_22_IFxx, C1_12_IFyy, t313,
-                    K2_22_IFyy,
+                    M_12_w, M_22_w, t140, C1_21_w, t151, t154, K0_22_w, K2_12_w, t159, t160, M_22_c,
+                    C1_12_c, t87, t171, K0_12_c, t173, K2_22_c, M_12_lam, M_22_lam, t199, C1_21_lam,
+                    C1_22_lam, K0_12_lam, K0_22_lam, K2_12_lam, K2_22_lam, M_11_rR, C1_12_rR,
+                    C1_21_rR, self.mR, t226, M_11_mR, C1_12_mR, self.rR, t231, self.w.like(1.0),
+                    M_22_IRxx, t59, C1_12_IRyy, t233, M_12_xB, M_22_xB, t237, t241, K0_12_xB, t242,
+                    K2_22_xB, M_11_zB, M_12_zB, t239, self.mB, K2_12_zB, M_11_mB, M_12_mB, M_22_mB,
+                    t249, t251, self.zB, K0_12_mB, t252, K2_12_mB, K2_22_mB, yaw_by_delta,
+                    C1_12_IBxz, M_12_xH, t255, t256, C1_22_xH, K0_12_xH, t263, K2_22_xH, M_11_zH,
+                    t267, M_22_zH, t259, C1_22_zH, self.mH, t179, K0_22_zH, K2_12_zH, t272, M_11_mH,
+                    t274, M_22_mH, t275, C1_22_mH, self.zH, t53, K0_22_mH, K2_12_mH, t279, sin_lam,
+                    M_22_IHxx, M_22_IHzz, t264, wz_delta2_delta, M_22_IHxz, K2_22_h_spin_R, M_11_rF,
+                    t284, M_22_rF, C1_12_rF, C1_21_rF, t291, self.mF, K0_12_rF, t292, t293,
+                    K2_22_rF, M_11_mF, t295, M_22_mF, C1_12_mF, t299, self.rF, K0_12_mF, t296, t300,
+                    K2_22_mF, M_22_IFxx, C1_12_IFyy, t304, K2_22_IFyy,
                 ],
             },
         )
@@ -985,15 +970,17 @@ impl<T: Scalar> Differentiable<2> for RearSteered<T> {
 impl RearSteeredDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 158] = &[
-        Partial::new(MatrixName::M, 0, 1, 0, 0).negative(),
-        Partial::new(MatrixName::M, 1, 0, 0, 0).negative(), Partial::new(MatrixName::M, 1, 1, 0, 1),
+        Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
+        Partial::new(MatrixName::M, 1, 1, 0, 1),
         Partial::new(MatrixName::C1, 0, 1, 0, 2).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
+        Partial::new(MatrixName::C1, 1, 0, 0, 3),
+        Partial::new(MatrixName::C1, 1, 1, 0, 4).negative(),
         Partial::new(MatrixName::K0, 0, 1, 0, 5).negative(),
         Partial::new(MatrixName::K0, 1, 0, 0, 5).negative(),
         Partial::new(MatrixName::K0, 1, 1, 0, 6), Partial::new(MatrixName::K2, 0, 1, 0, 7),
         Partial::new(MatrixName::K2, 1, 1, 0, 8).negative(),
-        Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
+        Partial::new(MatrixName::M, 0, 1, 1, 9).negative(),
+        Partial::new(MatrixName::M, 1, 0, 1, 9).negative(),
         Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
         Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
         Partial::new(MatrixName::C1, 1, 1, 1, 13).negative(),
@@ -1050,7 +1037,7 @@ impl RearSteeredDerivatives {
         Partial::new(MatrixName::M, 1, 0, 15, 64),
         Partial::new(MatrixName::M, 1, 1, 15, 65).negative(),
         Partial::new(MatrixName::C1, 0, 1, 15, 66).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 15, 67).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 15, 67),
         Partial::new(MatrixName::K0, 0, 1, 15, 68),
         Partial::new(MatrixName::K0, 1, 0, 15, 68),
         Partial::new(MatrixName::K0, 1, 1, 15, 69).negative(),
@@ -1072,9 +1059,12 @@ impl RearSteeredDerivatives {
         Partial::new(MatrixName::M, 1, 0, 17, 82).negative(),
         Partial::new(MatrixName::M, 1, 1, 17, 83),
         Partial::new(MatrixName::C1, 0, 1, 17, 84).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 17, 85), Partial::new(MatrixName::K0, 0, 0, 17, 86),
-        Partial::new(MatrixName::K0, 0, 1, 17, 87), Partial::new(MatrixName::K0, 1, 0, 17, 87),
-        Partial::new(MatrixName::K0, 1, 1, 17, 88), Partial::new(MatrixName::K2, 0, 1, 17, 89),
+        Partial::new(MatrixName::C1, 1, 1, 17, 85),
+        Partial::new(MatrixName::K0, 0, 0, 17, 86),
+        Partial::new(MatrixName::K0, 0, 1, 17, 87).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 17, 87).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 17, 88),
+        Partial::new(MatrixName::K2, 0, 1, 17, 89),
         Partial::new(MatrixName::K2, 1, 1, 17, 90).negative(),
         Partial::new(MatrixName::M, 0, 0, 18, 35),
         Partial::new(MatrixName::M, 0, 1, 18, 91).negative(),

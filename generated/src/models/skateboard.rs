@@ -146,7 +146,7 @@ pub struct SkateboardMatrices<T = f64> {
 
 impl<T: Number> Skateboard<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 5 additions, 12 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 25 operations.
+    /// 5 additions, 14 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 27 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
@@ -157,13 +157,14 @@ impl<T: Number> Skateboard<T> {
         let (lateral_per_v_deltaR, cos_lamR) = self.lamR.sin_cos();
         let t8 = self.L.like(1.0) / cos_lamR;
         let t10 = t8 * lateral_per_v_deltaR;
+        let P_gamma_yaw = self.Ixz + P_gamma_lateral * self.x;
         let (sin_lamF, cos_lamF) = self.lamF.sin_cos();
-        let t15 = self.L.like(1.0) / cos_lamF;
-        let t19 = (t10 + t15 * sin_lamF) / self.L;
-        let P_gamma_yaw = self.kR * (t8 * t8);
-        let Kc_11 = t15 * (t15 * self.kF) + P_gamma_yaw;
-        let K2_11 = P_gamma_lateral * t19;
-        let C1_11 = self.Ixz * t19 - P_gamma_lateral * (t10 - self.x * t19);
+        let t18 = self.L.like(1.0) / cos_lamF;
+        let t21 = self.L.like(1.0) / self.L;
+        let t25 = t18 * sin_lamF * t21 + t10 * t21;
+        let C1_11 = P_gamma_yaw * t25 - P_gamma_lateral * t10;
+        let Kc_11 = t18 * t18 * self.kF + t8 * t8 * self.kR;
+        let K2_11 = P_gamma_lateral * t25;
         let K0_11 = -P_gamma_lateral;
         SkateboardMatrices::from_entries([M_11, C1_11, Kc_11, K0_11, K2_11])
     }
@@ -275,49 +276,50 @@ impl<T: Number> Skateboard<T> {
     pub fn matrices_and_derivatives(&self) -> (SkateboardMatrices<T>, SkateboardDerivatives<T>) {
         let P_gamma_lateral = self.h * self.m;
         let M_11 = self.Ixx + self.h * P_gamma_lateral;
-        let t8 = self.L.like(1.0) / self.L;
+        let t7 = self.L.like(1.0) / self.L;
         let (lateral_per_v_deltaR, cos_lamR) = self.lamR.sin_cos();
-        let t11 = self.L.like(1.0) / cos_lamR;
-        let t13 = t11 * lateral_per_v_deltaR;
+        let t10 = self.L.like(1.0) / cos_lamR;
+        let t12 = t10 * lateral_per_v_deltaR;
         let (sin_lamF, cos_lamF) = self.lamF.sin_cos();
-        let t17 = self.L.like(1.0) / cos_lamF;
-        let t19 = t17 * sin_lamF;
-        let t20 = t8 * t19;
-        let C1_11_Ixz = t8 * t13 + t20;
-        let t25 = C1_11_Ixz * self.x - t13;
-        let C1_11_m = self.h * t25;
-        let C1_11 = self.Ixz * C1_11_Ixz + self.m * C1_11_m;
-        let Kc_11_kR = t11 * t11;
-        let P_gamma_yaw = self.kR * Kc_11_kR;
-        let Kc_11_kF = t17 * t17;
-        let t34 = self.kF * Kc_11_kF;
-        let Kc_11 = P_gamma_yaw + t34;
-        let K2_11 = P_gamma_lateral * C1_11_Ixz;
-        let t38 = self.Ixz + P_gamma_lateral * self.x;
-        let t39 = t8 * t38;
-        let t40 = C1_11_Ixz * t39;
-        let t41 = t8 * K2_11;
-        let t43 = t8 + t19 * t20;
-        let C1_11_lamF = t38 * t43;
-        let t45 = t19 * t34;
-        let Kc_11_lamF = t45 + t45;
-        let K2_11_lamF = P_gamma_lateral * t43;
-        let t51 = self.L.like(1.0) + t13 * t13;
-        let C1_11_lamR = (t39 - P_gamma_lateral) * t51;
-        let t53 = t13 * P_gamma_yaw;
-        let Kc_11_lamR = t53 + t53;
-        let K2_11_lamR = P_gamma_lateral * t8 * t51;
+        let t15 = self.L.like(1.0) / cos_lamF;
+        let t17 = t15 * sin_lamF;
+        let C1_11_Ixz = t7 * (t12 + t17);
+        let t23 = self.Ixz + P_gamma_lateral * self.x;
+        let t24 = C1_11_Ixz * t23;
+        let C1_11 = t24 - P_gamma_lateral * t12;
+        let Kc_11_kF = t15 * t15;
+        let t29 = self.kF * Kc_11_kF;
+        let Kc_11_kR = t10 * t10;
+        let t32 = self.kR * Kc_11_kR;
+        let Kc_11 = t29 + t32;
+        let K2_11_h = self.m * C1_11_Ixz;
+        let K2_11 = self.h * K2_11_h;
+        let t36 = t7 * t24;
+        let t37 = P_gamma_lateral * t7;
+        let t38 = C1_11_Ixz * t37;
+        let t39 = t7 * t23;
+        let P_gamma_yaw = cos_lamF + sin_lamF * t17;
+        let t42 = t15 * P_gamma_yaw;
+        let C1_11_lamF = t39 * t42;
+        let t44 = t17 * t29;
+        let Kc_11_lamF = t44 + t44;
+        let K2_11_lamF = t37 * t42;
+        let t50 = t12 * t12 + self.L.like(1.0);
+        let C1_11_lamR = (t39 - P_gamma_lateral) * t50;
+        let Kc_11_lamR = t32 * (t12 + t12);
+        let K2_11_lamR = t37 * t50;
         let M_11_m = self.h * self.h;
+        let t57 = C1_11_Ixz * self.x - t12;
+        let C1_11_m = self.h * t57;
         let K2_11_m = self.h * C1_11_Ixz;
         let M_11_h = P_gamma_lateral + P_gamma_lateral;
-        let C1_11_h = self.m * t25;
-        let K2_11_h = self.m * C1_11_Ixz;
+        let C1_11_h = self.m * t57;
         let K0_11 = -P_gamma_lateral;
         (
             SkateboardMatrices::from_entries([M_11, C1_11, Kc_11, K0_11, K2_11]),
             SkateboardDerivatives {
                 values: [
-                    t40, t41, C1_11_lamF, Kc_11_lamF, K2_11_lamF, C1_11_lamR, Kc_11_lamR,
+                    t36, t38, C1_11_lamF, Kc_11_lamF, K2_11_lamF, C1_11_lamR, Kc_11_lamR,
                     K2_11_lamR, Kc_11_kF, Kc_11_kR, M_11_m, C1_11_m, self.h, K2_11_m, K2_11, M_11_h,
                     C1_11_h, self.m, K2_11_h, self.L.like(1.0), C1_11_Ixz,
                 ],

@@ -155,33 +155,33 @@ impl<T: Number> TwoPipes<T> {
         let M_11_m = inertia_m * self.l.like(1.3333333333333333);
         let M_11 = t2 * M_11_m;
         let K0_22_l = t2 * self.l;
-        let weight = self.l * K0_22_l;
-        let K0_22 = self.l.like(0.5) * weight;
-        let M_12 = self.l * K0_22;
+        let K0_22_m = weight_m * self.l.like(0.5);
+        let M_12 = K0_22_l * K0_22_m;
         let M_22_m = inertia_m * self.l.like(0.3333333333333333);
         let M_22 = t2 * M_22_m;
         let C0_11 = self.c + self.c;
-        let K2_12 = self.f * self.l;
-        let inertia = self.l * K2_12;
-        let C1_12 = inertia + inertia;
+        let C1_11 = self.f * weight_m;
+        let C1_12 = C1_11 + C1_11;
         let zero = self.l.like(0.0);
         let Kc_11 = self.k + self.k;
         let K0_11_m = weight_m * self.l.like(1.5);
         let K0_11 = t2 * K0_11_m;
-        let M_11_l = weight * self.l.like(4.0);
+        let K0_22 = t2 * K0_22_m;
+        let K2_12 = self.f * self.l;
+        let weight = t2 * weight_m;
+        let M_11_l = self.l.like(4.0) * weight;
         let M_12_l = K0_22 * self.l.like(3.0);
         let C1_11_l = K2_12 + K2_12;
         let C1_12_l = K2_12 * self.l.like(4.0);
         let K0_11_l = K0_22_l * self.l.like(3.0);
-        let M_12_m = inertia_m * self.l.like(0.5);
-        let K0_22_m = weight_m * self.l.like(0.5);
+        let M_12_m = self.l * K0_22_m;
         let C1_12_f = weight_m + weight_m;
         let C0_12 = -self.c;
         let Kc_12 = -self.k;
         let K2_11 = -K2_12;
         (
             TwoPipesMatrices::from_entries([
-                M_11, M_12, M_12, M_22, C0_11, C0_12, C0_12, self.c, inertia, C1_12, zero, inertia,
+                M_11, M_12, M_12, M_22, C0_11, C0_12, C0_12, self.c, C1_11, C1_12, zero, C1_11,
                 Kc_11, Kc_12, Kc_12, self.k, K0_11, zero, zero, K0_22, K2_11, K2_12, zero, zero,
             ]),
             TwoPipesDerivatives {

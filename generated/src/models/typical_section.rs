@@ -145,21 +145,21 @@ impl<T: Number> TypicalSection<T> {
         let imbalance = self.m * M_12_m;
         let zero = self.m.like(0.0);
         let t14 = self.m.like(3.141592653589793) + self.m.like(3.141592653589793);
-        let lift_rho = self.b * self.s * t14;
-        let lift = self.rho * lift_rho;
+        let t15 = self.s * t14;
+        let lift_b = self.rho * t15;
+        let lift = self.b * lift_b;
         let t19 = self.a + self.m.like(0.5);
         let arm = self.b * t19;
-        let t21 = self.rho * t14;
-        let lift_s = self.b * t21;
-        let t23 = arm * lift_s;
+        let lift_rho = self.b * t15;
+        let t22 = arm * lift_rho;
         let M_12_b = self.m * t3;
-        let lift_b = self.s * t21;
-        let t28 = lift * t19;
-        let t29 = t28 + t28;
+        let t26 = lift * t19;
+        let t27 = t26 + t26;
+        let lift_s = self.b * self.rho * t14;
+        let t30 = arm * lift_s;
         let M_12_e = self.m * self.b;
-        let t31 = self.b * lift;
-        let t32 = lift_rho * arm;
-        let K2_22 = -(self.s * t23);
+        let t32 = self.b * lift;
+        let K2_22 = -(self.rho * t22);
         (
             TypicalSectionMatrices::from_entries([
                 self.m, imbalance, imbalance, self.I, self.kh, zero, zero, self.ktheta, zero, lift,
@@ -167,8 +167,8 @@ impl<T: Number> TypicalSection<T> {
             ]),
             TypicalSectionDerivatives {
                 values: [
-                    self.m.like(1.0), M_12_m, M_12_b, lift_b, t29, lift_s, t23, M_12_e, t31,
-                    lift_rho, t32,
+                    self.m.like(1.0), M_12_m, M_12_b, lift_b, t27, lift_s, t30, M_12_e, t32,
+                    lift_rho, t22,
                 ],
             },
         )

@@ -117,26 +117,26 @@ pub struct WheeledPendulumMatrices<T = f64> {
 
 impl<T: Number> WheeledPendulum<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 14 additions, 8 multiplications, 1 division and 2 negations: 25 operations.
+    /// 13 additions, 9 multiplications, 1 division and 2 negations: 25 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WheeledPendulumMatrices<T> {
-        let t2 = self.mW + self.mW;
+        let m_all = self.mW + self.mW;
         let t4 = self.m.like(1.0) / self.r;
         let t6 = self.Ia + self.Ia;
         let t7 = t4 * t6;
-        let t9 = t2 + t4 * t7;
+        let t9 = m_all + t4 * t7;
         let M_11 = self.m + t9;
-        let m_all = self.r * (self.m + t2);
-        let t14 = self.m * self.l;
-        let t15 = m_all + t14;
+        let t12 = self.r + self.l;
+        let t15 = self.m * t12 + m_all * self.r;
         let zero = self.m.like(0.0);
-        let M_22 = self.l * t14 + (t6 + self.Iyy + self.r * (t15 + t14));
-        let M_33 = self.b * t9 * self.b + (self.Ir + self.Ir) + self.Izz;
+        let t18 = self.m * self.l;
+        let M_22 = t12 * t18 + (self.r * t15 + t6) + self.Iyy;
+        let M_33 = self.b * self.b * t9 + self.Ir + self.Ir + self.Izz;
         let M_12 = -(t7 + t15);
-        let K0_22 = -t14;
+        let K0_22 = -t18;
         WheeledPendulumMatrices::from_entries([
             M_11, M_12, zero, M_12, M_22, zero, zero, zero, M_33, zero, zero, zero, zero, K0_22,
             zero, zero, zero, zero,
@@ -1432,34 +1432,35 @@ impl<T: Number> WheeledPendulum<T> {
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WheeledPendulumMatrices<T>, WheeledPendulumDerivatives<T>) {
-        let t2 = self.mW + self.mW;
+        let m_all = self.mW + self.mW;
         let t4 = self.m.like(1.0) / self.r;
-        let t6 = t4 + t4;
-        let m_all = self.Ia * t6;
-        let t8 = t4 * m_all;
-        let t9 = t2 + t8;
+        let t6 = self.Ia + self.Ia;
+        let t7 = t4 * t6;
+        let t8 = t4 * t7;
+        let t9 = m_all + t8;
         let M_11 = self.m + t9;
-        let t12 = self.r + self.l;
-        let t13 = self.m * t12;
-        let t15 = t13 + t2 * self.r;
+        let t11 = self.r + self.r;
+        let t14 = self.r + self.l;
+        let t15 = self.m * t14;
+        let t16 = self.mW * t11 + t15;
         let zero = self.m.like(0.0);
-        let M_22 = self.Ia + self.Ia + self.r * t15 + self.l * t13 + self.Iyy;
-        let t26 = self.b * self.b;
-        let M_33 = t9 * t26 + self.Ir + self.Ir + self.Izz;
-        let M_22_m = t12 * t12;
-        let M_22_l = t13 + t13;
-        let t38 = self.r + self.r;
-        let M_22_mW = self.r * t38;
-        let M_33_mW = t26 + t26;
-        let M_11_Ia = t4 * t6;
-        let M_33_Ia = t26 * M_11_Ia;
-        let t43 = m_all * M_11_Ia;
-        let M_12_r = t8 - self.m - t2;
-        let M_22_r = t15 + t15;
-        let t47 = m_all * M_33_Ia;
-        let t48 = t9 * self.b;
-        let M_33_b = t48 + t48;
-        let M_12 = -(m_all + t15);
+        let M_22_mW = self.r * t11;
+        let M_22 = t6 + self.Iyy + t14 * t15 + self.mW * M_22_mW;
+        let t29 = t9 * self.b;
+        let M_33 = self.Izz + self.Ir + self.Ir + self.b * t29;
+        let M_22_m = t14 * t14;
+        let M_22_l = t15 + t15;
+        let t39 = self.b * self.b;
+        let M_33_mW = t39 + t39;
+        let t41 = t4 + t4;
+        let M_11_Ia = t4 * t41;
+        let M_33_Ia = t39 * M_11_Ia;
+        let t44 = t8 * t41;
+        let M_12_r = t8 - self.m - m_all;
+        let M_22_r = t16 + t16;
+        let t48 = t39 * t44;
+        let M_33_b = t29 + t29;
+        let M_12 = -(t7 + t16);
         let K0_22 = -(self.m * self.l);
         (
             WheeledPendulumMatrices::from_entries([
@@ -1468,8 +1469,8 @@ impl<T: Number> WheeledPendulum<T> {
             ]),
             WheeledPendulumDerivatives {
                 values: [
-                    self.m.like(1.0), t12, M_22_m, self.l, self.m, M_22_l, self.m.like(2.0), t38,
-                    M_22_mW, M_33_mW, M_11_Ia, t6, M_33_Ia, t43, M_12_r, M_22_r, t47, M_33_b,
+                    self.m.like(1.0), t14, M_22_m, self.l, self.m, M_22_l, self.m.like(2.0), t11,
+                    M_22_mW, M_33_mW, M_11_Ia, t41, M_33_Ia, t44, M_12_r, M_22_r, t48, M_33_b,
                 ],
             },
         )

@@ -130,7 +130,7 @@ pub struct WheelsetDerivatives<T = f64> {
 
 impl<T: Number> Wheelset<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 3 additions, 10 multiplications, 1 division and 1 negation: 15 operations.
+    /// 4 additions, 9 multiplications, 1 division and 1 negation: 15 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -141,15 +141,16 @@ impl<T: Number> Wheelset<T> {
         let t7 = self.b + self.b;
         let Cm1_22_f11 = self.b * t7;
         let Cm1_22 = self.f11 * Cm1_22_f11;
-        let t13 = self.m.like(1.0) / self.r;
-        let t14 = self.f11 + self.f11;
-        let t15 = t13 * t14;
-        let Kc_21_b = self.lam * t15;
-        let Kc_21 = self.b * Kc_21_b;
-        let Kc_21_f11 = t7 * self.lam * t13;
-        let Cm1_22_b = t7 * t14;
-        let Kc_21_lam = self.b * t15;
-        let t25 = t13 * Kc_21;
+        let t12 = self.f11 * t7;
+        let t14 = self.m.like(1.0) / self.r;
+        let Kc_21_lam = t12 * t14;
+        let Kc_21 = self.lam * Kc_21_lam;
+        let t19 = self.lam * t14;
+        let Kc_21_f11 = t7 * t19;
+        let Cm1_22_b = t12 + t12;
+        let t23 = self.f11 * t19;
+        let Kc_21_b = t23 + t23;
+        let t25 = Kc_21_lam * t19;
         let Kc_12 = -Cm1_11;
         (
             WheelsetMatrices::from_entries([

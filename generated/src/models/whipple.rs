@@ -197,55 +197,54 @@ pub struct WhippleMatrices<T = f64> {
 
 impl<T: Number> Whipple<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 48 additions, 50 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 104 operations.
+    /// 49 additions, 50 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 105 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleMatrices<T> {
-        let t3 = self.zB * self.mB;
-        let t7 = self.zH * self.mH;
+        let t4 = self.rR * self.mR;
+        let t8 = self.zB * self.mB;
         let t12 = self.rF * self.mF;
-        let t17 = self.zH * t7 + (self.IHxx + (self.rF * t12 + self.IFxx));
-        let t22 = self.rR * self.mR;
-        let ITxx = self.IBxx + (self.zB * t3 + t17 + (self.IRxx + self.rR * t22));
-        let t28 = self.mH * self.xH;
-        let t34 = self.IHxz + t12 * self.w - self.zH * t28;
-        let ITzz = t3 * self.xB;
-        let t39 = t34 - ITzz + self.IBxz;
+        let t16 = self.zH * self.mH;
+        let t22 = self.rF * t12 + self.zH * t16 + self.IHxx + self.IFxx;
+        let ITxx = self.IRxx + self.IBxx + self.rR * t4 + self.zB * t8 + t22;
+        let t36 = self.IHxz + t12 * self.w - t16 * self.xH;
+        let ITxz = self.IBxz + t36 - t8 * self.xB;
         let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t43 = cos_lam / self.w;
-        let mu = self.c * t43;
-        let t49 = self.w - self.xH + self.c;
-        let t52 = cos_lam * (t12 * self.c - self.IHxz - t7 * t49);
-        let t55 = t17 * sin_lam - t52;
-        let M_12 = t39 * mu + t55;
-        let t58 = self.IFxx + self.IHzz;
-        let t59 = self.mF * self.c;
-        let t62 = self.mH * t49;
-        let t69 = self.mF * self.w;
-        let IAlz = t34 * sin_lam - cos_lam * (self.xH * t62 - t58 + self.c * t69);
-        let t76 = self.mB * self.xB;
-        let t86 = IAlz
-            + (self.IRxx + t58
-                + (self.xB * t76 + self.xH * t28 + (self.IBzz + self.w * t69))) * mu;
-        let t89 = cos_lam * (cos_lam * (t58 + self.c * t59 + t49 * t62))
-            + mu * (IAlz + t86);
-        let M_22 = t89 + sin_lam * (t55 - t52);
+        let t42 = cos_lam / self.w;
+        let mu = self.c * t42;
+        let t47 = self.w + self.c - self.xH;
+        let t51 = cos_lam * (self.IHxz + t16 * t47 - t12 * self.c);
+        let t54 = t51 + t22 * sin_lam;
+        let M_12 = ITxz * mu + t54;
+        let t57 = self.IFxx + self.IHzz;
+        let t58 = self.mH * t47;
+        let t60 = self.mF * self.c;
+        let t69 = self.mH * self.xH;
+        let IAlz = cos_lam * (t57 - self.w * t60 - t47 * t69) + t36 * sin_lam;
+        let t77 = self.mB * self.xB;
+        let t80 = self.mF * self.w;
+        let ITzz = self.IRxx + t57 + self.IBzz + self.xB * t77 + self.xH * t69
+            + self.w * t80;
+        let t88 = IAlz + mu * ITzz;
+        let M_22 = cos_lam * cos_lam * (t57 + t47 * t58 + self.c * t60)
+            + sin_lam * (t51 + t54) + mu * (IAlz + t88);
         let zero = self.w.like(0.0);
         let SF = self.IFyy / self.rF;
         let SR = self.IRyy / self.rR;
         let ST = SF + SR;
-        let t99 = t7 - t12;
-        let K0_11 = t3 + t99 - t22;
-        let t102 = ST - K0_11;
-        let C1_12 = t43 * (t39 + self.c * t102 + self.w * SF);
-        let K0_12 = cos_lam * (t62 + t59) + sin_lam * t99 - mu * (t28 + t69 + t76);
-        let C1_22 = t43 * t86 - mu * K0_12;
+        let t100 = t12 - t16;
+        let t101 = t8 - t4;
+        let t103 = ST + (t100 - t101);
+        let C1_12 = t42 * (ITxz + self.w * SF + self.c * t103);
+        let K0_12 = cos_lam * (t58 + t60) - (mu * (t69 + t77 + t80) + sin_lam * t100);
+        let C1_22 = t42 * t88 - mu * K0_12;
         let K0_22 = sin_lam * K0_12;
-        let K2_12 = t43 * t102;
-        let K2_22 = t43 * (sin_lam * SF - K0_12);
-        let C1_21 = -(cos_lam * SF + mu * ST);
+        let K2_12 = t42 * t103;
+        let K2_22 = t42 * (sin_lam * SF - K0_12);
+        let C1_21 = -(mu * ST + cos_lam * SF);
+        let K0_11 = t101 - t100;
         WhippleMatrices::from_entries([
             ITxx, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
             K2_12, zero, K2_22,
@@ -265,217 +264,212 @@ pub struct WhippleDerivatives<T = f64> {
 
 impl<T: Number> Whipple<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 107 additions, 198 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 313 operations.
+    /// 108 additions, 198 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 314 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleMatrices<T>, WhippleDerivatives<T>) {
-        let t4 = self.zH * self.mH;
-        let t9 = self.rF * self.mF;
-        let t13 = self.IFxx + self.zH * t4 + self.IHxx + self.rF * t9;
-        let M_11_mR = self.rR * self.rR;
-        let t21 = self.zB * self.mB;
-        let M_11 = self.IBxx + t13 + self.mR * M_11_mR + self.IRxx + self.zB * t21;
+        let t2 = self.rR * self.mR;
+        let M_11_mF = self.rF * self.rF;
+        let M_11_mH = self.zH * self.zH;
+        let t18 = self.mF * M_11_mF + self.mH * M_11_mH + self.IHxx + self.IFxx;
+        let M_11_mB = self.zB * self.zB;
+        let M_11 = self.rR * t2 + self.IRxx + self.IBxx + t18 + self.mB * M_11_mB;
         let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t33 = t9 * self.c;
-        let t36 = self.c + self.w;
-        let t37 = self.xH - t36;
-        let t38 = self.mH * t37;
-        let IAlz_rF = self.zH * t38;
-        let t41 = self.IHxz - t33 - IAlz_rF;
-        let t43 = t13 * sin_lam + cos_lam * t41;
-        let t48 = self.IHxz + t9 * self.w - t4 * self.xH;
-        let t50 = self.mB * self.xB;
-        let t53 = self.IBxz + t48 - self.zB * t50;
-        let t54 = self.w.like(1.0) / self.w;
-        let t55 = self.c * t54;
-        let t56 = t53 * t55;
-        let M_12 = t43 + cos_lam * t56;
-        let C1_12_IBxz = cos_lam * t54;
-        let t62 = self.IFxx + self.IHzz;
-        let t63 = self.mF * self.w;
-        let t65 = self.mH * self.xH;
-        let t68 = t62 + t37 * t65 - self.c * t63;
-        let t70 = sin_lam * t54;
-        let t72 = C1_12_IBxz * t68 + t48 * t70;
-        let t73 = cos_lam * self.c;
-        let t88 = C1_12_IBxz
-            * (self.IRxx + t62 + self.xB * t50 + self.IBzz + self.w * t63
-                + self.xH * t65);
-        let t89 = t55 * t88;
-        let t90 = t72 + t89;
-        let t92 = t90 + self.mF * t73;
-        let t95 = cos_lam * (t62 + t37 * t38) + sin_lam * t41 + self.c * t92;
-        let M_22 = sin_lam * t43 + t72 * t73 + cos_lam * t95;
+        let t30 = self.mF * self.rF;
+        let t32 = t30 * self.c;
+        let t33 = self.mH * self.zH;
+        let t36 = self.w - self.xH;
+        let t37 = self.c + t36;
+        let t40 = self.IHxz + t33 * t37 - t32;
+        let t44 = cos_lam * t40 + t18 * sin_lam;
+        let t49 = self.IHxz + t30 * self.w - t33 * self.xH;
+        let t50 = self.mB * self.zB;
+        let t54 = self.IBxz + t49 - t50 * self.xB;
+        let t55 = self.w.like(1.0) / self.w;
+        let C1_12_IBxz = cos_lam * t55;
+        let mu = self.c * C1_12_IBxz;
+        let M_12 = t44 + t54 * mu;
+        let t61 = self.mH * t37;
+        let t62 = self.mF * self.c;
+        let t63 = t61 + t62;
+        let t66 = self.IFxx + self.IHzz;
+        let t75 = t66 - self.w * t62 - self.xH * t61;
+        let t77 = sin_lam * t49 + cos_lam * t75;
+        let t79 = self.mB * self.xB;
+        let t81 = self.mH * self.xH;
+        let t83 = self.mF * self.w;
+        let t89 = self.IRxx + t66 + self.IBzz + self.xB * t79 + self.xH * t81
+            + self.w * t83;
+        let t90 = mu * t89;
+        let t91 = t77 + t90;
+        let t92 = self.c * t55;
+        let t96 = cos_lam * (self.c * t63 + t66 + t36 * t61) + t91 * t92 + t40 * sin_lam;
+        let M_22 = sin_lam * t44 + cos_lam * (t96 + t77 * t92);
         let zero = self.w.like(0.0);
-        let t101 = self.w.like(1.0) / self.rF;
-        let SF = self.IFyy * t101;
-        let t105 = self.w.like(1.0) / self.rR;
-        let t106 = self.IRyy * t105;
-        let ST = SF + t106;
-        let t108 = self.mR * self.rR;
-        let t109 = t4 - t9;
-        let K0_11 = t21 + t109 - t108;
-        let t112 = ST - K0_11;
-        let t115 = t53 + self.w * SF + self.c * t112;
-        let C1_12 = C1_12_IBxz * t115;
-        let t117 = t55 * ST;
-        let t118 = SF + t117;
-        let t120 = t63 + t65;
-        let t123 = self.mF - t54 * (t50 + t120);
-        let t125 = t38 - self.c * t123;
-        let t126 = cos_lam * t125;
-        let t127 = sin_lam * t109;
-        let t128 = t126 - t127;
-        let t130 = t90 + t55 * t128;
-        let C1_22 = cos_lam * t130;
+        let t103 = self.w.like(1.0) / self.rF;
+        let SF = self.IFyy * t103;
+        let t106 = self.w.like(1.0) / self.rR;
+        let t107 = self.IRyy * t106;
+        let ST = SF + t107;
+        let t109 = t33 - t30;
+        let t110 = t50 + t109;
+        let t112 = ST + (t2 - t110);
+        let t116 = t54 + self.c * t112 + self.w * SF;
+        let t117 = t55 * t116;
+        let C1_12 = cos_lam * t117;
+        let t119 = t92 * ST;
+        let t120 = SF + t119;
+        let t123 = t81 + t83;
+        let t124 = t79 + t123;
+        let t126 = t92 * t124 - t63;
+        let K0_12 = sin_lam * t109 - cos_lam * t126;
+        let t130 = self.c * K0_12 - t91;
+        let K0_22 = sin_lam * K0_12;
         let K2_12 = C1_12_IBxz * t112;
-        let t135 = t128 + sin_lam * SF;
-        let K2_22 = C1_12_IBxz * t135;
-        let M_12_w = cos_lam * (t4 + t54 * (t33 - t56));
-        let t141 = self.mH * cos_lam;
-        let t144 = cos_lam * t37 - self.zH * sin_lam;
-        let t145 = t141 * t144;
-        let t146 = t145 + t145;
-        let mu = cos_lam * t55;
-        let t148 = mu + mu;
-        let t149 = self.w * mu;
-        let t150 = self.rF * sin_lam;
-        let t151 = t73 - t150;
-        let t152 = t149 - t151;
-        let t153 = self.mF * t152;
-        let t154 = self.xH * t141;
-        let t155 = t154 - t153;
-        let t158 = t146 + t148 * (t90 + t155);
-        let C1_12_SF = t54 * t115;
-        let C1_12_w = C1_12_IBxz * (t9 + SF - C1_12_SF);
-        let C1_21_w = C1_12_IBxz * t117;
-        let K0_12_w = t141 - t123 * mu;
-        let C1_22_mu = self.c * (C1_12_IBxz * t63 - K0_12_w);
-        let t169 = t89 + t130;
-        let C1_22_w = C1_12_IBxz * (C1_22_mu - t155 - t169);
-        let t174 = t54 * K2_12;
-        let t177 = t54 * (K2_22 + cos_lam * K0_12_w);
-        let t179 = cos_lam * t109;
-        let M_12_c = t53 * C1_12_IBxz + t179;
-        let t182 = t92 - t120 * mu;
-        let t183 = sin_lam + sin_lam;
-        let M_12_rF = t9 * t183;
-        let M_22_c = cos_lam * (t182 + t182 - M_12_rF) - t146;
-        let t189 = C1_12_IBxz * ST;
-        let IAlz = self.mH + t123;
-        let K0_12_c = cos_lam * IAlz;
-        let t197 = C1_12_IBxz * (self.c * K0_12_c + cos_lam * t120 - t88 - t128);
+        let ITzz_w = K0_12 - sin_lam * SF;
+        let t136 = C1_12_IBxz * ITzz_w;
+        let t137 = self.mH * cos_lam;
+        let t139 = t54 * t92;
+        let M_12_w = self.zH * t137 + C1_12_IBxz * (t32 - t139);
+        let t145 = cos_lam * (self.xH * t92 - t37);
+        let t146 = self.zH * sin_lam;
+        let t147 = t145 - t146;
+        let t148 = t147 + t147;
+        let t149 = t137 * t148;
+        let t150 = self.w * C1_12_IBxz;
+        let K0_12_mF = self.c * (cos_lam - t150) - self.rF * sin_lam;
+        let t155 = self.mF * K0_12_mF;
+        let t158 = cos_lam * t155 + C1_12_IBxz * t91;
+        let t159 = t158 + t158;
+        let t161 = t149 + t92 * t159;
+        let C1_12_w = C1_12_IBxz * (t30 + SF - t117);
+        let C1_21_w = C1_12_IBxz * t119;
+        let t166 = self.xH * C1_12_IBxz;
+        let t167 = t137 * t166;
+        let t170 = cos_lam * (self.mF - t55 * t124);
+        let K0_12_w = t137 - t92 * t170;
+        let t176 = t90 - t130;
+        let t181 = t167
+            + C1_12_IBxz * (t155 + t55 * t176 - self.c * (C1_12_IBxz * t83 - K0_12_w));
+        let K0_22_w = sin_lam * K0_12_w;
+        let t183 = t55 * K2_12;
+        let K2_22_w = t55 * t136 - C1_12_IBxz * K0_12_w;
+        let t188 = cos_lam * t109;
+        let M_12_c = t54 * C1_12_IBxz + t188;
+        let M_22_c = t159 - t149;
+        let t191 = C1_12_IBxz * ST;
+        let K0_12_c = t137 + t170;
+        let t199 = C1_12_IBxz
+            * (K0_12 + cos_lam * t123 + self.c * K0_12_c - C1_12_IBxz * t89);
         let K0_22_c = sin_lam * K0_12_c;
-        let t199 = C1_12_IBxz * K0_12_c;
-        let M_12_lam = t13 * cos_lam - sin_lam * (t41 + t56);
-        let t206 = sin_lam * t68 - cos_lam * t48;
-        let t211 = cos_lam * (t43 - t55 * t206) - sin_lam * t95;
-        let M_22_lam = t211 + t211;
-        let t213 = sin_lam * C1_12_SF;
-        let C1_21_lam = sin_lam * t118;
-        let K0_12_lam = t179 + sin_lam * t125;
-        let t221 = sin_lam * t169 + mu * K0_12_lam + C1_12_IBxz * t206;
-        let K0_22_lam = sin_lam * K0_12_lam - cos_lam * t128;
-        let t225 = t70 * t112;
-        let K2_22_lam = C1_12_IBxz * (cos_lam * SF - K0_12_lam) - t70 * t135;
-        let M_11_rR = t108 + t108;
-        let t232 = t105 * t106;
-        let t233 = self.mR - t232;
-        let C1_12_rR = mu * t233;
-        let C1_21_rR = mu * t232;
-        let K2_12_rR = C1_12_IBxz * t233;
+        let t201 = C1_12_IBxz * K0_12_c;
+        let M_12_lam = t18 * cos_lam - sin_lam * (t40 + t139);
+        let t207 = sin_lam * t55;
+        let K2_22_SF = cos_lam * t207;
+        let t212 = t75 * K2_22_SF - cos_lam * t49 * C1_12_IBxz;
+        let t216 = self.c * t212 + sin_lam * t96 - cos_lam * t44;
+        let t217 = t216 + t216;
+        let t218 = t116 * t207;
+        let C1_21_lam = sin_lam * t120;
+        let K0_12_lam = t188 + sin_lam * t126;
+        let t225 = t212 + mu * K0_12_lam + t176 * t207;
+        let K0_22_lam = sin_lam * K0_12_lam + cos_lam * K0_12;
+        let t229 = t112 * t207;
+        let K2_22_lam = ITzz_w * t207 + C1_12_IBxz * (cos_lam * SF - K0_12_lam);
+        let M_11_rR = t2 + t2;
+        let t236 = t106 * t107;
+        let K2_12_rR = C1_12_IBxz * (self.mR - t236);
+        let C1_12_rR = self.c * K2_12_rR;
+        let C1_21_rR = mu * t236;
+        let M_11_mR = self.rR * self.rR;
         let C1_12_mR = self.rR * mu;
         let K2_12_mR = self.rR * C1_12_IBxz;
-        let M_22_IRxx = mu * mu;
-        let C1_22_IRxx = C1_12_IBxz * mu;
-        let C1_12_IRyy = t105 * mu;
-        let K2_12_IRyy = C1_12_IBxz * t105;
-        let t244 = self.mB * C1_12_IBxz;
-        let t245 = self.c * t244;
-        let t246 = self.zB * t245;
-        let t247 = self.xB * t245;
-        let M_22_xB = t148 * t247;
-        let t249 = t21 * C1_12_IBxz;
-        let t250 = self.c + self.xB;
-        let t251 = t244 * t250;
-        let C1_22_xB = C1_12_IBxz * (t247 + self.c * t251);
-        let t255 = sin_lam * t245;
-        let K2_22_xB = self.mB * C1_22_IRxx;
-        let M_11_zB = t21 + t21;
-        let M_11_mB = self.zB * self.zB;
-        let t259 = self.xB * mu;
-        let t260 = self.zB * t259;
-        let M_22_mB = t259 * t259;
-        let t262 = self.zB * C1_12_IBxz;
-        let t263 = t250 * t262;
-        let K2_22_mB = self.xB * C1_22_IRxx;
-        let C1_22_mB = t250 * K2_22_mB;
-        let t266 = sin_lam * t259;
+        let M_22_ITzz = mu * mu;
+        let C1_22_ITzz = C1_12_IBxz * mu;
+        let K2_12_IRyy = C1_12_IBxz * t106;
+        let C1_12_IRyy = self.c * K2_12_IRyy;
+        let t249 = t50 * C1_12_IBxz;
+        let t250 = self.c * t249;
+        let t251 = self.mB * C1_12_IBxz;
+        let t252 = self.c * t251;
+        let t253 = self.xB * t252;
+        let t254 = mu * t253;
+        let M_22_xB = t254 + t254;
+        let t256 = self.c + self.xB;
+        let t258 = self.xB * mu;
+        let K2_22_mB = C1_12_IBxz * t258;
+        let C1_22_xB = self.mB * (C1_22_ITzz * t256 + K2_22_mB);
+        let t262 = sin_lam * t252;
+        let K2_22_xB = self.mB * C1_22_ITzz;
+        let M_11_zB = t50 + t50;
+        let t265 = t251 * t256;
+        let t266 = self.zB * t258;
+        let M_22_mB = t258 * t258;
+        let t268 = self.zB * C1_12_IBxz;
+        let t269 = t256 * t268;
+        let C1_22_mB = t256 * K2_22_mB;
+        let t271 = sin_lam * t258;
         let M_12_IHxz = cos_lam + mu;
-        let t268 = t4 * M_12_IHxz;
-        let t270 = t144 + self.xH * mu;
-        let t271 = self.mH * t270;
-        let t272 = t154 + t271;
-        let M_22_xH = t146 + t148 * t272;
-        let t275 = t4 * C1_12_IBxz;
-        let t276 = self.c + self.xH;
-        let C1_22_xH = C1_12_IBxz * (t272 + self.mH * (t73 + mu * t276));
-        let t282 = self.mH * M_12_IHxz;
-        let t283 = sin_lam * t282;
-        let t284 = t54 * t141;
-        let K2_22_xH = M_12_IHxz * t284;
-        let M_11_zH = t4 + t4;
-        let M_12_zH = t4 * sin_lam - t271;
-        let t289 = t183 * t271;
-        let t290 = t276 * t284;
-        let t291 = sin_lam * t290;
+        let t273 = t33 * M_12_IHxz;
+        let t274 = self.mH * M_12_IHxz;
+        let M_22_xH = t148 * t274;
+        let t276 = self.mH * C1_12_IBxz;
+        let t277 = self.zH * t276;
+        let K2_22_mH = C1_12_IBxz * t147;
+        let C1_22_xH = t167 + self.mH * (mu * (t166 + M_12_IHxz) + K2_22_mH);
+        let t284 = sin_lam * t274;
+        let K2_22_xH = C1_12_IBxz * t274;
+        let M_11_zH = t33 + t33;
+        let M_12_zH = self.mH * (t146 - t147);
         let K0_12_zH = self.mH * sin_lam;
+        let t290 = t148 * K0_12_zH;
+        let t291 = self.c + self.xH;
+        let t292 = t276 * t291;
+        let t293 = sin_lam * t292;
         let K0_22_zH = sin_lam * K0_12_zH;
-        let t294 = t70 * t141;
-        let M_11_mH = self.zH * self.zH;
-        let t296 = self.zH * t270;
-        let M_22_mH = t270 * t270;
+        let t295 = C1_12_IBxz * K0_12_zH;
+        let t296 = self.zH * t147;
+        let M_22_mH = t147 * t147;
         let t298 = self.zH * C1_12_IBxz;
-        let t299 = t276 * t298;
-        let K2_22_mH = C1_12_IBxz * t270;
-        let C1_22_mH = t276 * K2_22_mH;
-        let t302 = sin_lam * t270;
+        let t299 = t291 * t298;
+        let C1_22_mH = K2_22_mH * t291;
+        let t301 = sin_lam * t147;
         let M_22_IHxx = sin_lam * sin_lam;
         let M_22_IHzz = M_12_IHxz * M_12_IHxz;
         let C1_22_IHzz = C1_12_IBxz * M_12_IHxz;
-        let M_22_IHxz = t183 * M_12_IHxz;
-        let K2_22_SF = cos_lam * t70;
-        let M_11_rF = t9 + t9;
-        let M_22_rF = t153 * t183;
-        let t310 = t36 * C1_12_IBxz;
-        let t312 = self.mF - t101 * SF;
-        let C1_12_rF = t310 * t312;
-        let t314 = t101 * M_12_IHxz;
-        let C1_21_rF = SF * t314;
-        let t316 = self.mF * sin_lam;
-        let C1_22_rF = t310 * t316;
-        let t318 = sin_lam * t316;
-        let K2_12_rF = C1_12_IBxz * t312;
-        let K2_22_rF = K2_22_SF * t312;
-        let M_11_mF = self.rF * self.rF;
-        let M_12_mF = self.rF * t150;
-        let M_22_mF = t152 * t152;
-        let C1_12_mF = self.rF * t310;
-        let K2_22_mF = C1_12_IBxz * t152;
-        let C1_22_mF = t36 * K2_22_mF;
-        let t327 = sin_lam * t152;
+        let t305 = sin_lam + sin_lam;
+        let M_22_IHxz = M_12_IHxz * t305;
+        let M_11_rF = t30 + t30;
+        let M_12_rF = t30 * sin_lam - t155;
+        let t310 = t155 * t305;
+        let C1_12_SF = mu + t150;
+        let t313 = self.mF - t103 * SF;
+        let C1_12_rF = C1_12_SF * t313;
+        let t315 = t103 * M_12_IHxz;
+        let C1_21_rF = SF * t315;
+        let C1_22_rF = K2_22_SF * (t62 + t83);
+        let t319 = self.mF * sin_lam;
+        let t320 = sin_lam * t319;
+        let K2_12_rF = C1_12_IBxz * t313;
+        let K2_22_rF = K2_22_SF * t313;
+        let t323 = self.rF * K0_12_mF;
+        let M_22_mF = K0_12_mF * K0_12_mF;
+        let C1_12_mF = self.rF * C1_12_SF;
+        let t326 = K0_12_mF * C1_12_SF;
+        let K0_22_mF = sin_lam * K0_12_mF;
         let K2_12_mF = self.rF * C1_12_IBxz;
+        let t329 = C1_12_IBxz * K0_12_mF;
         let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let C1_12_IFyy = t101 * t310;
-        let K2_12_IFyy = C1_12_IBxz * t101;
-        let K2_22_IFyy = t101 * K2_22_SF;
-        let C1_21 = -(cos_lam * t118);
-        let K0_12 = t127 - t126;
-        let K0_22 = -(sin_lam * t128);
-        let t336 = -(sin_lam * K0_12_w);
-        let K0_12_mF = t151 - t149;
+        let C1_12_IFyy = t103 * C1_12_SF;
+        let K2_12_IFyy = C1_12_IBxz * t103;
+        let K2_22_IFyy = t103 * K2_22_SF;
+        let C1_21 = -(cos_lam * t120);
+        let C1_22 = -(C1_12_IBxz * t130);
+        let K0_11 = t110 - t2;
+        let K2_22 = -t136;
+        let K0_12_mH = t146 - t145;
         (
             WhippleMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
@@ -483,20 +477,20 @@ impl<T: Number> Whipple<T> {
             ]),
             WhippleDerivatives {
                 values: [
-                    M_12_w, t158, C1_12_w, C1_21_w, C1_22_w, K0_12_w, t336, t174, t177, M_12_c,
-                    M_22_c, K2_12, t189, t197, K0_12_c, K0_22_c, t199, M_12_lam, M_22_lam, t213,
-                    C1_21_lam, t221, K0_12_lam, K0_22_lam, t225, K2_22_lam, M_11_rR, C1_12_rR,
+                    M_12_w, t161, C1_12_w, C1_21_w, t181, K0_12_w, K0_22_w, t183, K2_22_w, M_12_c,
+                    M_22_c, K2_12, t191, t199, K0_12_c, K0_22_c, t201, M_12_lam, t217, t218,
+                    C1_21_lam, t225, K0_12_lam, K0_22_lam, t229, K2_22_lam, M_11_rR, C1_12_rR,
                     C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
-                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t246, M_22_xB,
-                    t249, C1_22_xB, t245, t255, K2_22_xB, M_11_zB, t247, t251, self.mB, t244,
-                    M_11_mB, t260, M_22_mB, t263, C1_22_mB, self.zB, t259, t266, t262, K2_22_mB, mu,
-                    C1_12_IBxz, t268, M_22_xH, t275, C1_22_xH, t282, t283, K2_22_xH, M_11_zH,
-                    M_12_zH, t289, t290, t291, self.mH, K0_12_zH, K0_22_zH, t284, t294, M_11_mH,
-                    t296, M_22_mH, t299, C1_22_mH, self.zH, t270, t302, t298, K2_22_mH, sin_lam,
+                    self.w.like(1.0), M_22_ITzz, C1_22_ITzz, C1_12_IRyy, K2_12_IRyy, t250, M_22_xB,
+                    t249, C1_22_xB, t252, t262, K2_22_xB, M_11_zB, t253, t265, self.mB, t251,
+                    M_11_mB, t266, M_22_mB, t269, C1_22_mB, self.zB, t258, t271, t268, K2_22_mB, mu,
+                    C1_12_IBxz, t273, M_22_xH, t277, C1_22_xH, t274, t284, K2_22_xH, M_11_zH,
+                    M_12_zH, t290, t292, t293, self.mH, K0_12_zH, K0_22_zH, t276, t295, M_11_mH,
+                    t296, M_22_mH, t299, C1_22_mH, self.zH, K0_12_mH, t301, t298, K2_22_mH, sin_lam,
                     M_22_IHxx, M_22_IHzz, C1_22_IHzz, M_12_IHxz, M_22_IHxz, K2_22_SF, M_11_rF,
-                    M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t316, t318, K2_12_rF,
-                    K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF, C1_22_mF, self.rF, K0_12_mF,
-                    t327, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy, t314, K2_12_IFyy, K2_22_IFyy,
+                    M_12_rF, t310, C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t319, t320, K2_12_rF,
+                    K2_22_rF, M_11_mF, t323, M_22_mF, C1_12_mF, t326, self.rF, K0_12_mF, K0_22_mF,
+                    K2_12_mF, t329, M_22_IFxx, C1_12_IFyy, t315, K2_12_IFyy, K2_22_IFyy,
                 ],
             },
         )
@@ -986,13 +980,13 @@ impl WhippleDerivatives {
         Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
         Partial::new(MatrixName::M, 1, 1, 0, 1).negative(),
         Partial::new(MatrixName::C1, 0, 1, 0, 2), Partial::new(MatrixName::C1, 1, 0, 0, 3),
-        Partial::new(MatrixName::C1, 1, 1, 0, 4), Partial::new(MatrixName::K0, 0, 1, 0, 5),
-        Partial::new(MatrixName::K0, 1, 0, 0, 5),
-        Partial::new(MatrixName::K0, 1, 1, 0, 6).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 0, 4).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
+        Partial::new(MatrixName::K0, 1, 1, 0, 6),
         Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 0, 8).negative(),
-        Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
-        Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
+        Partial::new(MatrixName::K2, 1, 1, 0, 8), Partial::new(MatrixName::M, 0, 1, 1, 9),
+        Partial::new(MatrixName::M, 1, 0, 1, 9), Partial::new(MatrixName::M, 1, 1, 1, 10),
+        Partial::new(MatrixName::C1, 0, 1, 1, 11),
         Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
         Partial::new(MatrixName::C1, 1, 1, 1, 13).negative(),
         Partial::new(MatrixName::K0, 0, 1, 1, 14),
@@ -1001,7 +995,7 @@ impl WhippleDerivatives {
         Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
         Partial::new(MatrixName::M, 0, 1, 2, 17),
         Partial::new(MatrixName::M, 1, 0, 2, 17),
-        Partial::new(MatrixName::M, 1, 1, 2, 18),
+        Partial::new(MatrixName::M, 1, 1, 2, 18).negative(),
         Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
         Partial::new(MatrixName::C1, 1, 0, 2, 20),
         Partial::new(MatrixName::C1, 1, 1, 2, 21).negative(),
@@ -1072,10 +1066,8 @@ impl WhippleDerivatives {
         Partial::new(MatrixName::M, 1, 0, 17, 82).negative(),
         Partial::new(MatrixName::M, 1, 1, 17, 83),
         Partial::new(MatrixName::C1, 0, 1, 17, 84).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 17, 85),
-        Partial::new(MatrixName::K0, 0, 0, 17, 86),
-        Partial::new(MatrixName::K0, 0, 1, 17, 87).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 17, 87).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 85), Partial::new(MatrixName::K0, 0, 0, 17, 86),
+        Partial::new(MatrixName::K0, 0, 1, 17, 87), Partial::new(MatrixName::K0, 1, 0, 17, 87),
         Partial::new(MatrixName::K0, 1, 1, 17, 88).negative(),
         Partial::new(MatrixName::K2, 0, 1, 17, 89).negative(),
         Partial::new(MatrixName::K2, 1, 1, 17, 90), Partial::new(MatrixName::M, 0, 0, 18, 35),
@@ -1085,22 +1077,27 @@ impl WhippleDerivatives {
         Partial::new(MatrixName::M, 1, 0, 21, 95), Partial::new(MatrixName::M, 1, 1, 21, 96),
         Partial::new(MatrixName::C1, 0, 1, 21, 63), Partial::new(MatrixName::C1, 1, 1, 21, 97),
         Partial::new(MatrixName::M, 0, 0, 22, 98), Partial::new(MatrixName::M, 0, 1, 22, 99),
-        Partial::new(MatrixName::M, 1, 0, 22, 99), Partial::new(MatrixName::M, 1, 1, 22, 100),
-        Partial::new(MatrixName::C1, 0, 1, 22, 101), Partial::new(MatrixName::C1, 1, 0, 22, 102),
+        Partial::new(MatrixName::M, 1, 0, 22, 99),
+        Partial::new(MatrixName::M, 1, 1, 22, 100).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 22, 101),
+        Partial::new(MatrixName::C1, 1, 0, 22, 102),
         Partial::new(MatrixName::C1, 1, 1, 22, 103),
         Partial::new(MatrixName::K0, 0, 0, 22, 104).negative(),
         Partial::new(MatrixName::K0, 0, 1, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 0, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 1, 22, 106).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 107), Partial::new(MatrixName::K2, 1, 1, 22, 108),
-        Partial::new(MatrixName::M, 0, 0, 23, 109), Partial::new(MatrixName::M, 0, 1, 23, 110),
-        Partial::new(MatrixName::M, 1, 0, 23, 110), Partial::new(MatrixName::M, 1, 1, 23, 111),
-        Partial::new(MatrixName::C1, 0, 1, 23, 112), Partial::new(MatrixName::C1, 1, 1, 23, 113),
+        Partial::new(MatrixName::K2, 0, 1, 22, 107),
+        Partial::new(MatrixName::K2, 1, 1, 22, 108),
+        Partial::new(MatrixName::M, 0, 0, 23, 109),
+        Partial::new(MatrixName::M, 0, 1, 23, 110).negative(),
+        Partial::new(MatrixName::M, 1, 0, 23, 110).negative(),
+        Partial::new(MatrixName::M, 1, 1, 23, 111),
+        Partial::new(MatrixName::C1, 0, 1, 23, 112),
+        Partial::new(MatrixName::C1, 1, 1, 23, 113).negative(),
         Partial::new(MatrixName::K0, 0, 0, 23, 114).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 23, 115),
-        Partial::new(MatrixName::K0, 1, 0, 23, 115),
-        Partial::new(MatrixName::K0, 1, 1, 23, 116).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 23, 117), Partial::new(MatrixName::K2, 1, 1, 23, 118),
+        Partial::new(MatrixName::K0, 0, 1, 23, 115), Partial::new(MatrixName::K0, 1, 0, 23, 115),
+        Partial::new(MatrixName::K0, 1, 1, 23, 116), Partial::new(MatrixName::K2, 0, 1, 23, 117),
+        Partial::new(MatrixName::K2, 1, 1, 23, 118).negative(),
         Partial::new(MatrixName::M, 0, 0, 24, 35), Partial::new(MatrixName::M, 0, 1, 24, 91),
         Partial::new(MatrixName::M, 1, 0, 24, 91), Partial::new(MatrixName::M, 1, 1, 24, 119),
         Partial::new(MatrixName::C1, 1, 1, 24, 94), Partial::new(MatrixName::C1, 0, 1, 25, 120),

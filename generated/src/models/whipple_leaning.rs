@@ -266,68 +266,66 @@ pub struct WhippleLeaningMatrices<T = f64> {
 
 impl<T: Number> WhippleLeaning<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 54 additions, 55 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 116 operations.
+    /// 53 additions, 55 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 115 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleLeaningMatrices<T> {
-        let t2 = self.zH * self.mH;
-        let t6 = self.zU * self.mU;
-        let t11 = self.zB * self.mB;
-        let t22 = self.rR * self.mR;
-        let t27 = self.rF * self.mF;
-        let t31 = self.IFxx + (self.rF * t27 + self.IHxx);
-        let M_11 = self.zH * t2 + (self.zU * t6 + (self.IBxx + self.zB * t11))
-            + (self.IRxx + self.IUxx) + (self.rR * t22 + t31);
+        let t2 = self.rR * self.mR;
+        let t11 = self.zH * self.mH;
+        let t16 = self.rF * self.mF;
+        let t20 = self.IFxx + (self.rF * t16 + self.IHxx);
+        let t25 = self.zB * self.mB;
+        let t29 = self.zU * self.mU;
+        let ay_all1_delta = self.IRxx + (self.zH * t11 + t20)
+            + (self.zB * t25 + self.zU * t29);
+        let M_11 = self.rR * t2 + (self.IBxx + self.IUxx) + ay_all1_delta;
         let (wx_delta2_delta, cos_lam) = self.lam.sin_cos();
         let yaw_per_v_delta = cos_lam / self.w;
         let yaw_by_delta = self.c * yaw_per_v_delta;
-        let t41 = self.mB * self.xB;
-        let t49 = self.zB * t41 - (self.IBxz + self.IUxz - t6 * self.xU);
         let wz_delta2_delta = cos_lam + yaw_by_delta;
-        let t57 = self.c + self.w;
-        let t59 = self.zH * wx_delta2_delta - self.xH * wz_delta2_delta + cos_lam * t57;
-        let t64 = self.IHxz * wz_delta2_delta;
-        let t65 = wx_delta2_delta * t31 + t64;
-        let M_12 = t2 * t59 - yaw_by_delta * t49 + t65;
-        let t68 = self.zU - self.zP;
-        let K0_13 = self.mU * t68;
-        let ay_delta2_delta = self.zU * K0_13;
-        let M_13 = self.IUxx + ay_delta2_delta;
-        let t72 = self.mH * t59;
-        let t78 = wz_delta2_delta * (self.IFxx + self.IHzz);
+        let vy_spin_F5_delta = self.IHxz * wz_delta2_delta;
+        let t45 = wx_delta2_delta * t20 + vy_spin_F5_delta;
+        let t51 = self.mB * self.xB;
+        let t55 = t29 * self.xU + (self.zB * t51 - self.IUxz) - self.IBxz;
+        let t63 = self.zH * wx_delta2_delta
+            - (self.xH * wz_delta2_delta - cos_lam * (self.c + self.w));
+        let t64 = self.mH * t63;
+        let t68 = self.zP - self.zU;
+        let t69 = self.mU * t68;
+        let M_13 = self.IUxx - self.zU * t69;
+        let t74 = wz_delta2_delta * (self.IFxx + self.IHzz);
         let t81 = self.mU * self.xU;
-        let t90 = (self.xU * t81 + self.IBzz + self.xB * t41 + (self.IRxx + self.IUzz))
-            * yaw_by_delta;
-        let M_22 = t59 * t72
-            + (wx_delta2_delta * (t64 + t65) + wz_delta2_delta * t78
-                + yaw_by_delta * t90);
-        let t96 = yaw_per_v_delta * (self.IUxz - self.xU * K0_13);
-        let M_23 = self.c * t96;
-        let M_33 = self.IUxx + K0_13 * t68;
+        let t85 = yaw_by_delta
+            * (self.IRxx + (self.IBzz + (self.IUzz + self.xB * t51) + self.xU * t81));
+        let vy_all1_delta = vy_spin_F5_delta + t45;
+        let M_22 = wz_delta2_delta * t74 + yaw_by_delta * t85
+            + (t63 * t64 + vy_all1_delta * wx_delta2_delta);
+        let t94 = self.IUxz + t68 * t81;
+        let M_23 = yaw_by_delta * t94;
+        let M_33 = M_13 + self.zP * t69;
         let zero = self.w.like(0.0);
-        let t105 = self.IHxz + t27 * t57;
         let h_spin_F = self.IFyy / self.rF;
-        let h_wheels_all = h_spin_F + self.IRyy / self.rR;
-        let t113 = t11 + t6 - (t22 - t2);
-        let t114 = h_wheels_all - t113;
-        let t119 = cos_lam * h_spin_F;
-        let vy_all1_delta = yaw_by_delta * (t41 + t81);
-        let t125 = t72 - vy_all1_delta;
-        let ay_spin_F5_delta = wx_delta2_delta * t105;
-        let vy_theta3_delta = t90 + (ay_spin_F5_delta - self.c * t125 - self.xH * t72);
-        let C1_22 = yaw_per_v_delta * (vy_theta3_delta + t78);
-        let C1_32 = t96 - yaw_by_delta * K0_13;
-        let K0_11 = t113 - t27;
-        let K0_12 = t125 - t27 * wx_delta2_delta;
+        let t106 = h_spin_F + self.IRyy / self.rR;
+        let K0_11 = t25 + t29 - t2 + (t11 - t16);
+        let t111 = t106 - K0_11;
+        let t114 = self.IHxz + t16 * self.w;
+        let t118 = cos_lam * h_spin_F;
+        let C1_12 = yaw_per_v_delta * (self.c * t111 + t114 - (t55 + t11 * self.xH))
+            + t118;
+        let ay_delta2_delta = wx_delta2_delta * t114;
+        let K0_12 = t64 - t16 * wx_delta2_delta - yaw_by_delta * (t51 + t81);
+        let C1_22 = yaw_per_v_delta
+            * (ay_delta2_delta + t85 - self.xH * t64 - self.c * K0_12 + t74);
+        let C1_32 = yaw_per_v_delta * (t94 + self.c * t69);
         let K0_22 = wx_delta2_delta * K0_12;
-        let K2_12 = yaw_per_v_delta * (t27 + t114);
+        let K2_12 = yaw_per_v_delta * t111;
         let K2_22 = yaw_per_v_delta * (wx_delta2_delta * h_spin_F - K0_12);
-        let C1_12 = t119
-            - yaw_per_v_delta * (t2 * self.xH + t49 - (t105 + self.c * t114));
-        let C1_21 = -(yaw_by_delta * h_wheels_all + t119);
-        let K2_32 = -(yaw_per_v_delta * K0_13);
+        let K2_32 = yaw_per_v_delta * t69;
+        let M_12 = t45 - (yaw_by_delta * t55 - self.zH * t64);
+        let C1_21 = -(t106 * yaw_by_delta + t118);
+        let K0_13 = -t69;
         WhippleLeaningMatrices::from_entries([
             M_11, M_12, M_13, M_12, M_22, M_23, M_13, M_23, M_33, zero, zero, zero, zero, zero,
             zero, zero, zero, self.dU, zero, C1_12, zero, C1_21, C1_22, zero, zero, C1_32, zero,
@@ -6930,259 +6928,262 @@ pub struct WhippleLeaningDerivatives<T = f64> {
 
 impl<T: Number> WhippleLeaning<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 116 additions, 225 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 351 operations.
+    /// 120 additions, 230 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 358 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleLeaningMatrices<T>, WhippleLeaningDerivatives<T>) {
-        let t4 = self.zU * self.mU;
+        let t4 = self.rF * self.mF;
+        let t7 = self.IFxx + self.IHxx + self.rF * t4;
         let M_11_mB = self.zB * self.zB;
-        let t14 = self.rF * self.mF;
-        let t17 = self.IHxx + self.IFxx + self.rF * t14;
-        let t21 = self.rR * self.mR;
-        let t25 = self.zH * self.mH;
-        let t32 = self.IRxx + self.IUxx + self.zU * t4 + self.mB * M_11_mB + t17
-            + self.IBxx + self.rR * t21;
-        let M_11 = t32 + self.zH * t25;
+        let t15 = self.zU * self.mU;
+        let t17 = self.IUxx + self.zU * t15;
+        let t20 = self.zH * self.mH;
+        let t26 = self.rR * self.mR;
+        let t32 = t7 + self.mB * M_11_mB + t17 + self.zH * t20 + self.IRxx + self.IBxx;
+        let M_11 = t32 + self.rR * t26;
         let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
-        let t39 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = wx_delta2_delta_lam * t39;
-        let yaw_by_delta = self.c * yaw_per_v_delta;
+        let t38 = self.c + self.w;
+        let t42 = self.w.like(1.0) / self.w;
+        let t43 = self.c * t42;
+        let yaw_by_delta = wx_delta2_delta_lam * t43;
         let wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
-        let t46 = self.IHxz * wz_delta2_delta + t17 * wx_delta2_delta;
-        let t50 = self.mB * self.xB;
-        let t56 = self.IBxz + self.IUxz - self.zB * t50 - t4 * self.xU;
-        let t59 = self.c * t39;
-        let t61 = self.c + self.w;
-        let t62 = self.xH - t61;
-        let t64 = wx_delta2_delta_lam * (self.xH * t59 + t62);
-        let t65 = self.zH * wx_delta2_delta;
-        let t66 = t64 - t65;
-        let t67 = self.mH * t66;
-        let M_12 = t46 + yaw_by_delta * t56 - self.zH * t67;
+        let K0_12_mH = wx_delta2_delta_lam * t38 + self.zH * wx_delta2_delta
+            - wz_delta2_delta * self.xH;
+        let M_12_mH = self.zH * K0_12_mH;
+        let vy_spin_F5_delta = wz_delta2_delta * self.IHxz;
+        let t55 = vy_spin_F5_delta + t7 * wx_delta2_delta;
+        let t59 = self.mB * self.xB;
+        let t62 = self.mU * self.xU;
+        let t66 = self.IBxz + self.IUxz - self.zB * t59 - self.zU * t62;
+        let M_12 = self.mH * M_12_mH + t55 + yaw_by_delta * t66;
+        let M_13 = t17 - t15 * self.zP;
+        let t73 = self.mH * K0_12_mH;
+        let t82 = self.IRxx + self.IBzz + self.IUzz + self.xB * t59 + self.xU * t62;
+        let t83 = yaw_by_delta * t82;
+        let t86 = self.IFxx + self.IHzz;
+        let t88 = wx_delta2_delta * self.IHxz;
+        let t89 = wz_delta2_delta * t86 + t88;
+        let M_22 = K0_12_mH * t73 + yaw_by_delta * t83 + wz_delta2_delta * t89
+            + wx_delta2_delta * t55;
+        let yaw_per_v_delta = wx_delta2_delta_lam * t42;
         let K0_13_mU = self.zU - self.zP;
+        let t98 = self.IUxz - t62 * K0_13_mU;
+        let M_23_c = yaw_per_v_delta * t98;
+        let M_23 = self.c * M_23_c;
         let K0_13 = self.mU * K0_13_mU;
-        let M_23_yaw_per_v_delta = self.zU * K0_13;
-        let M_13 = self.IUxx + M_23_yaw_per_v_delta;
-        let t76 = self.IHxz * wx_delta2_delta;
-        let t78 = self.IFxx + self.IHzz;
-        let t80 = t76 + wz_delta2_delta * t78;
-        let t84 = self.mU * self.xU;
-        let t89 = self.IRxx + self.xB * t50 + self.IUzz + self.IBzz + self.xU * t84;
-        let t91 = t80 + yaw_by_delta * t89;
-        let M_12_yaw_per_v_delta = wx_delta2_delta_lam * (t80 + t59 * t91);
-        let M_22 = M_12_yaw_per_v_delta + wx_delta2_delta * t46 + t66 * t67;
-        let t100 = self.IUxz - self.xU * K0_13;
-        let M_23 = yaw_by_delta * t100;
-        let M_33_mU = K0_13_mU * K0_13_mU;
-        let M_33 = self.IUxx + self.mU * M_33_mU;
+        let M_13_zU = t15 + K0_13;
+        let M_33 = t17 - self.zP * M_13_zU;
         let zero = self.w.like(0.0);
         let t108 = self.w.like(1.0) / self.rF;
         let h_spin_F = self.IFyy * t108;
-        let t110 = wx_delta2_delta_lam * h_spin_F;
-        let t111 = t14 * self.w;
-        let t114 = t25 * self.xH - self.IHxz - t56;
-        let t116 = self.w.like(1.0) / self.rR;
-        let t117 = self.IRyy * t116;
-        let h_wheels_all = h_spin_F + t117;
-        let t119 = self.mB * self.zB;
-        let K0_11 = t4 + t25 + t119 - t14 - t21;
-        let K2_12_yaw_per_v_delta = h_wheels_all - K0_11;
-        let t127 = t111 + self.c * K2_12_yaw_per_v_delta - t114;
-        let t128 = yaw_per_v_delta * t127;
-        let C1_12 = t110 + t128;
-        let t130 = yaw_per_v_delta * h_wheels_all;
-        let t133 = self.mH * self.xH;
-        let t135 = t91 + t66 * t133;
-        let t136 = t39 * t135;
-        let t137 = t39 * wx_delta2_delta;
-        let t139 = t136 + t111 * t137;
-        let M_23_zP = yaw_by_delta * t84;
-        let vy_all1_delta_mB = yaw_by_delta * self.xB;
-        let t142 = self.mB * vy_all1_delta_mB;
-        let t143 = M_23_zP + t142;
-        let t144 = t14 * wx_delta2_delta;
-        let t146 = t67 + t143 + t144;
-        let C1_22 = wx_delta2_delta_lam * (t139 + t59 * t146);
-        let M_23_c = yaw_per_v_delta * t100;
-        let t151 = yaw_per_v_delta * K0_13;
-        let t152 = self.c * t151;
-        let C1_32 = M_23_c - t152;
-        let K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
-        let t157 = wx_delta2_delta * h_spin_F;
-        let K2_22_yaw_per_v_delta = t146 + t157;
+        let t111 = self.w.like(1.0) / self.rR;
+        let t112 = self.IRyy * t111;
+        let t113 = h_spin_F + t112;
+        let t114 = self.mB * self.zB;
+        let K0_11 = t15 + t20 + t114 - t4 - t26;
+        let t119 = t113 - K0_11;
+        let t121 = t4 * self.w;
+        let M_12_yaw_by_delta = self.IHxz + t66;
+        let t124 = t20 * self.xH - M_12_yaw_by_delta;
+        let t127 = t42 * (self.c * t119 + t121 - t124);
+        let t128 = h_spin_F + t127;
+        let C1_12 = wx_delta2_delta_lam * t128;
+        let t131 = wx_delta2_delta_lam * h_spin_F;
+        let t134 = t83 + t89;
+        let t137 = wx_delta2_delta * t121 + t134 - self.xH * t73;
+        let t138 = t4 * wx_delta2_delta;
+        let t139 = t59 + t62;
+        let t140 = yaw_per_v_delta * t139;
+        let t141 = self.c * t140;
+        let K0_12 = t73 - t138 - t141;
+        let C1_22_yaw_per_v_delta = t137 - self.c * K0_12;
+        let C1_22 = yaw_per_v_delta * C1_22_yaw_per_v_delta;
+        let t147 = yaw_by_delta * K0_13;
+        let C1_32 = M_23_c - t147;
+        let K0_22 = wx_delta2_delta * K0_12;
+        let K2_12 = yaw_per_v_delta * t119;
+        let t152 = wx_delta2_delta * h_spin_F;
+        let K2_22_yaw_per_v_delta = t152 - K0_12;
         let K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
-        let t160 = self.mH * wx_delta2_delta_lam;
-        let t161 = self.zH * t160;
-        let t162 = yaw_per_v_delta * t114;
-        let M_12_w = t161 + t59 * t162;
-        let t165 = t66 + t66;
-        let t166 = t160 * t165;
-        let t167 = yaw_per_v_delta + yaw_per_v_delta;
-        let t168 = self.c * t136;
-        let t170 = t166 + t167 * t168;
-        let t171 = t59 * M_23_c;
-        let t172 = t14 * wx_delta2_delta_lam;
-        let t174 = t39 * (t128 - t172);
-        let C1_21_w = t59 * t130;
-        let t176 = self.c + self.xH;
-        let t182 = t143 + t146 + yaw_per_v_delta * (t78 + t89 + t133 * t176);
-        let t184 = t139 + t59 * t182;
-        let t185 = t160 * t176;
-        let t188 = yaw_per_v_delta * (t184 + t185 - t144);
-        let t189 = t39 * C1_32;
-        let t191 = t50 + t84 + t133;
-        let t192 = yaw_per_v_delta * t191;
-        let K0_12_w = t160 + t59 * t192;
+        let K2_32_zP = self.mU * yaw_per_v_delta;
+        let t156 = K0_13_mU * K2_32_zP;
+        let t157 = t20 * wx_delta2_delta_lam;
+        let t158 = yaw_per_v_delta * t124;
+        let M_12_w = t157 + t43 * t158;
+        let t161 = self.xH * yaw_per_v_delta;
+        let t163 = wx_delta2_delta_lam + t43 * t161;
+        let t165 = t43 * t134;
+        let C1_22_wz_delta2_delta = yaw_per_v_delta * t165;
+        let t167 = C1_22_wz_delta2_delta - t73 * t163;
+        let t168 = t167 + t167;
+        let t169 = t42 * M_23;
+        let C1_12_w = yaw_per_v_delta * (t4 - t127);
+        let t172 = yaw_per_v_delta * t113;
+        let C1_21_w = t43 * t172;
+        let C1_22_yaw_by_delta = yaw_per_v_delta * (t82 + t86);
+        let t177 = t141 + C1_22_yaw_by_delta - K0_12;
+        let t183 = self.mH * t163;
+        let t184 = yaw_by_delta + t161;
+        let t186 = yaw_per_v_delta * (t42 * (t137 + self.c * t177) - t138) + t183 * t184;
+        let t187 = t42 * C1_32;
+        let K0_12_w = t183 + t43 * t140;
         let K0_22_w = wx_delta2_delta * K0_12_w;
-        let t196 = t39 * K2_12;
-        let t197 = t39 * K2_22_yaw_per_v_delta;
-        let t199 = yaw_per_v_delta * (K0_12_w + t197);
-        let K2_32_w = t39 * t151;
-        let M_12_c = t161 - t162;
-        let M_22_c = t135 * t167 - t166;
-        let C1_22_c = yaw_per_v_delta * (t182 - t185);
-        let K0_12_c = t160 - t192;
-        let K0_22_c = wx_delta2_delta * K0_12_c;
-        let t208 = yaw_per_v_delta * K0_12_c;
-        let t209 = wx_delta2_delta * t59;
-        let t214 = wx_delta2_delta * t62 + self.zH * wx_delta2_delta_lam;
-        let t215 = self.mH * t214;
-        let M_12_lam = t114 * t209 + t17 * wx_delta2_delta_lam + self.zH * t215 - t76;
-        let t223 = wx_delta2_delta * (t80 + t168) - wx_delta2_delta_lam * t46;
-        let t226 = t223 + t223 + t165 * t215;
-        let t227 = t100 * t209;
-        let t229 = t157 + t127 * t137;
-        let C1_21_lam = t157 + h_wheels_all * t209;
-        let t232 = t39 * t185;
-        let M_22_yaw_per_v_delta = t78 * t137;
-        let C1_32_yaw_per_v_delta = yaw_per_v_delta * (self.IHxz + t14 * t61);
-        let t242 = t214 * t232 + wx_delta2_delta * t184
-            + wx_delta2_delta_lam * (M_22_yaw_per_v_delta - C1_32_yaw_per_v_delta);
-        let t243 = self.c + self.xU;
-        let t246 = t137 * (self.IUxz - K0_13 * t243);
-        let K0_12_lam = t215 + t191 * t209 - t172;
-        let K0_22_lam = wx_delta2_delta * K0_12_lam - wx_delta2_delta_lam * t146;
-        let t253 = K2_12_yaw_per_v_delta * t137;
-        let C1_22_yaw_by_delta = t110 - K0_12_lam;
-        let K2_22_lam = yaw_per_v_delta * C1_22_yaw_by_delta - wx_delta2_delta * t197;
-        let K2_32_lam = K0_13 * t137;
-        let M_11_rR = t21 + t21;
-        let M_22_wz_delta2_delta = self.mR - t116 * t117;
-        let C1_12_rR = yaw_by_delta * M_22_wz_delta2_delta;
-        let K2_12_IRyy = yaw_per_v_delta * t116;
-        let C1_12_IRyy = self.c * K2_12_IRyy;
-        let C1_21_rR = t117 * C1_12_IRyy;
-        let K2_12_rR = yaw_per_v_delta * M_22_wz_delta2_delta;
+        let t191 = t42 * K2_12;
+        let t192 = t42 * K2_22_yaw_per_v_delta;
+        let t194 = yaw_per_v_delta * (K0_12_w + t192);
+        let K2_32_w = t42 * t156;
+        let M_12_c = t157 - t158;
+        let t199 = self.mH * (wx_delta2_delta_lam - t161);
+        let t201 = yaw_per_v_delta * t134 + K0_12_mH * t199;
+        let M_22_c = t201 + t201;
+        let t203 = self.c + self.xH;
+        let t206 = yaw_per_v_delta * (t199 * t203 - t177);
+        let t207 = t140 - t199;
+        let t208 = wx_delta2_delta * t207;
+        let K2_22_c = yaw_per_v_delta * t207;
+        let t210 = wx_delta2_delta * t43;
+        let t213 = wx_delta2_delta + t210;
+        let t218 = t157 + self.mH * (self.xH * t213 - t38 * wx_delta2_delta);
+        let t222 = t88 + M_12_yaw_by_delta * t210 - t7 * wx_delta2_delta_lam
+            - self.zH * t218;
+        let t228 = wx_delta2_delta_lam * t55 + K0_12_mH * t218
+            - wx_delta2_delta * (t89 + t165);
+        let M_22_lam = t228 + t228;
+        let t230 = t98 * t210;
+        let t231 = wx_delta2_delta * t128;
+        let C1_21_lam = t152 + t113 * t210;
+        let K0_12_lam = t218 + t139 * t210 - t4 * wx_delta2_delta_lam;
+        let t247 = wx_delta2_delta * t42;
+        let t250 = yaw_per_v_delta
+            * (t86 * t213 + self.c * K0_12_lam + self.xH * t218
+                - wx_delta2_delta_lam * (self.IHxz + t121))
+            + t247 * (t83 + C1_22_yaw_per_v_delta);
+        let t251 = self.c + self.xU;
+        let t254 = t247 * (self.IUxz - K0_13 * t251);
+        let t258 = t119 * t247;
+        let K2_22_lam = yaw_per_v_delta * (t131 - K0_12_lam) - wx_delta2_delta * t192;
+        let K2_32_lam = K0_13 * t247;
+        let M_11_rR = t26 + t26;
+        let t265 = t111 * t112;
+        let K2_12_rR = yaw_per_v_delta * (self.mR - t265);
+        let C1_12_rR = self.c * K2_12_rR;
+        let C1_21_rR = yaw_by_delta * t265;
         let M_11_mR = self.rR * self.rR;
         let K2_12_mR = self.rR * yaw_per_v_delta;
         let C1_12_mR = self.c * K2_12_mR;
-        let C1_22_IRxx = yaw_per_v_delta * yaw_by_delta;
-        let M_22_IRxx = self.c * C1_22_IRxx;
-        let t273 = self.mB * yaw_per_v_delta;
-        let t274 = self.zB * t273;
-        let t275 = self.c * t274;
-        let M_22_xB = t142 * (yaw_by_delta + yaw_by_delta);
-        let K2_22_mB = self.xB * C1_22_IRxx;
-        let t280 = self.c + self.xB;
-        let K2_22_xB = yaw_by_delta * t273;
-        let C1_22_xB = self.mB * K2_22_mB + t280 * K2_22_xB;
-        let vy_all1_delta_xB = self.mB * yaw_by_delta;
-        let t285 = wx_delta2_delta * vy_all1_delta_xB;
-        let M_11_zB = t119 + t119;
-        let t287 = t273 * t280;
-        let t288 = self.zB * vy_all1_delta_mB;
-        let M_22_mB = vy_all1_delta_mB * vy_all1_delta_mB;
-        let t290 = self.zB * yaw_per_v_delta;
-        let t291 = t280 * t290;
-        let C1_22_mB = K2_22_mB * t280;
-        let t293 = wx_delta2_delta * vy_all1_delta_mB;
-        let t294 = t25 * wz_delta2_delta;
-        let t295 = self.mH * wz_delta2_delta;
-        let M_22_xH = t165 * t295;
-        let t297 = self.zH * yaw_per_v_delta;
-        let t298 = self.mH * t297;
-        let K2_22_mH = yaw_per_v_delta * t66;
-        let C1_22_xH = self.mH * K2_22_mH + wz_delta2_delta * t232;
+        let M_22_wz_delta2_delta = yaw_by_delta * yaw_per_v_delta;
+        let M_22_IRxx = self.c * M_22_wz_delta2_delta;
+        let K2_12_IRyy = yaw_per_v_delta * t111;
+        let C1_12_IRyy = self.c * K2_12_IRyy;
+        let t278 = yaw_per_v_delta * t114;
+        let t279 = self.c * t278;
+        let t280 = self.mB * yaw_by_delta;
+        let K2_22_xB = yaw_per_v_delta * t280;
+        let t282 = self.xB * K2_22_xB;
+        let t283 = t282 + t282;
+        let M_22_xB = self.c * t283;
+        let C1_22_xB = t283 + yaw_by_delta * t280;
+        let t287 = wx_delta2_delta * t280;
+        let M_11_zB = t114 + t114;
+        let t289 = self.xB * t280;
+        let t290 = self.c + self.xB;
+        let t291 = self.mB * yaw_per_v_delta;
+        let t292 = t290 * t291;
+        let t293 = yaw_by_delta * self.xB;
+        let t294 = self.zB * t293;
+        let M_22_mB = t293 * t293;
+        let t296 = self.zB * yaw_per_v_delta;
+        let t297 = t290 * t296;
+        let K2_22_mB = yaw_per_v_delta * t293;
+        let C1_22_mB = t290 * K2_22_mB;
+        let t300 = wx_delta2_delta * t293;
+        let t301 = t20 * wz_delta2_delta;
+        let t302 = self.mH * wz_delta2_delta;
+        let t303 = K0_12_mH * t302;
+        let t304 = t303 + t303;
+        let t305 = t42 * t157;
+        let C1_22_xH = t184 * t302 - t73 * yaw_per_v_delta;
+        let t309 = wx_delta2_delta * t302;
+        let t310 = self.mH * yaw_per_v_delta;
+        let K2_22_xH = wz_delta2_delta * t310;
+        let M_11_zH = t20 + t20;
         let K0_12_zH = self.mH * wx_delta2_delta;
-        let t304 = wz_delta2_delta * K0_12_zH;
-        let t305 = t39 * t160;
-        let K2_22_xH = wz_delta2_delta * t305;
-        let M_11_zH = t25 + t25;
-        let M_12_zH = self.mH * (t65 - t66);
-        let t310 = t165 * K0_12_zH;
-        let t311 = t137 * t160;
-        let t312 = t176 * t311;
+        let M_12_zH = t73 + self.zH * K0_12_zH;
+        let M_22_zH = wx_delta2_delta * (t73 + t73);
+        let t318 = t203 * t310;
+        let t319 = t184 * K0_12_zH;
         let K0_22_zH = wx_delta2_delta * K0_12_zH;
+        let K2_22_h_spin_F = wx_delta2_delta * yaw_per_v_delta;
+        let t322 = self.mH * K2_22_h_spin_F;
         let M_11_mH = self.zH * self.zH;
-        let t315 = self.zH * t66;
-        let M_22_mH = t66 * t66;
-        let t317 = t176 * t297;
-        let C1_22_mH = t176 * K2_22_mH;
-        let t319 = wx_delta2_delta * t66;
+        let M_22_mH = K0_12_mH * K0_12_mH;
+        let t325 = self.zH * t184;
+        let t326 = K0_12_mH * yaw_per_v_delta;
+        let t327 = t203 * t326;
+        let K0_22_mH = wx_delta2_delta * K0_12_mH;
+        let t329 = self.zH * yaw_per_v_delta;
         let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
         let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-        let C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
-        let t323 = wz_delta2_delta * wx_delta2_delta;
-        let M_22_IHxz = t323 + t323;
-        let K2_22_h_spin_F = yaw_per_v_delta * wx_delta2_delta;
-        let M_11_rF = t14 + t14;
-        let M_12_rF = t144 + t144;
+        let C1_22_IHzz = wz_delta2_delta * yaw_per_v_delta;
+        let t333 = wx_delta2_delta_lam * t213;
+        let M_22_IHxz = t333 + t333;
+        let M_11_rF = t4 + t4;
+        let M_12_rF = wx_delta2_delta * M_11_rF;
         let M_22_rF = wx_delta2_delta * M_12_rF;
         let C1_12_IFyy = wz_delta2_delta * t108;
         let C1_21_rF = h_spin_F * C1_12_IFyy;
-        let t331 = self.mF * yaw_per_v_delta;
-        let t332 = t61 * t331;
-        let C1_12_rF = t332 - C1_21_rF;
-        let C1_22_rF = wx_delta2_delta * t332;
-        let t335 = self.mF * wx_delta2_delta;
-        let t336 = self.mF * M_22_IHxx;
+        let t340 = self.mF * yaw_per_v_delta;
+        let t341 = t38 * t340;
+        let C1_12_rF = t341 - C1_21_rF;
+        let C1_22_rF = wx_delta2_delta * t341;
+        let t344 = self.mF * wx_delta2_delta;
+        let t345 = wx_delta2_delta * t344;
         let K2_12_IFyy = yaw_per_v_delta * t108;
-        let K2_12_rF = t331 - h_spin_F * K2_12_IFyy;
+        let K2_12_rF = t340 - h_spin_F * K2_12_IFyy;
+        let K2_22_rF = wx_delta2_delta * K2_12_rF;
         let M_11_mF = self.rF * self.rF;
-        let t342 = self.rF * wx_delta2_delta;
-        let M_12_mF = self.rF * t342;
-        let M_22_mF = M_22_IHxx * M_11_mF;
+        let t351 = self.rF * wx_delta2_delta;
+        let M_12_mF = self.rF * t351;
+        let t353 = wx_delta2_delta * t351;
+        let M_22_mF = self.rF * t353;
         let K2_12_mF = self.rF * yaw_per_v_delta;
-        let C1_12_mF = t61 * K2_12_mF;
-        let K2_22_mF = self.rF * K2_22_h_spin_F;
-        let C1_22_mF = t61 * K2_22_mF;
-        let t349 = wx_delta2_delta * t342;
+        let C1_12_mF = t38 * K2_12_mF;
+        let C1_22_mF = wx_delta2_delta * C1_12_mF;
+        let K2_22_mF = wx_delta2_delta * K2_12_mF;
         let M_22_IFxx = M_22_IHxx + M_22_IHzz;
         let K2_22_IFyy = wx_delta2_delta * K2_12_IFyy;
+        let M_23_zP = yaw_by_delta * t62;
         let M_33_zU = K0_13 + K0_13;
-        let K2_32_zP = self.mU * yaw_per_v_delta;
-        let C1_32_zP = t243 * K2_32_zP;
+        let C1_32_zP = K2_32_zP * t251;
         let M_11_mU = self.zU * self.zU;
-        let vy_all1_delta_mU = yaw_by_delta * self.xU;
-        let t357 = self.zU * vy_all1_delta_mU;
+        let t365 = yaw_by_delta * self.xU;
+        let t366 = self.zU * t365;
         let M_13_mU = self.zU * K0_13_mU;
-        let M_22_mU = vy_all1_delta_mU * vy_all1_delta_mU;
-        let t360 = K0_13_mU * vy_all1_delta_mU;
-        let t361 = self.zU * yaw_per_v_delta;
-        let t362 = t243 * t361;
-        let K2_22_mU = yaw_per_v_delta * vy_all1_delta_mU;
-        let C1_22_mU = t243 * K2_22_mU;
-        let t365 = yaw_per_v_delta * K0_13_mU;
-        let t366 = t243 * t365;
-        let t367 = wx_delta2_delta * vy_all1_delta_mU;
-        let t368 = t4 * yaw_by_delta;
-        let t369 = M_23_zP * t167;
-        let M_22_xU = self.c * t369;
-        let t371 = t4 * yaw_per_v_delta;
-        let vy_all1_delta_xU = self.mU * yaw_by_delta;
-        let C1_22_xU = t369 + yaw_by_delta * vy_all1_delta_xU;
-        let t375 = wx_delta2_delta * vy_all1_delta_xU;
-        let K2_22_xU = yaw_by_delta * K2_32_zP;
-        let M_11_zU = t4 + t4;
-        let M_13_zU = t4 + K0_13;
-        let C1_21 = -(t110 + self.c * t130);
-        let K0_12 = -t146;
-        let K0_22 = -(wx_delta2_delta * t146);
-        let K2_32 = -t151;
-        let K0_12_mH = t65 - t64;
-        let t384 = -(wx_delta2_delta * K2_12_rF);
+        let M_22_mU = t365 * t365;
+        let t369 = K0_13_mU * t365;
+        let M_33_mU = K0_13_mU * K0_13_mU;
+        let t371 = self.zU * yaw_per_v_delta;
+        let t372 = t251 * t371;
+        let K2_22_mU = self.xU * M_22_wz_delta2_delta;
+        let C1_22_mU = t251 * K2_22_mU;
+        let t375 = yaw_per_v_delta * K0_13_mU;
+        let t376 = t251 * t375;
+        let t377 = wx_delta2_delta * t365;
+        let t378 = self.c * K2_32_zP;
+        let t379 = self.zU * t378;
+        let t380 = t365 * t378;
+        let M_22_xU = t380 + t380;
+        let t382 = self.zU * K2_32_zP;
+        let K2_22_xU = yaw_per_v_delta * t378;
+        let C1_22_xU = (self.xU + t251) * K2_22_xU;
+        let t386 = wx_delta2_delta * t378;
+        let M_11_zU = t15 + t15;
+        let C1_21 = -(yaw_by_delta * t113 + t131);
+        let K2_32 = -t156;
+        let K0_12_c = t199 - t140;
+        let t391 = -(wx_delta2_delta * K0_12_lam + wx_delta2_delta_lam * K0_12);
         (
             WhippleLeaningMatrices::from_entries([
                 M_11, M_12, M_13, M_12, M_22, M_23, M_13, M_23, M_33, zero, zero, zero, zero, zero,
@@ -7193,25 +7194,25 @@ impl<T: Number> WhippleLeaning<T> {
             ]),
             WhippleLeaningDerivatives {
                 values: [
-                    M_12_w, t170, t171, t174, C1_21_w, t188, t189, K0_12_w, K0_22_w, t196, t199,
-                    K2_32_w, M_12_c, M_22_c, M_23_c, K2_12, t130, C1_22_c, t151, K0_12_c, K0_22_c,
-                    t208, M_12_lam, t226, t227, t229, C1_21_lam, t242, t246, K0_12_lam, K0_22_lam,
-                    t253, K2_22_lam, K2_32_lam, M_11_rR, C1_12_rR, C1_21_rR, self.mR, K2_12_rR,
-                    M_11_mR, C1_12_mR, self.rR, K2_12_mR, self.w.like(1.0), M_22_IRxx, C1_22_IRxx,
-                    C1_12_IRyy, K2_12_IRyy, t275, M_22_xB, t274, C1_22_xB, vy_all1_delta_xB, t285,
-                    K2_22_xB, M_11_zB, t142, t287, self.mB, t273, M_11_mB, t288, M_22_mB, t291,
-                    C1_22_mB, self.zB, vy_all1_delta_mB, t293, t290, K2_22_mB, yaw_by_delta,
-                    yaw_per_v_delta, t294, M_22_xH, t298, C1_22_xH, t295, t304, K2_22_xH, M_11_zH,
-                    M_12_zH, t310, t232, t312, self.mH, K0_12_zH, K0_22_zH, t305, t311, M_11_mH,
-                    t315, M_22_mH, t317, C1_22_mH, self.zH, K0_12_mH, t319, t297, K2_22_mH,
+                    M_12_w, t168, t169, C1_12_w, C1_21_w, t186, t187, K0_12_w, K0_22_w, t191, t194,
+                    K2_32_w, M_12_c, M_22_c, M_23_c, K2_12, t172, t206, t156, K0_12_c, t208,
+                    K2_22_c, t222, M_22_lam, t230, t231, C1_21_lam, t250, t254, K0_12_lam, t391,
+                    t258, K2_22_lam, K2_32_lam, M_11_rR, C1_12_rR, C1_21_rR, self.mR, K2_12_rR,
+                    M_11_mR, C1_12_mR, self.rR, K2_12_mR, self.w.like(1.0), M_22_IRxx,
+                    M_22_wz_delta2_delta, C1_12_IRyy, K2_12_IRyy, t279, M_22_xB, t278, C1_22_xB,
+                    t280, t287, K2_22_xB, M_11_zB, t289, t292, self.mB, t291, M_11_mB, t294,
+                    M_22_mB, t297, C1_22_mB, self.zB, t293, t300, t296, K2_22_mB, yaw_by_delta,
+                    yaw_per_v_delta, t301, t304, t305, C1_22_xH, t302, t309, K2_22_xH, M_11_zH,
+                    M_12_zH, M_22_zH, t318, t319, self.mH, K0_12_zH, K0_22_zH, t310, t322, M_11_mH,
+                    M_12_mH, M_22_mH, t325, t327, self.zH, K0_12_mH, K0_22_mH, t329, t326,
                     wx_delta2_delta, M_22_IHxx, M_22_IHzz, C1_22_IHzz, wz_delta2_delta, M_22_IHxz,
                     K2_22_h_spin_F, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF,
-                    self.mF, t335, t336, K2_12_rF, t384, M_11_mF, M_12_mF, M_22_mF, C1_12_mF,
-                    C1_22_mF, self.rF, t342, t349, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy,
-                    K2_12_IFyy, K2_22_IFyy, t4, M_23_zP, M_33_zU, C1_32_zP, self.mU, K2_32_zP,
-                    M_11_mU, t357, M_13_mU, M_22_mU, t360, M_33_mU, t362, C1_22_mU, t366, self.zU,
-                    vy_all1_delta_mU, K0_13_mU, t367, t361, K2_22_mU, t365, t368, M_22_xU, t152,
-                    t371, C1_22_xU, vy_all1_delta_xU, t375, K2_22_xU, M_11_zU, M_13_zU,
+                    self.mF, t344, t345, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF,
+                    C1_22_mF, self.rF, t351, t353, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy,
+                    K2_12_IFyy, K2_22_IFyy, t15, M_23_zP, M_33_zU, C1_32_zP, self.mU, K2_32_zP,
+                    M_11_mU, t366, M_13_mU, M_22_mU, t369, M_33_mU, t372, C1_22_mU, t376, self.zU,
+                    t365, K0_13_mU, t377, t371, K2_22_mU, t375, t379, M_22_xU, t147, t382, C1_22_xU,
+                    t378, t386, K2_22_xU, M_11_zU, M_13_zU,
                 ],
             },
         )
@@ -7741,8 +7742,7 @@ impl WhippleLeaningDerivatives {
         Partial::new(MatrixName::M, 1, 1, 0, 1).negative(),
         Partial::new(MatrixName::M, 1, 2, 0, 2).negative(),
         Partial::new(MatrixName::M, 2, 1, 0, 2).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 0, 3).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 0, 4),
+        Partial::new(MatrixName::C1, 0, 1, 0, 3), Partial::new(MatrixName::C1, 1, 0, 0, 4),
         Partial::new(MatrixName::C1, 1, 1, 0, 5).negative(),
         Partial::new(MatrixName::C1, 2, 1, 0, 6).negative(),
         Partial::new(MatrixName::K0, 0, 1, 0, 7), Partial::new(MatrixName::K0, 1, 0, 0, 7),
@@ -7754,14 +7754,15 @@ impl WhippleLeaningDerivatives {
         Partial::new(MatrixName::M, 1, 2, 1, 14), Partial::new(MatrixName::M, 2, 1, 1, 14),
         Partial::new(MatrixName::C1, 0, 1, 1, 15),
         Partial::new(MatrixName::C1, 1, 0, 1, 16).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 17),
+        Partial::new(MatrixName::C1, 1, 1, 1, 17).negative(),
         Partial::new(MatrixName::C1, 2, 1, 1, 18).negative(),
         Partial::new(MatrixName::K0, 0, 1, 1, 19),
         Partial::new(MatrixName::K0, 1, 0, 1, 19),
-        Partial::new(MatrixName::K0, 1, 1, 1, 20),
-        Partial::new(MatrixName::K2, 1, 1, 1, 21).negative(),
-        Partial::new(MatrixName::M, 0, 1, 2, 22), Partial::new(MatrixName::M, 1, 0, 2, 22),
-        Partial::new(MatrixName::M, 1, 1, 2, 23).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 1, 20).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 1, 21),
+        Partial::new(MatrixName::M, 0, 1, 2, 22).negative(),
+        Partial::new(MatrixName::M, 1, 0, 2, 22).negative(),
+        Partial::new(MatrixName::M, 1, 1, 2, 23),
         Partial::new(MatrixName::M, 1, 2, 2, 24).negative(),
         Partial::new(MatrixName::M, 2, 1, 2, 24).negative(),
         Partial::new(MatrixName::C1, 0, 1, 2, 25).negative(),
@@ -7770,7 +7771,7 @@ impl WhippleLeaningDerivatives {
         Partial::new(MatrixName::C1, 2, 1, 2, 28).negative(),
         Partial::new(MatrixName::K0, 0, 1, 2, 29),
         Partial::new(MatrixName::K0, 1, 0, 2, 29),
-        Partial::new(MatrixName::K0, 1, 1, 2, 30),
+        Partial::new(MatrixName::K0, 1, 1, 2, 30).negative(),
         Partial::new(MatrixName::K2, 0, 1, 2, 31).negative(),
         Partial::new(MatrixName::K2, 1, 1, 2, 32), Partial::new(MatrixName::K2, 2, 1, 2, 33),
         Partial::new(MatrixName::M, 0, 0, 4, 34), Partial::new(MatrixName::C1, 0, 1, 4, 35),
@@ -7816,7 +7817,7 @@ impl WhippleLeaningDerivatives {
         Partial::new(MatrixName::C1, 0, 1, 14, 71),
         Partial::new(MatrixName::M, 0, 1, 15, 72).negative(),
         Partial::new(MatrixName::M, 1, 0, 15, 72).negative(),
-        Partial::new(MatrixName::M, 1, 1, 15, 73),
+        Partial::new(MatrixName::M, 1, 1, 15, 73).negative(),
         Partial::new(MatrixName::C1, 0, 1, 15, 74).negative(),
         Partial::new(MatrixName::C1, 1, 1, 15, 75),
         Partial::new(MatrixName::K0, 0, 1, 15, 76).negative(),
@@ -7824,38 +7825,35 @@ impl WhippleLeaningDerivatives {
         Partial::new(MatrixName::K0, 1, 1, 15, 77).negative(),
         Partial::new(MatrixName::K2, 1, 1, 15, 78), Partial::new(MatrixName::M, 0, 0, 16, 79),
         Partial::new(MatrixName::M, 0, 1, 16, 80), Partial::new(MatrixName::M, 1, 0, 16, 80),
-        Partial::new(MatrixName::M, 1, 1, 16, 81).negative(),
+        Partial::new(MatrixName::M, 1, 1, 16, 81),
         Partial::new(MatrixName::C1, 0, 1, 16, 82).negative(),
         Partial::new(MatrixName::C1, 1, 1, 16, 83).negative(),
         Partial::new(MatrixName::K0, 0, 0, 16, 84), Partial::new(MatrixName::K0, 0, 1, 16, 85),
         Partial::new(MatrixName::K0, 1, 0, 16, 85), Partial::new(MatrixName::K0, 1, 1, 16, 86),
         Partial::new(MatrixName::K2, 0, 1, 16, 87).negative(),
         Partial::new(MatrixName::K2, 1, 1, 16, 88).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 89),
-        Partial::new(MatrixName::M, 0, 1, 17, 90).negative(),
-        Partial::new(MatrixName::M, 1, 0, 17, 90).negative(),
-        Partial::new(MatrixName::M, 1, 1, 17, 91),
+        Partial::new(MatrixName::M, 0, 0, 17, 89), Partial::new(MatrixName::M, 0, 1, 17, 90),
+        Partial::new(MatrixName::M, 1, 0, 17, 90), Partial::new(MatrixName::M, 1, 1, 17, 91),
         Partial::new(MatrixName::C1, 0, 1, 17, 92).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 17, 93), Partial::new(MatrixName::K0, 0, 0, 17, 94),
-        Partial::new(MatrixName::K0, 0, 1, 17, 95), Partial::new(MatrixName::K0, 1, 0, 17, 95),
-        Partial::new(MatrixName::K0, 1, 1, 17, 96).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 93).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 17, 94), Partial::new(MatrixName::K0, 0, 1, 17, 95),
+        Partial::new(MatrixName::K0, 1, 0, 17, 95), Partial::new(MatrixName::K0, 1, 1, 17, 96),
         Partial::new(MatrixName::K2, 0, 1, 17, 97).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 17, 98), Partial::new(MatrixName::M, 0, 0, 18, 43),
-        Partial::new(MatrixName::M, 0, 1, 18, 99), Partial::new(MatrixName::M, 1, 0, 18, 99),
-        Partial::new(MatrixName::M, 1, 1, 18, 100), Partial::new(MatrixName::M, 1, 1, 20, 101),
-        Partial::new(MatrixName::C1, 1, 1, 20, 102), Partial::new(MatrixName::M, 0, 1, 21, 103),
-        Partial::new(MatrixName::M, 1, 0, 21, 103), Partial::new(MatrixName::M, 1, 1, 21, 104),
-        Partial::new(MatrixName::C1, 0, 1, 21, 71), Partial::new(MatrixName::C1, 1, 1, 21, 105),
-        Partial::new(MatrixName::M, 0, 0, 22, 106), Partial::new(MatrixName::M, 0, 1, 22, 107),
-        Partial::new(MatrixName::M, 1, 0, 22, 107), Partial::new(MatrixName::M, 1, 1, 22, 108),
-        Partial::new(MatrixName::C1, 0, 1, 22, 109), Partial::new(MatrixName::C1, 1, 0, 22, 110),
-        Partial::new(MatrixName::C1, 1, 1, 22, 111),
+        Partial::new(MatrixName::K2, 1, 1, 17, 98).negative(),
+        Partial::new(MatrixName::M, 0, 0, 18, 43), Partial::new(MatrixName::M, 0, 1, 18, 99),
+        Partial::new(MatrixName::M, 1, 0, 18, 99), Partial::new(MatrixName::M, 1, 1, 18, 100),
+        Partial::new(MatrixName::M, 1, 1, 20, 101), Partial::new(MatrixName::C1, 1, 1, 20, 102),
+        Partial::new(MatrixName::M, 0, 1, 21, 103), Partial::new(MatrixName::M, 1, 0, 21, 103),
+        Partial::new(MatrixName::M, 1, 1, 21, 104), Partial::new(MatrixName::C1, 0, 1, 21, 71),
+        Partial::new(MatrixName::C1, 1, 1, 21, 105), Partial::new(MatrixName::M, 0, 0, 22, 106),
+        Partial::new(MatrixName::M, 0, 1, 22, 107), Partial::new(MatrixName::M, 1, 0, 22, 107),
+        Partial::new(MatrixName::M, 1, 1, 22, 108), Partial::new(MatrixName::C1, 0, 1, 22, 109),
+        Partial::new(MatrixName::C1, 1, 0, 22, 110), Partial::new(MatrixName::C1, 1, 1, 22, 111),
         Partial::new(MatrixName::K0, 0, 0, 22, 112).negative(),
         Partial::new(MatrixName::K0, 0, 1, 22, 113).negative(),
         Partial::new(MatrixName::K0, 1, 0, 22, 113).negative(),
         Partial::new(MatrixName::K0, 1, 1, 22, 114).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 115),
-        Partial::new(MatrixName::K2, 1, 1, 22, 116).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 22, 115), Partial::new(MatrixName::K2, 1, 1, 22, 116),
         Partial::new(MatrixName::M, 0, 0, 23, 117), Partial::new(MatrixName::M, 0, 1, 23, 118),
         Partial::new(MatrixName::M, 1, 0, 23, 118), Partial::new(MatrixName::M, 1, 1, 23, 119),
         Partial::new(MatrixName::C1, 0, 1, 23, 120), Partial::new(MatrixName::C1, 1, 1, 23, 121),

@@ -216,50 +216,48 @@ impl<T: Number> WhippleMechanism<T> {
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleMechanismMatrices<T> {
-        let t3 = self.rF * self.mF;
-        let t8 = self.rF * t3 + (self.IHxx + self.IFxx);
-        let t13 = self.zB * self.mB;
-        let t19 = self.rR * self.mR;
-        let t23 = self.zH * self.mH;
-        let M_11 = self.IBxx + t8 + (self.IRxx + self.zB * t13)
-            + (self.rR * t19 + self.zH * t23);
+        let t3 = self.zB * self.mB;
+        let t8 = self.rR * self.mR;
+        let t12 = self.zH * self.mH;
+        let t19 = self.rF * self.mF;
+        let t23 = self.IHxx + (self.rF * t19 + self.IFxx);
+        let M_11 = self.IBxx + self.zB * t3
+            + (self.rR * t8 + self.zH * t12 + (self.IRxx + t23));
         let (wx_delta2_delta, cos_lam) = self.lam.sin_cos();
         let yaw_per_v_delta = cos_lam / self.w;
         let mu = self.c * yaw_per_v_delta;
         let wz_delta2_delta = cos_lam + mu;
-        let t37 = self.IHxz * wz_delta2_delta;
-        let t38 = wx_delta2_delta * t8 + t37;
+        let t38 = self.IHxz * wz_delta2_delta + wx_delta2_delta * t23;
         let t45 = self.zH * wx_delta2_delta
-            - (self.xH * wz_delta2_delta - cos_lam * (self.c + self.w));
-        let t46 = self.mH * t45;
-        let vy_all1_delta = t13 * self.xB;
-        let t52 = vy_all1_delta - self.IBxz;
-        let M_12 = t38 + self.zH * t46 - mu * t52;
-        let t57 = wz_delta2_delta * (self.IFxx + self.IHzz);
-        let t62 = mu * (self.mB * self.xB);
-        let t65 = t57 + ((self.IRxx + self.IBzz) * mu + self.xB * t62);
-        let ay_delta2_delta = mu * t65;
-        let M_22 = ay_delta2_delta + (t45 * t46 + wx_delta2_delta * (t37 + t38))
-            + cos_lam * t57;
+            + (cos_lam * (self.c + self.w) - self.xH * wz_delta2_delta);
+        let t51 = self.IBxz - t3 * self.xB;
+        let M_12 = t38 + t12 * t45 + mu * t51;
+        let t54 = self.mH * t45;
+        let ay_all1_delta = t38 * wx_delta2_delta;
+        let t61 = wz_delta2_delta * (self.IFxx + self.IHzz)
+            + wx_delta2_delta * self.IHxz;
+        let vy_spin_F4_delta = ay_all1_delta + t61 * wz_delta2_delta;
+        let t65 = self.mB * self.xB;
+        let t69 = mu * (self.IBzz + (self.IRxx + self.xB * t65));
+        let M_22 = t45 * t54 + (vy_spin_F4_delta + mu * t69);
         let zero = self.w.like(0.0);
-        let ay_all1_delta = t13 + t23;
-        let t79 = ay_all1_delta - t19;
-        let t84 = yaw_per_v_delta * self.IHxz + t3 * wz_delta2_delta;
+        let t76 = t3 + (t12 - t8);
         let SR = self.IRyy / self.rR;
+        let t79 = SR - t76;
         let SF = self.IFyy / self.rF;
-        let t91 = mu * SR + wz_delta2_delta * SF;
-        let t93 = t46 - t62;
-        let vy_spin_F4_delta = self.c * t93;
-        let C1_22 = yaw_per_v_delta * (t65 - (vy_spin_F4_delta + self.xH * t46))
-            + wx_delta2_delta * t84;
-        let K0_11 = t79 - t3;
-        let K0_12 = t93 - t3 * wx_delta2_delta;
+        let t87 = t19 + SF;
+        let C1_12 = (t51 - (t12 * self.xH - (self.IHxz + self.c * t79)))
+            * yaw_per_v_delta + wz_delta2_delta * t87;
+        let t93 = t19 * wx_delta2_delta;
+        let t97 = t54 - mu * t65;
+        let C1_22 = wz_delta2_delta * t93
+            + yaw_per_v_delta * (t69 - (self.xH * t54 - (t61 - self.c * t97)));
+        let K0_12 = t97 - t93;
         let K0_22 = wx_delta2_delta * K0_12;
-        let ST = SR + SF;
-        let K2_12 = yaw_per_v_delta * (ST - K0_11);
-        let K2_22 = yaw_per_v_delta * (wx_delta2_delta * SF - K0_12);
-        let C1_12 = t84 + t91 - (yaw_per_v_delta * (t23 * self.xH + t52) + mu * t79);
-        let C1_21 = -t91;
+        let K2_12 = yaw_per_v_delta * (t87 + t79);
+        let K2_22 = yaw_per_v_delta * (wx_delta2_delta * t87 - t97);
+        let C1_21 = -(mu * SR + wz_delta2_delta * SF);
+        let K0_11 = t76 - t19;
         WhippleMechanismMatrices::from_entries([
             M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
             K2_12, zero, K2_22,
@@ -4902,208 +4900,202 @@ pub struct WhippleMechanismDerivatives<T = f64> {
 
 impl<T: Number> WhippleMechanism<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 96 additions, 181 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 285 operations.
+    /// 92 additions, 180 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 279 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleMechanismMatrices<T>, WhippleMechanismDerivatives<T>) {
         let M_11_mF = self.rF * self.rF;
-        let t8 = self.IFxx + self.IHxx + self.mF * M_11_mF;
-        let t12 = self.zH * self.mH;
-        let t16 = self.rR * self.mR;
-        let t20 = self.zB * self.mB;
-        let M_11 = self.IRxx + t8 + self.IBxx + self.zH * t12 + self.rR * t16
-            + self.zB * t20;
+        let t8 = self.IHxx + self.IFxx + self.mF * M_11_mF;
+        let M_11_mB = self.zB * self.zB;
+        let t15 = self.zH * self.mH;
+        let t20 = self.rR * self.mR;
+        let M_11 = self.IBxx + t8 + self.mB * M_11_mB + self.zH * t15 + self.IRxx
+            + self.rR * t20;
         let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
-        let t31 = self.w.like(1.0) / self.w;
-        let t32 = self.c * t31;
-        let mu = wx_delta2_delta_lam * t32;
-        let t36 = self.mB * self.xB;
-        let t38 = self.IBxz - self.zB * t36;
+        let t34 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = wx_delta2_delta_lam * t34;
+        let mu = self.c * yaw_per_v_delta;
         let wz_delta2_delta = wx_delta2_delta_lam + mu;
-        let t45 = self.IHxz * wz_delta2_delta + t8 * wx_delta2_delta;
+        let t40 = self.c * t34;
+        let t44 = self.c + self.w - self.xH - self.xH * t40;
         let t46 = self.zH * wx_delta2_delta;
-        let t48 = t32 * self.xH;
-        let t51 = self.c + self.w - self.xH - t48;
-        let t52 = wx_delta2_delta_lam * t51;
-        let K0_12_mH = t46 + t52;
-        let t54 = self.mH * K0_12_mH;
-        let t56 = t45 + self.zH * t54;
-        let M_12 = mu * t38 + t56;
-        let yaw_per_v_delta = wx_delta2_delta_lam * t31;
-        let t65 = (self.IRxx + self.xB * t36 + self.IBzz) * yaw_per_v_delta;
-        let t66 = self.c * t65;
-        let t69 = self.IFxx + self.IHzz;
-        let t71 = self.IHxz * wx_delta2_delta;
-        let t72 = wz_delta2_delta * t69 + t71;
-        let M_22 = wx_delta2_delta * t56 + t52 * t54 + mu * t66 + wz_delta2_delta * t72;
+        let K0_12_mH = wx_delta2_delta_lam * t44 + t46;
+        let M_12_mH = self.zH * K0_12_mH;
+        let t51 = t8 * wx_delta2_delta + self.IHxz * wz_delta2_delta + self.mH * M_12_mH;
+        let t54 = self.mB * self.xB;
+        let t56 = self.IBxz - self.zB * t54;
+        let M_12 = t51 + mu * t56;
+        let t60 = self.IFxx + self.IHzz;
+        let t62 = wx_delta2_delta * self.IHxz;
+        let t63 = wz_delta2_delta * t60 + t62;
+        let t64 = self.mH * K0_12_mH;
+        let t70 = yaw_per_v_delta * (self.IRxx + self.IBzz + self.xB * t54);
+        let t73 = t34 * (t63 + self.c * t70);
+        let t76 = t63 + t44 * t64 + self.c * t73;
+        let M_22 = wx_delta2_delta_lam * t76 + wx_delta2_delta * t51;
         let zero = self.w.like(0.0);
-        let M_12_mu = t38 + self.IHxz;
-        let t80 = self.mF * self.rF;
-        let K0_11 = t12 + t20 - t16 - t80;
-        let t85 = self.w.like(1.0) / self.rR;
-        let SR = self.IRyy * t85;
-        let t88 = self.w.like(1.0) / self.rF;
-        let SF = self.IFyy * t88;
-        let ST = SR + SF;
-        let K2_12_yaw_per_v_delta = ST - K0_11;
-        let t94 = M_12_mu + self.c * K2_12_yaw_per_v_delta - t12 * self.xH;
-        let t95 = yaw_per_v_delta * t94;
-        let t96 = wx_delta2_delta_lam * t80;
-        let t97 = wx_delta2_delta_lam * SF;
-        let C1_12 = t95 + t96 + t97;
-        let t100 = mu * ST;
-        let t102 = t66 + t72;
-        let t103 = self.c + self.xH;
-        let t105 = self.mB * yaw_per_v_delta;
-        let t106 = self.c * t105;
-        let t107 = self.xB * t106;
-        let C1_22_yaw_per_v_delta = t102 + self.c * t107 - t54 * t103;
-        let t111 = t31 * C1_22_yaw_per_v_delta;
-        let C1_12_mF = self.rF * wz_delta2_delta;
-        let t114 = self.mF * C1_12_mF;
-        let C1_22 = wx_delta2_delta_lam * t111 + wx_delta2_delta * t114;
-        let t117 = t107 - t54;
-        let t118 = self.mF * wx_delta2_delta;
-        let t119 = self.rF * t118;
-        let t120 = t117 + t119;
+        let t82 = self.w.like(1.0) / self.rF;
+        let SF = self.IFyy * t82;
+        let t84 = self.mF * self.rF;
+        let t86 = self.mB * self.zB;
+        let K0_11 = t15 + t86 - t20 - t84;
+        let t91 = self.w.like(1.0) / self.rR;
+        let SR = self.IRyy * t91;
+        let t93 = SF + SR;
+        let K2_12_yaw_per_v_delta = t93 - K0_11;
+        let M_12_mu = self.IHxz + t56;
+        let t99 = t34 * (t15 * self.xH - self.c * K2_12_yaw_per_v_delta - M_12_mu);
+        let t101 = SF + t84 - t99;
+        let C1_12 = wx_delta2_delta_lam * t101;
+        let t103 = yaw_per_v_delta * t93;
+        let t105 = wx_delta2_delta_lam * SF;
+        let t107 = self.rF * wx_delta2_delta;
+        let t108 = self.mF * t107;
+        let t109 = self.mB * mu;
+        let t110 = self.xB * t109;
+        let K0_12 = t64 - t108 - t110;
+        let t116 = t73 - t34 * self.xH * t64;
+        let C1_22 = wx_delta2_delta_lam * (t108 + t116 - t40 * K0_12);
+        let K0_22 = wx_delta2_delta * K0_12;
         let K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
-        let t123 = wx_delta2_delta * SF;
-        let t124 = t119 + t123;
-        let K2_22_yaw_per_v_delta = t117 + t124;
-        let K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
-        let t127 = yaw_per_v_delta * M_12_mu;
-        let t129 = self.mH * wx_delta2_delta_lam;
-        let t130 = t31 * t129;
-        let M_22_wz_delta2_delta = t48 * t130;
-        let t132 = t129 + M_22_wz_delta2_delta;
-        let M_12_w = self.zH * t132 - t32 * t127;
-        let t135 = yaw_per_v_delta * t102;
-        let t136 = t32 * t135;
-        let t137 = t46 + K0_12_mH;
-        let t138 = t52 + t137;
-        let M_22_w = t132 * t138 - t136 - t136;
-        let t142 = t31 * t95;
-        let C1_21_w = t31 * t100;
-        let C1_22_wz_delta2_delta = t119 + yaw_per_v_delta * t69;
-        let C1_22_mu = t65 + t107 + C1_22_wz_delta2_delta;
-        let t149 = t111 + t32 * C1_22_mu;
-        let t152 = yaw_per_v_delta * (t149 + t103 * t132);
-        let K0_12_w = t132 + t31 * t107;
+        let K2_22_mu = wx_delta2_delta * SF;
+        let K2_22 = yaw_per_v_delta * (K2_22_mu - K0_12);
+        let t125 = yaw_per_v_delta * M_12_mu;
+        let t127 = yaw_per_v_delta * self.xH;
+        let t129 = wx_delta2_delta_lam + t40 * t127;
+        let t130 = self.mH * t129;
+        let M_12_w = self.zH * t130 - t40 * t125;
+        let t133 = t64 + t64;
+        let t135 = wx_delta2_delta_lam + wx_delta2_delta_lam;
+        let t136 = t73 * t135;
+        let M_22_w = t129 * t133 - t40 * t136;
+        let C1_12_w = yaw_per_v_delta * t99;
+        let C1_21_w = t40 * t103;
+        let t141 = mu + t127;
+        let t142 = self.mH * t141;
+        let t144 = yaw_per_v_delta * t60;
+        let t145 = t110 - K0_12;
+        let t147 = t70 + t144 + t145;
+        let t149 = t116 + t40 * t147;
+        let t151 = t129 * t142 + yaw_per_v_delta * t149;
+        let t152 = self.mB * yaw_per_v_delta;
+        let t153 = self.xB * t152;
+        let t154 = t40 * t153;
+        let K0_12_w = t130 + t154;
         let K0_22_w = wx_delta2_delta * K0_12_w;
-        let t156 = t31 * K2_12;
-        let t157 = t31 * K2_22_yaw_per_v_delta;
-        let t159 = yaw_per_v_delta * (K0_12_w + t157);
-        let t161 = t129 - self.xH * t130;
-        let M_12_c = t127 + self.zH * t161;
-        let M_22_c = t135 + t135 + t138 * t161;
-        let t167 = yaw_per_v_delta * ST;
-        let C1_22_c = yaw_per_v_delta * (t117 + C1_22_mu - t103 * t161);
-        let t172 = t36 * yaw_per_v_delta;
-        let K0_12_c = t161 - t172;
-        let K0_22_c = wx_delta2_delta * K0_12_c;
-        let t175 = yaw_per_v_delta * K0_12_c;
-        let t178 = self.zH * wx_delta2_delta_lam - wx_delta2_delta * t51;
-        let t179 = self.mH * t178;
-        let t181 = t31 * wx_delta2_delta;
-        let t182 = self.c * t181;
-        let t187 = t71 + M_12_mu * t182 - self.zH * t179 - t8 * wx_delta2_delta_lam;
-        let t194 = t102 * t182 + wx_delta2_delta * t72 - wx_delta2_delta_lam * t45
-            - t54 * t178;
-        let t195 = t194 + t194;
-        let t197 = t124 + t94 * t181;
-        let C1_21_lam = t123 + ST * t182;
-        let t205 = t103 * t130;
-        let C1_22_lam = wx_delta2_delta_lam * (t114 + self.IHxz * yaw_per_v_delta)
-            - wx_delta2_delta * (C1_22_wz_delta2_delta + t149) - t178 * t205;
-        let K0_12_lam = t179 + t36 * t182 - t96;
-        let K0_22_lam = wx_delta2_delta * K0_12_lam - wx_delta2_delta_lam * t120;
-        let t215 = K2_12_yaw_per_v_delta * t181;
-        let K2_22_lam = yaw_per_v_delta * (t97 - K0_12_lam) - wx_delta2_delta * t157;
-        let M_11_rR = t16 + t16;
-        let K2_12_IRyy = yaw_per_v_delta * t85;
-        let K2_12_rR = self.mR * yaw_per_v_delta - SR * K2_12_IRyy;
-        let C1_12_rR = self.c * K2_12_rR;
-        let C1_12_IRyy = mu * t85;
-        let C1_21_rR = SR * C1_12_IRyy;
+        let t157 = t34 * K2_12;
+        let t159 = t34 * (K2_22_mu + t145);
+        let t161 = yaw_per_v_delta * (t130 + t159);
+        let t162 = wx_delta2_delta_lam - t127;
+        let t163 = self.mH * t162;
+        let M_12_c = t125 + self.zH * t163;
+        let M_22_c = t136 + t133 * t162;
+        let C1_22_c = yaw_per_v_delta * t147 - t141 * t163;
+        let t171 = t153 - t163;
+        let t172 = wx_delta2_delta * t171;
+        let K2_22_c = yaw_per_v_delta * t171;
+        let t174 = wx_delta2_delta * t40;
+        let t177 = t15 * wx_delta2_delta_lam;
+        let K0_12_zH = self.mH * wx_delta2_delta;
+        let t180 = t177 - t44 * K0_12_zH;
+        let t184 = t62 + M_12_mu * t174 - t8 * wx_delta2_delta_lam - self.zH * t180;
+        let t187 = wx_delta2_delta_lam * t51 - wx_delta2_delta * t76;
+        let M_22_lam = t187 + t187;
+        let t189 = wx_delta2_delta * t101;
+        let C1_21_lam = K2_22_mu + t93 * t174;
+        let t192 = wx_delta2_delta_lam * t84;
+        let K2_22_yaw_per_v_delta = wx_delta2_delta * (t108 + t144 + t149);
+        let t198 = wx_delta2_delta_lam * yaw_per_v_delta;
+        let C1_22_lam = wz_delta2_delta * t192 + self.IHxz * t198 - K2_22_yaw_per_v_delta
+            - t141 * t180;
+        let t204 = t180 - t192;
+        let K0_12_lam = t54 * t174 + t204;
+        let t210 = wx_delta2_delta * t34 * K2_12_yaw_per_v_delta;
+        let K2_22_lam = yaw_per_v_delta * (t105 - t204) - wx_delta2_delta * t159;
+        let M_11_rR = t20 + t20;
+        let t216 = t91 * SR;
+        let t217 = self.mR - t216;
+        let C1_12_rR = mu * t217;
+        let C1_21_rR = mu * t216;
+        let K2_12_rR = yaw_per_v_delta * t217;
         let M_11_mR = self.rR * self.rR;
         let K2_12_mR = self.rR * yaw_per_v_delta;
         let C1_12_mR = self.c * K2_12_mR;
-        let M_22_IRxx = mu * mu;
-        let C1_22_IRxx = mu * yaw_per_v_delta;
-        let t234 = t20 * mu;
-        let t235 = self.xB * yaw_per_v_delta;
-        let t236 = self.c * t235;
-        let t237 = t106 * t236;
-        let M_22_xB = t237 + t237;
-        let t239 = self.zB * yaw_per_v_delta;
-        let t240 = self.mB * t239;
-        let t241 = mu + t235;
-        let C1_22_xB = t106 * (t235 + t241);
-        let t244 = wx_delta2_delta * t106;
-        let K2_22_xB = yaw_per_v_delta * t106;
-        let M_11_zB = t20 + t20;
-        let t247 = t106 + t172;
-        let M_11_mB = self.zB * self.zB;
-        let t249 = self.zB * t236;
-        let M_22_mB = t236 * t236;
-        let t251 = self.zB * t241;
-        let C1_22_mB = t236 * t241;
-        let t253 = wx_delta2_delta * t236;
-        let K2_22_mB = mu * t235;
-        let t255 = t12 * wz_delta2_delta;
-        let t256 = self.mH * wz_delta2_delta;
-        let t257 = t138 * t256;
-        let t258 = self.zH * yaw_per_v_delta;
-        let t259 = self.mH * t258;
-        let C1_22_IHzz = wz_delta2_delta * yaw_per_v_delta;
-        let K2_22_xH = self.mH * C1_22_IHzz;
-        let C1_22_xH = t103 * K2_22_xH - K0_12_mH * t130;
-        let t265 = wz_delta2_delta * wx_delta2_delta;
-        let t266 = self.mH * t265;
-        let M_11_zH = t12 + t12;
-        let M_12_zH = self.mH * t137;
-        let K0_12_zH = self.mH * wx_delta2_delta;
-        let M_22_zH = t138 * K0_12_zH;
-        let t271 = t129 * t181;
-        let t272 = t103 * t271;
-        let K0_22_zH = wx_delta2_delta * K0_12_zH;
-        let M_11_mH = self.zH * self.zH;
-        let M_12_mH = self.zH * K0_12_mH;
-        let M_22_mH = K0_12_mH * K0_12_mH;
-        let t277 = t103 * t258;
-        let t278 = K0_12_mH * yaw_per_v_delta;
-        let t279 = t103 * t278;
-        let K0_22_mH = wx_delta2_delta * K0_12_mH;
+        let C1_22_IRxx = yaw_per_v_delta * mu;
+        let M_22_IRxx = self.c * C1_22_IRxx;
+        let C1_12_IRyy = mu * t91;
+        let K2_12_IRyy = yaw_per_v_delta * t91;
+        let t229 = mu * t86;
+        let t230 = t135 * t154;
+        let M_22_xB = self.c * t230;
+        let t232 = self.zB * yaw_per_v_delta;
+        let t233 = self.mB * t232;
+        let C1_22_xB = t230 + mu * t109;
+        let t236 = wx_delta2_delta * t109;
+        let K2_22_xB = self.mB * C1_22_IRxx;
+        let M_11_zB = t86 + t86;
+        let t239 = self.c + self.xB;
+        let t240 = t152 * t239;
+        let t241 = mu * self.xB;
+        let t242 = self.zB * t241;
+        let M_22_mB = t241 * t241;
+        let t244 = t232 * t239;
+        let K2_22_mB = yaw_per_v_delta * t241;
+        let C1_22_mB = t239 * K2_22_mB;
+        let t247 = wx_delta2_delta * t241;
+        let t248 = t15 * wz_delta2_delta;
+        let t249 = wz_delta2_delta * t133;
+        let t250 = t34 * t177;
+        let t252 = yaw_per_v_delta * K0_12_mH;
+        let C1_22_xH = wz_delta2_delta * t142 - self.mH * t252;
+        let t255 = self.mH * wz_delta2_delta;
+        let t256 = wz_delta2_delta * K0_12_zH;
+        let K2_22_xH = yaw_per_v_delta * t255;
+        let M_11_zH = t15 + t15;
+        let M_12_zH = self.mH * (t46 + K0_12_mH);
+        let M_22_zH = wx_delta2_delta * t133;
+        let t262 = t141 * K0_12_zH;
         let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+        let K0_22_zH = self.mH * M_22_IHxx;
+        let t265 = self.mH * yaw_per_v_delta;
+        let t266 = yaw_per_v_delta * K0_12_zH;
+        let M_11_mH = self.zH * self.zH;
+        let M_22_mH = K0_12_mH * K0_12_mH;
+        let t269 = self.zH * t141;
+        let t270 = K0_12_mH * t141;
+        let K0_22_mH = wx_delta2_delta * K0_12_mH;
+        let t272 = self.zH * yaw_per_v_delta;
         let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-        let M_22_IHxz = t265 + t265;
-        let K2_22_SF = wx_delta2_delta * yaw_per_v_delta;
-        let M_11_rF = t80 + t80;
-        let M_12_rF = t119 + t119;
-        let M_22_rF = wx_delta2_delta * M_12_rF;
-        let t289 = self.mF - t88 * SF;
-        let C1_12_rF = wz_delta2_delta * t289;
-        let C1_12_IFyy = wz_delta2_delta * t88;
+        let C1_22_IHzz = t198 + C1_22_IRxx;
+        let M_22_IHxz = t135 * (wx_delta2_delta + t174);
+        let M_22_wz_delta2_delta = wx_delta2_delta * yaw_per_v_delta;
+        let M_11_rF = t84 + t84;
+        let M_12_rF = t108 + t108;
+        let M_22_rF = M_22_IHxx * M_11_rF;
+        let t282 = self.mF - t82 * SF;
+        let C1_12_rF = wz_delta2_delta * t282;
+        let C1_12_IFyy = wz_delta2_delta * t82;
         let C1_21_rF = SF * C1_12_IFyy;
-        let C1_22_rF = self.mF * t265;
-        let t294 = wx_delta2_delta * t118;
-        let K2_12_rF = yaw_per_v_delta * t289;
-        let K2_22_rF = K2_22_SF * t289;
-        let t297 = self.rF * wx_delta2_delta;
-        let M_12_mF = self.rF * t297;
-        let M_22_mF = wx_delta2_delta * M_12_mF;
-        let C1_22_mF = wz_delta2_delta * t297;
-        let t301 = wx_delta2_delta * t297;
+        let t286 = self.mF * wx_delta2_delta;
+        let C1_22_rF = wz_delta2_delta * t286;
+        let t288 = self.mF * M_22_IHxx;
+        let K2_12_rF = yaw_per_v_delta * t282;
+        let K2_22_rF = wx_delta2_delta * K2_12_rF;
+        let M_12_mF = self.rF * t107;
+        let M_22_mF = M_11_mF * M_22_IHxx;
+        let C1_12_mF = self.rF * wz_delta2_delta;
+        let C1_22_mF = wz_delta2_delta * t107;
+        let t295 = self.rF * M_22_IHxx;
         let K2_12_mF = self.rF * yaw_per_v_delta;
-        let K2_22_mF = wx_delta2_delta * K2_12_mF;
+        let K2_22_mF = self.rF * M_22_wz_delta2_delta;
         let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let K2_12_IFyy = yaw_per_v_delta * t88;
-        let K2_22_IFyy = t88 * K2_22_SF;
-        let C1_21 = -(t97 + t100);
-        let K0_12 = -t120;
-        let K0_22 = -(wx_delta2_delta * t120);
+        let K2_12_IFyy = yaw_per_v_delta * t82;
+        let K2_22_IFyy = t82 * M_22_wz_delta2_delta;
+        let C1_21 = -(self.c * t103 + t105);
+        let K0_12_c = t163 - t153;
+        let t303 = -(wx_delta2_delta * K0_12_lam + wx_delta2_delta_lam * K0_12);
         (
             WhippleMechanismMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
@@ -5111,21 +5103,21 @@ impl<T: Number> WhippleMechanism<T> {
             ]),
             WhippleMechanismDerivatives {
                 values: [
-                    M_12_w, M_22_w, t142, C1_21_w, t152, K0_12_w, K0_22_w, t156, t159, M_12_c,
-                    M_22_c, K2_12, t167, C1_22_c, K0_12_c, K0_22_c, t175, t187, t195, t197,
-                    C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t215, K2_22_lam, M_11_rR, C1_12_rR,
+                    M_12_w, M_22_w, C1_12_w, C1_21_w, t151, K0_12_w, K0_22_w, t157, t161, M_12_c,
+                    M_22_c, K2_12, t103, C1_22_c, K0_12_c, t172, K2_22_c, t184, M_22_lam, t189,
+                    C1_21_lam, C1_22_lam, K0_12_lam, t303, t210, K2_22_lam, M_11_rR, C1_12_rR,
                     C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
-                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t234, M_22_xB,
-                    t240, C1_22_xB, t106, t244, K2_22_xB, M_11_zB, t107, t247, self.mB, t105,
-                    M_11_mB, t249, M_22_mB, t251, C1_22_mB, self.zB, t236, t253, t239, K2_22_mB, mu,
-                    yaw_per_v_delta, t255, t257, t259, C1_22_xH, t256, t266, K2_22_xH, M_11_zH,
-                    M_12_zH, M_22_zH, t205, t272, self.mH, K0_12_zH, K0_22_zH, t130, t271, M_11_mH,
-                    M_12_mH, M_22_mH, t277, t279, self.zH, K0_12_mH, K0_22_mH, t258, t278,
+                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t229, M_22_xB,
+                    t233, C1_22_xB, t109, t236, K2_22_xB, M_11_zB, t110, t240, self.mB, t152,
+                    M_11_mB, t242, M_22_mB, t244, C1_22_mB, self.zB, t241, t247, t232, K2_22_mB, mu,
+                    yaw_per_v_delta, t248, t249, t250, C1_22_xH, t255, t256, K2_22_xH, M_11_zH,
+                    M_12_zH, M_22_zH, t142, t262, self.mH, K0_12_zH, K0_22_zH, t265, t266, M_11_mH,
+                    M_12_mH, M_22_mH, t269, t270, self.zH, K0_12_mH, K0_22_mH, t272, t252,
                     wx_delta2_delta, M_22_IHxx, M_22_IHzz, C1_22_IHzz, wz_delta2_delta, M_22_IHxz,
-                    K2_22_SF, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF, self.mF,
-                    t118, t294, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF, C1_22_mF,
-                    self.rF, t297, t301, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy, K2_12_IFyy,
-                    K2_22_IFyy,
+                    M_22_wz_delta2_delta, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF,
+                    self.mF, t286, t288, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF,
+                    C1_22_mF, self.rF, t107, t295, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy,
+                    K2_12_IFyy, K2_22_IFyy,
                 ],
             },
         )
@@ -5661,8 +5653,7 @@ impl WhippleMechanismDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 158] = &[
         Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1),
-        Partial::new(MatrixName::C1, 0, 1, 0, 2).negative(),
+        Partial::new(MatrixName::M, 1, 1, 0, 1), Partial::new(MatrixName::C1, 0, 1, 0, 2),
         Partial::new(MatrixName::C1, 1, 0, 0, 3),
         Partial::new(MatrixName::C1, 1, 1, 0, 4).negative(),
         Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
@@ -5672,16 +5663,18 @@ impl WhippleMechanismDerivatives {
         Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
         Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
         Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 13), Partial::new(MatrixName::K0, 0, 1, 1, 14),
-        Partial::new(MatrixName::K0, 1, 0, 1, 14), Partial::new(MatrixName::K0, 1, 1, 1, 15),
-        Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 1, 13),
+        Partial::new(MatrixName::K0, 0, 1, 1, 14),
+        Partial::new(MatrixName::K0, 1, 0, 1, 14),
+        Partial::new(MatrixName::K0, 1, 1, 1, 15).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 1, 16),
         Partial::new(MatrixName::M, 0, 1, 2, 17).negative(),
         Partial::new(MatrixName::M, 1, 0, 2, 17).negative(),
-        Partial::new(MatrixName::M, 1, 1, 2, 18).negative(),
+        Partial::new(MatrixName::M, 1, 1, 2, 18),
         Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
         Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
         Partial::new(MatrixName::K0, 0, 1, 2, 22), Partial::new(MatrixName::K0, 1, 0, 2, 22),
-        Partial::new(MatrixName::K0, 1, 1, 2, 23),
+        Partial::new(MatrixName::K0, 1, 1, 2, 23).negative(),
         Partial::new(MatrixName::K2, 0, 1, 2, 24).negative(),
         Partial::new(MatrixName::K2, 1, 1, 2, 25), Partial::new(MatrixName::M, 0, 0, 4, 26),
         Partial::new(MatrixName::C1, 0, 1, 4, 27), Partial::new(MatrixName::C1, 1, 0, 4, 28),

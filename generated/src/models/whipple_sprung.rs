@@ -227,47 +227,50 @@ impl<T: Number> WhippleSprung<T> {
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleSprungMatrices<T> {
-        let t2 = self.rR * self.mR;
-        let t7 = self.zH * self.mH;
-        let t13 = self.zB * self.mB;
-        let t18 = self.rF * self.mF;
-        let t23 = self.rF * t18 + (self.IHxx + self.IFxx);
-        let M_11 = self.rR * t2 + (self.IBxx + self.zH * t7)
-            + (self.zB * t13 + (self.IRxx + t23));
+        let t3 = self.rR * self.mR;
+        let t8 = self.zH * self.mH;
+        let t14 = self.zB * self.mB;
+        let t19 = self.rF * self.mF;
+        let t23 = self.IHxx + (self.rF * t19 + self.IFxx);
+        let M_11 = self.IBxx
+            + (self.rR * t3 + (self.IRxx + self.zH * t8) + (self.zB * t14 + t23));
         let (wx_delta2_delta, cos_lam) = self.lam.sin_cos();
+        let vy_spin_F4_delta = wx_delta2_delta * t23;
         let yaw_per_v_delta = cos_lam / self.w;
         let yaw_by_delta = self.c * yaw_per_v_delta;
-        let t35 = self.mB * self.xB;
-        let t37 = self.IBxz - self.zB * t35;
         let wz_delta2_delta = cos_lam + yaw_by_delta;
-        let t41 = self.IHxz * wz_delta2_delta;
-        let ay_all1_delta = t23 * wx_delta2_delta;
-        let t44 = t41 + ay_all1_delta;
-        let t52 = self.zH * wx_delta2_delta
+        let t37 = self.IHxz * wz_delta2_delta;
+        let h_wheels_all = vy_spin_F4_delta + t37;
+        let t45 = self.zH * wx_delta2_delta
             - (self.xH * wz_delta2_delta - cos_lam * (self.c + self.w));
-        let t53 = self.mH * t52;
-        let M_12 = yaw_by_delta * t37 + t44 + self.zH * t53;
-        let h_wheels_all = wx_delta2_delta * (t41 + t44);
-        let t60 = wz_delta2_delta * (self.IFxx + self.IHzz);
-        let t67 = yaw_by_delta * (self.IRxx + (self.xB * t35 + self.IBzz));
-        let M_22 = h_wheels_all + wz_delta2_delta * t60
-            + (t67 * yaw_by_delta + t52 * t53);
+        let t46 = self.mH * t45;
+        let t52 = t14 * self.xB - self.IBxz;
+        let M_12 = h_wheels_all + self.zH * t46 - yaw_by_delta * t52;
+        let t56 = self.mB * self.xB;
+        let ay_all1_delta = self.IBzz + self.xB * t56;
+        let vy_all1_delta = self.IRxx + ay_all1_delta;
+        let t60 = yaw_by_delta * vy_all1_delta;
+        let t68 = wz_delta2_delta * (self.IFxx + self.IHzz);
+        let M_22 = yaw_by_delta * t60
+            + (t45 * t46 + wx_delta2_delta * (t37 + h_wheels_all)
+                + wz_delta2_delta * t68);
         let zero = self.w.like(0.0);
-        let t77 = t13 + t7 - t2;
+        let t76 = t19 * wz_delta2_delta + yaw_per_v_delta * self.IHxz;
         let h_spin_F = self.IFyy / self.rF;
         let h_spin_R = self.IRyy / self.rR;
-        let t87 = wz_delta2_delta * h_spin_F + yaw_by_delta * h_spin_R;
-        let t90 = t18 * wz_delta2_delta + yaw_per_v_delta * self.IHxz;
-        let t96 = t53 - yaw_by_delta * t35;
-        let K0_11 = t77 - t18;
-        let K0_12 = t96 - t18 * wx_delta2_delta;
+        let t83 = wz_delta2_delta * h_spin_F + yaw_by_delta * h_spin_R;
+        let t86 = t14 + (t8 - t3);
+        let C1_12 = t76
+            + (t83 - yaw_per_v_delta * (t52 + (t8 * self.xH + self.c * t86)));
+        let t97 = t46 - yaw_by_delta * t56;
+        let K0_11 = t86 - t19;
+        let K0_12 = t97 - t19 * wx_delta2_delta;
         let K0_22 = wx_delta2_delta * K0_12;
-        let K2_12 = yaw_per_v_delta * (h_spin_F - (K0_11 - h_spin_R));
+        let K2_12 = yaw_per_v_delta * (h_spin_R + h_spin_F - K0_11);
         let K2_22 = yaw_per_v_delta * (wx_delta2_delta * h_spin_F - K0_12);
-        let C1_12 = t87 + t90 - yaw_per_v_delta * (t7 * self.xH - t37 + self.c * t77);
-        let C1_21 = -t87;
-        let C1_22 = wx_delta2_delta * t90
-            - yaw_per_v_delta * (self.c * t96 - (t67 + (t60 - self.xH * t53)));
+        let C1_21 = -t83;
+        let C1_22 = wx_delta2_delta * t76
+            - yaw_per_v_delta * (self.c * t97 - (t68 - self.xH * t46) - t60);
         WhippleSprungMatrices::from_entries([
             M_11, M_12, M_12, M_22, zero, zero, zero, self.d, zero, C1_12, C1_21, C1_22, zero, zero,
             zero, self.k, K0_11, K0_12, K0_12, K0_22, zero, K2_12, zero, K2_22,
@@ -339,208 +342,208 @@ pub struct WhippleSprungDerivatives<T = f64> {
 
 impl<T: Number> WhippleSprung<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 98 additions, 179 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 285 operations.
+    /// 95 additions, 180 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 283 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleSprungMatrices<T>, WhippleSprungDerivatives<T>) {
-        let t2 = self.zH * self.mH;
-        let t8 = self.rF * self.mF;
-        let t13 = self.rF * t8 + self.IHxx + self.IFxx;
-        let M_11_mR = self.rR * self.rR;
-        let t20 = self.zB * self.mB;
-        let M_11 = self.zH * t2 + self.IRxx + self.IBxx + t13 + self.mR * M_11_mR
-            + self.zB * t20;
+        let t4 = self.zB * self.mB;
+        let t10 = self.rF * self.mF;
+        let t13 = self.IFxx + self.IHxx + self.rF * t10;
+        let t16 = self.rR * self.mR;
+        let M_11_mH = self.zH * self.zH;
+        let M_11 = self.IBxx + self.IRxx + self.zB * t4 + t13 + self.rR * t16
+            + self.mH * M_11_mH;
         let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
         let t34 = self.w.like(1.0) / self.w;
-        let t35 = self.c * t34;
-        let t39 = self.xH + self.xH * t35 - self.c - self.w;
-        let K0_12_mH = self.zH * wx_delta2_delta - wx_delta2_delta_lam * t39;
-        let M_12_mH = self.zH * K0_12_mH;
-        let yaw_by_delta = wx_delta2_delta_lam * t35;
+        let yaw_per_v_delta = wx_delta2_delta_lam * t34;
+        let yaw_by_delta = self.c * yaw_per_v_delta;
         let wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
-        let t49 = t13 * wx_delta2_delta + self.IHxz * wz_delta2_delta;
-        let t53 = self.IBxz - t20 * self.xB;
-        let M_12 = self.mH * M_12_mH + t49 + yaw_by_delta * t53;
-        let t58 = self.IFxx + self.IHzz;
-        let t60 = wx_delta2_delta * self.IHxz;
-        let t61 = wz_delta2_delta * t58 + t60;
-        let t63 = self.mB * self.xB;
-        let C1_12_yaw_by_delta = self.xB * t63;
-        let t66 = self.IRxx + self.IBzz + C1_12_yaw_by_delta;
-        let t68 = t61 + yaw_by_delta * t66;
-        let t70 = t61 + t35 * t68;
-        let t73 = self.mH * K0_12_mH;
-        let M_22 = wx_delta2_delta_lam * t70 + wx_delta2_delta * t49 + K0_12_mH * t73;
+        let t40 = self.c * t34;
+        let t44 = self.xH + self.xH * t40 - self.c - self.w;
+        let t46 = self.zH * wx_delta2_delta;
+        let K0_12_mH = t46 - wx_delta2_delta_lam * t44;
+        let t48 = self.mH * K0_12_mH;
+        let t51 = t13 * wx_delta2_delta + self.IHxz * wz_delta2_delta + self.zH * t48;
+        let t55 = self.IBxz - t4 * self.xB;
+        let M_12 = t51 + yaw_by_delta * t55;
+        let t60 = self.IFxx + self.IHzz;
+        let t62 = wx_delta2_delta * self.IHxz;
+        let t63 = wz_delta2_delta * t60 + t62;
+        let t66 = self.mB * self.xB;
+        let vy_all1_delta = self.IRxx + self.IBzz + self.xB * t66;
+        let C1_22_yaw_per_v_delta = yaw_by_delta * vy_all1_delta;
+        let t71 = t63 + C1_22_yaw_per_v_delta;
+        let t74 = t63 + t40 * t71 - t44 * t48;
+        let M_22 = wx_delta2_delta * t51 + wx_delta2_delta_lam * t74;
         let zero = self.w.like(0.0);
         let t80 = self.w.like(1.0) / self.rF;
         let h_spin_F = self.IFyy * t80;
-        let t82 = wx_delta2_delta_lam * h_spin_F;
-        let yaw_per_v_delta = wx_delta2_delta_lam * t34;
-        let t85 = self.w.like(1.0) / self.rR;
-        let h_spin_R = self.IRyy * t85;
-        let t87 = h_spin_F + h_spin_R;
-        let t88 = yaw_per_v_delta * t87;
-        let C1_12_yaw_per_v_delta = self.c * t88;
-        let t90 = t82 + C1_12_yaw_per_v_delta;
-        let t91 = self.IHxz + t53;
-        let t93 = self.mR * self.rR;
-        let K0_11 = t20 - (t8 + t93 - t2);
-        let t99 = t91 - self.c * K0_11 - t2 * self.xH;
-        let t100 = yaw_per_v_delta * t99;
-        let t101 = t8 * wx_delta2_delta_lam;
-        let C1_12 = t90 + t100 + t101;
-        let t104 = self.rF * wx_delta2_delta;
-        let t105 = self.mF * t104;
-        let t107 = yaw_by_delta * t63;
-        let t108 = t107 - t73;
-        let t111 = t68 - self.xH * t73;
-        let C1_22 = wz_delta2_delta * t105 + yaw_by_delta * t108
-            + yaw_per_v_delta * t111;
-        let t116 = t105 + t108;
-        let K2_12_yaw_per_v_delta = t87 - K0_11;
+        let t82 = self.mH * self.zH;
+        let M_12_yaw_by_delta = self.IHxz + t55;
+        let t85 = self.xH * t82 - M_12_yaw_by_delta;
+        let K0_11 = t4 + t82 - t10 - t16;
+        let t90 = self.w.like(1.0) / self.rR;
+        let h_spin_R = self.IRyy * t90;
+        let t92 = h_spin_F + h_spin_R;
+        let K2_12_yaw_per_v_delta = t92 - K0_11;
+        let t96 = t34 * (t85 - self.c * K2_12_yaw_per_v_delta);
+        let t98 = t10 + h_spin_F - t96;
+        let C1_12 = wx_delta2_delta_lam * t98;
+        let t100 = yaw_per_v_delta * t92;
+        let t102 = wx_delta2_delta_lam * h_spin_F;
+        let t104 = yaw_by_delta * t66;
+        let t105 = t104 - t48;
+        let t108 = t71 - self.xH * t48;
+        let t111 = self.rF * wx_delta2_delta;
+        let t112 = self.mF * t111;
+        let C1_22 = yaw_per_v_delta * (self.c * t105 + t108) + wz_delta2_delta * t112;
+        let t116 = t105 + t112;
         let K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
-        let t120 = wx_delta2_delta * h_spin_F;
-        let K2_22_yaw_per_v_delta = t116 + t120;
-        let K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
-        let t123 = yaw_per_v_delta * t91;
-        let t125 = self.xH * yaw_per_v_delta;
-        let t127 = wx_delta2_delta_lam + t35 * t125;
-        let M_22_yaw_by_delta = t2 * t127;
-        let M_12_w = M_22_yaw_by_delta - t35 * t123;
-        let t130 = t73 + t73;
-        let t132 = t68 * yaw_per_v_delta;
-        let t133 = t132 + t132;
-        let M_22_w = t127 * t130 - t35 * t133;
-        let t137 = t34 * (C1_12_yaw_per_v_delta + t100);
-        let C1_21_w = t35 * t88;
-        let t139 = self.xH + self.c;
-        let t140 = self.mH * t127;
-        let t142 = t58 * yaw_per_v_delta;
-        let C1_22_yaw_per_v_delta = t107 + t116 + t142 + t66 * yaw_per_v_delta;
-        let t149 = t34 * (t111 + self.c * C1_22_yaw_per_v_delta);
-        let t151 = yaw_per_v_delta * (t139 * t140 + t149);
-        let t152 = t63 * yaw_per_v_delta;
-        let K0_12_w = t140 + t35 * t152;
+        let t119 = wx_delta2_delta * h_spin_F;
+        let K2_22_yaw_per_v_delta = t116 + t119;
+        let t121 = t34 * K2_22_yaw_per_v_delta;
+        let K2_22 = wx_delta2_delta_lam * t121;
+        let t125 = yaw_per_v_delta * self.xH;
+        let C1_22_wz_delta2_delta = wx_delta2_delta_lam + t40 * t125;
+        let t128 = self.mH * C1_22_wz_delta2_delta;
+        let M_12_w = self.zH * t128 - t34 * yaw_by_delta * M_12_yaw_by_delta;
+        let t131 = t34 * t108;
+        let t133 = t40 * t131 - t48;
+        let t135 = wx_delta2_delta_lam * (t133 + t133);
+        let C1_12_w = yaw_per_v_delta * t96;
+        let C1_21_w = t40 * t100;
+        let t138 = yaw_by_delta + t125;
+        let t143 = t104 + t116 + yaw_per_v_delta * (t60 + vy_all1_delta);
+        let t145 = t131 + t40 * t143;
+        let t147 = t128 * t138 + yaw_per_v_delta * t145;
+        let t148 = yaw_per_v_delta * t66;
+        let M_22_wz_delta2_delta = t40 * t148;
+        let K0_12_w = t128 + M_22_wz_delta2_delta;
         let K0_22_w = wx_delta2_delta * K0_12_w;
-        let t156 = t34 * K2_12;
-        let t159 = t34 * (K2_22 + wx_delta2_delta_lam * K0_12_w);
-        let t160 = wx_delta2_delta_lam - t125;
-        let M_12_c = t123 + t2 * t160;
-        let M_22_c = t133 + t130 * t160;
-        let t165 = self.mH * t160;
-        let C1_22_c = yaw_per_v_delta * (C1_22_yaw_per_v_delta - t139 * t165);
-        let K0_12_c = t165 - t152;
-        let K0_22_c = wx_delta2_delta * K0_12_c;
-        let t171 = yaw_per_v_delta * K0_12_c;
-        let C1_22_wz_delta2_delta = t13 * wx_delta2_delta_lam;
-        let t173 = wx_delta2_delta * t34;
-        let t174 = self.c * t173;
-        let t177 = self.zH * wx_delta2_delta_lam;
-        let t178 = wx_delta2_delta * t39 + t177;
-        let t182 = t60 + t91 * t174 - C1_22_wz_delta2_delta - t2 * t178;
-        let t187 = wx_delta2_delta * t70 - wx_delta2_delta_lam * t49 - t73 * t178;
-        let t188 = t187 + t187;
-        let C1_21_lam = t120 + t87 * t174;
-        let t193 = t105 + t99 * t173 + C1_21_lam;
-        let t194 = wx_delta2_delta_lam * yaw_per_v_delta;
-        let t200 = self.mH * t178;
-        let t201 = yaw_by_delta + t125;
-        let C1_22_lam = self.IHxz * t194 + wz_delta2_delta * t101
-            - wx_delta2_delta * (t105 + t142 + t149) - t200 * t201;
-        let K0_12_lam = t200 + t63 * t174 - t101;
-        let K0_22_lam = wx_delta2_delta * K0_12_lam - wx_delta2_delta_lam * t116;
-        let t212 = K2_12_yaw_per_v_delta * t173;
-        let K2_22_lam = yaw_per_v_delta * (t82 - K0_12_lam)
-            - K2_22_yaw_per_v_delta * t173;
-        let M_11_rR = t93 + t93;
-        let K2_12_rR = yaw_per_v_delta * (self.mR - t85 * h_spin_R);
-        let C1_12_rR = self.c * K2_12_rR;
-        let C1_12_IRyy = yaw_by_delta * t85;
-        let C1_21_rR = h_spin_R * C1_12_IRyy;
-        let C1_12_mR = self.rR * yaw_by_delta;
-        let K2_12_mR = self.rR * yaw_per_v_delta;
-        let M_22_IRxx = yaw_by_delta * yaw_by_delta;
-        let C1_22_IRxx = yaw_by_delta * yaw_per_v_delta;
-        let K2_12_IRyy = yaw_per_v_delta * t85;
-        let t230 = self.mB * yaw_per_v_delta;
-        let t231 = self.c * t230;
-        let t232 = self.zB * t231;
-        let t233 = yaw_by_delta * self.xB;
-        let t234 = t231 * t233;
-        let M_22_xB = t234 + t234;
-        let t236 = self.zB * yaw_per_v_delta;
-        let t237 = self.mB * t236;
-        let t238 = t152 + t231;
-        let C1_22_xB = yaw_by_delta * (t152 + t238);
-        let t241 = wx_delta2_delta * t231;
-        let K2_22_xB = yaw_by_delta * t230;
-        let M_11_zB = t20 + t20;
-        let M_11_mB = self.zB * self.zB;
-        let t245 = self.zB * t233;
-        let M_22_mB = t233 * t233;
-        let t247 = self.c + self.xB;
-        let t248 = t236 * t247;
-        let K2_22_mB = yaw_per_v_delta * t233;
-        let C1_22_mB = t247 * K2_22_mB;
-        let t251 = wx_delta2_delta * t233;
-        let t252 = t2 * wz_delta2_delta;
-        let t253 = self.mH * wz_delta2_delta;
-        let t254 = K0_12_mH * t253;
-        let t255 = t254 + t254;
-        let t256 = t2 * yaw_per_v_delta;
-        let C1_22_IHzz = t194 + C1_22_IRxx;
-        let t259 = K0_12_mH * yaw_per_v_delta;
-        let C1_22_xH = self.mH * (t139 * C1_22_IHzz - t259);
-        let t262 = wx_delta2_delta * t253;
-        let K2_22_xH = self.mH * C1_22_IHzz;
-        let M_11_zH = t2 + t2;
-        let M_12_zH = t73 + t2 * wx_delta2_delta;
-        let t267 = wx_delta2_delta + wx_delta2_delta;
-        let M_22_zH = t73 * t267;
-        let t269 = self.mH * yaw_per_v_delta;
-        let t270 = t139 * t269;
-        let K2_22_h_spin_F = wx_delta2_delta * yaw_per_v_delta;
-        let t272 = self.mH * K2_22_h_spin_F;
-        let t273 = t139 * t272;
+        let t152 = t34 * K2_12_yaw_per_v_delta;
+        let t153 = yaw_per_v_delta * t152;
+        let t155 = yaw_per_v_delta * (t121 + K0_12_w);
+        let t156 = wx_delta2_delta_lam * t82;
+        let M_12_c = t156 - yaw_per_v_delta * t85;
+        let t159 = wx_delta2_delta_lam - t125;
+        let t162 = t48 * t159 + yaw_per_v_delta * t71;
+        let M_22_c = t162 + t162;
+        let t165 = self.mH * t138;
+        let C1_22_c = yaw_per_v_delta * t143 - t159 * t165;
+        let t168 = self.mH * t159;
+        let t169 = t148 - t168;
+        let t170 = wx_delta2_delta * t169;
+        let K2_22_c = yaw_per_v_delta * t169;
         let K0_12_zH = self.mH * wx_delta2_delta;
+        let t174 = t156 + t44 * K0_12_zH;
+        let vy_all1_delta_mB = wx_delta2_delta * t40;
+        let t181 = t62 + M_12_yaw_by_delta * vy_all1_delta_mB - self.zH * t174
+            - t13 * wx_delta2_delta_lam;
+        let t184 = wx_delta2_delta * t74 - wx_delta2_delta_lam * t51;
+        let t185 = t184 + t184;
+        let t186 = wx_delta2_delta * t98;
+        let C1_21_lam = t119 + t92 * vy_all1_delta_mB;
+        let K2_22_h_spin_F = wx_delta2_delta * yaw_per_v_delta;
+        let C1_22_lam = wx_delta2_delta_lam
+            * (self.IHxz * yaw_per_v_delta + t10 * wz_delta2_delta)
+            - t60 * K2_22_h_spin_F - wx_delta2_delta * (t112 + t145) - t138 * t174;
+        let K0_12_lam = t174 + t66 * vy_all1_delta_mB - t10 * wx_delta2_delta_lam;
+        let K0_22_lam = wx_delta2_delta * K0_12_lam - wx_delta2_delta_lam * t116;
+        let t208 = wx_delta2_delta * t152;
+        let K2_22_lam = yaw_per_v_delta * (t102 - K0_12_lam) - wx_delta2_delta * t121;
+        let M_11_rR = t16 + t16;
+        let M_22_yaw_by_delta = t90 * h_spin_R;
+        let t215 = self.mR - M_22_yaw_by_delta;
+        let C1_12_rR = yaw_by_delta * t215;
+        let C1_12_IRyy = yaw_by_delta * t90;
+        let C1_21_rR = h_spin_R * C1_12_IRyy;
+        let K2_12_rR = yaw_per_v_delta * t215;
+        let M_11_mR = self.rR * self.rR;
+        let K2_12_mR = self.rR * yaw_per_v_delta;
+        let C1_12_mR = self.c * K2_12_mR;
+        let C1_22_vy_all1_delta = yaw_per_v_delta * yaw_by_delta;
+        let M_22_vy_all1_delta = self.c * C1_22_vy_all1_delta;
+        let K2_12_IRyy = yaw_per_v_delta * t90;
+        let t227 = t4 * yaw_by_delta;
+        let t228 = self.mB * yaw_per_v_delta;
+        let K2_22_xB = yaw_by_delta * t228;
+        let t230 = self.xB * K2_22_xB;
+        let t231 = t230 + t230;
+        let M_22_xB = self.c * t231;
+        let t233 = t4 * yaw_per_v_delta;
+        let C1_22_xB = t231 + self.mB * M_22_vy_all1_delta;
+        let t236 = self.c * t228;
+        let t237 = wx_delta2_delta * t236;
+        let M_11_zB = t4 + t4;
+        let t239 = t148 + t236;
+        let M_11_mB = self.zB * self.zB;
+        let t241 = yaw_by_delta * self.xB;
+        let t242 = self.zB * t241;
+        let M_22_mB = t241 * t241;
+        let t244 = self.c + self.xB;
+        let t245 = self.zB * yaw_per_v_delta;
+        let t246 = t244 * t245;
+        let K2_22_mB = yaw_per_v_delta * t241;
+        let C1_22_mB = t244 * K2_22_mB;
+        let t249 = wx_delta2_delta * t241;
+        let t250 = wz_delta2_delta * t82;
+        let t251 = t48 + t48;
+        let t252 = wz_delta2_delta * t251;
+        let t253 = yaw_per_v_delta * t82;
+        let t254 = self.mH * wz_delta2_delta;
+        let t256 = yaw_per_v_delta * K0_12_mH;
+        let C1_22_xH = t138 * t254 - self.mH * t256;
+        let t259 = wz_delta2_delta * K0_12_zH;
+        let C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
+        let K2_22_xH = self.mH * C1_22_IHzz;
+        let M_11_zH = t82 + t82;
+        let M_12_zH = t48 + self.mH * t46;
+        let M_22_zH = wx_delta2_delta * t251;
+        let t266 = t138 * K0_12_zH;
         let K0_22_zH = wx_delta2_delta * K0_12_zH;
-        let M_11_mH = self.zH * self.zH;
+        let t268 = self.mH * yaw_per_v_delta;
+        let t269 = yaw_per_v_delta * K0_12_zH;
+        let M_12_mH = self.zH * K0_12_mH;
         let M_22_mH = K0_12_mH * K0_12_mH;
-        let t278 = self.zH * t201;
-        let t279 = K0_12_mH * t201;
+        let t272 = self.zH * t138;
+        let t273 = K0_12_mH * t138;
         let K0_22_mH = wx_delta2_delta * K0_12_mH;
-        let t281 = t34 * t177;
+        let t275 = self.zH * yaw_per_v_delta;
         let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
         let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-        let M_22_IHxz = wz_delta2_delta * t267;
-        let M_11_rF = t8 + t8;
-        let M_12_rF = t105 + t105;
-        let M_22_rF = t105 * t267;
-        let t289 = self.mF - t80 * h_spin_F;
-        let C1_12_rF = wz_delta2_delta * t289;
-        let C1_12_IFyy = wz_delta2_delta * t80;
-        let C1_21_rF = h_spin_F * C1_12_IFyy;
-        let t293 = self.mF * wx_delta2_delta;
-        let C1_22_rF = wz_delta2_delta * t293;
-        let t295 = wx_delta2_delta * t293;
-        let K2_12_rF = yaw_per_v_delta * t289;
+        let t279 = wx_delta2_delta_lam * (wx_delta2_delta + vy_all1_delta_mB);
+        let M_22_IHxz = t279 + t279;
+        let M_11_rF = t10 + t10;
+        let M_12_rF = t112 + t112;
+        let t283 = wx_delta2_delta * t112;
+        let M_22_rF = t283 + t283;
+        let t285 = t80 * h_spin_F;
+        let t286 = self.mF - t285;
+        let C1_12_rF = wz_delta2_delta * t286;
+        let C1_21_rF = wz_delta2_delta * t285;
+        let C1_22_rF = self.mF * t279;
+        let t290 = self.mF * wx_delta2_delta;
+        let t291 = self.mF * M_22_IHxx;
+        let K2_12_rF = yaw_per_v_delta * t286;
         let K2_22_rF = wx_delta2_delta * K2_12_rF;
         let M_11_mF = self.rF * self.rF;
-        let M_12_mF = self.rF * t104;
-        let t300 = wx_delta2_delta * t104;
-        let M_22_mF = self.rF * t300;
+        let M_12_mF = wx_delta2_delta * M_11_mF;
+        let M_22_mF = M_22_IHxx * M_11_mF;
         let C1_12_mF = self.rF * wz_delta2_delta;
-        let C1_22_mF = wz_delta2_delta * t104;
+        let C1_22_mF = wx_delta2_delta * C1_12_mF;
+        let t299 = self.rF * M_22_IHxx;
         let K2_12_mF = self.rF * yaw_per_v_delta;
-        let K2_22_mF = wx_delta2_delta * K2_12_mF;
+        let K2_22_mF = self.rF * K2_22_h_spin_F;
         let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let K2_12_IFyy = t80 * yaw_per_v_delta;
+        let C1_12_IFyy = wz_delta2_delta * t80;
+        let K2_12_IFyy = yaw_per_v_delta * t80;
         let K2_22_IFyy = t80 * K2_22_h_spin_F;
-        let C1_21 = -t90;
+        let C1_21 = -(self.c * t100 + t102);
         let K0_12 = -t116;
         let K0_22 = -(wx_delta2_delta * t116);
+        let K0_12_c = t168 - t148;
         (
             WhippleSprungMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, zero, zero, self.d, zero, C1_12, C1_21, C1_22, zero,
@@ -548,21 +551,21 @@ impl<T: Number> WhippleSprung<T> {
             ]),
             WhippleSprungDerivatives {
                 values: [
-                    M_12_w, M_22_w, t137, C1_21_w, t151, K0_12_w, K0_22_w, t156, t159, M_12_c,
-                    M_22_c, K2_12, t88, C1_22_c, K0_12_c, K0_22_c, t171, t182, t188, t193,
-                    C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t212, K2_22_lam, M_11_rR, C1_12_rR,
+                    M_12_w, t135, C1_12_w, C1_21_w, t147, K0_12_w, K0_22_w, t153, t155, M_12_c,
+                    M_22_c, K2_12, t100, C1_22_c, K0_12_c, t170, K2_22_c, t181, t185, t186,
+                    C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t208, K2_22_lam, M_11_rR, C1_12_rR,
                     C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
-                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t232, M_22_xB,
-                    t237, C1_22_xB, t231, t241, K2_22_xB, M_11_zB, t107, t238, self.mB, t230,
-                    M_11_mB, t245, M_22_mB, t248, C1_22_mB, self.zB, t233, t251, t236, K2_22_mB,
-                    yaw_by_delta, yaw_per_v_delta, t252, t255, t256, C1_22_xH, t253, t262, K2_22_xH,
-                    M_11_zH, M_12_zH, M_22_zH, t270, t273, self.mH, K0_12_zH, K0_22_zH, t269, t272,
-                    M_11_mH, M_12_mH, M_22_mH, t278, t279, self.zH, K0_12_mH, K0_22_mH, t281, t259,
-                    wx_delta2_delta, M_22_IHxx, M_22_IHzz, C1_22_IHzz, wz_delta2_delta, M_22_IHxz,
-                    K2_22_h_spin_F, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF,
-                    self.mF, t293, t295, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF,
-                    C1_22_mF, self.rF, t104, t300, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy,
-                    K2_12_IFyy, K2_22_IFyy,
+                    self.w.like(1.0), M_22_vy_all1_delta, C1_22_vy_all1_delta, C1_12_IRyy,
+                    K2_12_IRyy, t227, M_22_xB, t233, C1_22_xB, t236, t237, K2_22_xB, M_11_zB, t104,
+                    t239, self.mB, t228, M_11_mB, t242, M_22_mB, t246, C1_22_mB, self.zB, t241,
+                    t249, t245, K2_22_mB, yaw_by_delta, yaw_per_v_delta, t250, t252, t253, C1_22_xH,
+                    t254, t259, K2_22_xH, M_11_zH, M_12_zH, M_22_zH, t165, t266, self.mH, K0_12_zH,
+                    K0_22_zH, t268, t269, M_11_mH, M_12_mH, M_22_mH, t272, t273, self.zH, K0_12_mH,
+                    K0_22_mH, t275, t256, wx_delta2_delta, M_22_IHxx, M_22_IHzz, C1_22_IHzz,
+                    wz_delta2_delta, M_22_IHxz, K2_22_h_spin_F, M_11_rF, M_12_rF, M_22_rF, C1_12_rF,
+                    C1_21_rF, C1_22_rF, self.mF, t290, t291, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF,
+                    M_22_mF, C1_12_mF, C1_22_mF, self.rF, t111, t299, K2_12_mF, K2_22_mF, M_22_IFxx,
+                    C1_12_IFyy, K2_12_IFyy, K2_22_IFyy,
                 ],
             },
         )
@@ -1079,9 +1082,8 @@ impl WhippleSprungDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 160] = &[
         Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1),
-        Partial::new(MatrixName::C1, 0, 1, 0, 2).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 0, 3),
+        Partial::new(MatrixName::M, 1, 1, 0, 1).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 0, 2), Partial::new(MatrixName::C1, 1, 0, 0, 3),
         Partial::new(MatrixName::C1, 1, 1, 0, 4).negative(),
         Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
         Partial::new(MatrixName::K0, 1, 1, 0, 6),
@@ -1090,9 +1092,11 @@ impl WhippleSprungDerivatives {
         Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
         Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
         Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 13), Partial::new(MatrixName::K0, 0, 1, 1, 14),
-        Partial::new(MatrixName::K0, 1, 0, 1, 14), Partial::new(MatrixName::K0, 1, 1, 1, 15),
-        Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 1, 13),
+        Partial::new(MatrixName::K0, 0, 1, 1, 14),
+        Partial::new(MatrixName::K0, 1, 0, 1, 14),
+        Partial::new(MatrixName::K0, 1, 1, 1, 15).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 1, 16),
         Partial::new(MatrixName::M, 0, 1, 2, 17).negative(),
         Partial::new(MatrixName::M, 1, 0, 2, 17).negative(),
         Partial::new(MatrixName::M, 1, 1, 2, 18).negative(),

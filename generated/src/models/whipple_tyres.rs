@@ -225,59 +225,61 @@ pub struct WhippleTyresMatrices<T = f64> {
 
 impl<T: Number> WhippleTyres<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 49 additions, 47 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 102 operations.
+    /// 48 additions, 48 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 102 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleTyresMatrices<T> {
-        let t2 = self.zB * self.mB;
-        let t6 = self.rR * self.mR;
-        let t11 = self.rF * self.mF;
-        let t15 = self.IFxx + (self.rF * t11 + self.IHxx);
-        let t20 = self.zH * self.mH;
-        let M_11 = self.zB * t2 + (self.rR * t6 + t15)
-            + (self.zH * t20 + (self.IRxx + self.IBxx));
-        let t29 = self.w.like(1.0) / self.w;
+        let t3 = self.rF * self.mF;
+        let t8 = self.rF * t3 + (self.IHxx + self.IFxx);
+        let t12 = self.zB * self.mB;
+        let t16 = self.zH * self.mH;
+        let t23 = self.rR * self.mR;
+        let M_11 = self.IRxx + t8 + (self.zB * t12 + self.zH * t16)
+            + (self.IBxx + self.rR * t23);
         let (wx_delta2_delta, cos_lam) = self.lam.sin_cos();
-        let yaw_per_v_delta = t29 * cos_lam;
+        let t32 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = t32 * cos_lam;
         let yaw_by_delta = self.c * yaw_per_v_delta;
-        let t37 = t2 * self.xB - self.IBxz;
         let wz_delta2_delta = cos_lam + yaw_by_delta;
-        let t43 = self.IHxz * wz_delta2_delta;
-        let t44 = wx_delta2_delta * t15 + t43;
-        let t47 = self.w + self.c;
-        let t52 = self.zH * wx_delta2_delta
-            - (self.xH * wz_delta2_delta - cos_lam * t47);
-        let t54 = self.mB * self.xB;
-        let vy_spin_F4_delta = self.IRxx + self.xB * t54;
-        let t62 = wz_delta2_delta * (self.IFxx + self.IHzz);
-        let t63 = yaw_by_delta * (vy_spin_F4_delta + self.IBzz) + t62;
-        let t65 = self.mH * t52;
-        let M_22 = yaw_by_delta * t63
-            + (t52 * t65 + (cos_lam * t62 + wx_delta2_delta * (t43 + t44)));
+        let t39 = self.IHxz * wz_delta2_delta + wx_delta2_delta * t8;
+        let t42 = self.mB * self.xB;
+        let t44 = self.zB * t42 - self.IBxz;
+        let t51 = self.w + self.c;
+        let t53 = cos_lam * t51
+            - (self.xH * wz_delta2_delta - self.zH * wx_delta2_delta);
+        let t54 = self.mH * t53;
+        let t60 = wx_delta2_delta * self.IHxz
+            + wz_delta2_delta * (self.IFxx + self.IHzz);
+        let K_phi_phi__ = yaw_by_delta * (self.IBzz + (self.IRxx + self.xB * t42));
+        let t68 = K_phi_phi__ + t60;
+        let ay_spin_F4_delta = yaw_by_delta * t68;
+        let M_22 = cos_lam * t60 + (t53 * t54 + ay_spin_F4_delta)
+            + wx_delta2_delta * t39;
         let zero = self.w.like(0.0);
-        let t75 = self.IHxz + t11 * t47;
-        let t78 = t20 + (t2 - t6);
-        let h_spin_R = self.IRyy / self.rR;
         let h_spin_F = self.IFyy / self.rF;
-        let h_wheels_all = h_spin_R + h_spin_F;
-        let t84 = h_wheels_all - t78;
-        let t86 = self.mH * self.xH;
-        let t91 = cos_lam * h_spin_F;
-        let t95 = t65 - yaw_by_delta * t54;
-        let C1_22 = yaw_per_v_delta
-            * (wx_delta2_delta * t75 - (self.c * t95 - t63 + self.xH * t65));
-        let t105 = t29 * (t86 + t54);
-        let t113 = self.rhoF * (self.mF + t105) - t11;
-        let K0_11 = t78 + ((self.mR + self.mB + (self.mH - t105)) * self.rhoR + t113);
-        let K0_12 = t95 + wx_delta2_delta * t113;
+        let h_spin_R = self.IRyy / self.rR;
+        let t81 = wz_delta2_delta * h_spin_F + yaw_by_delta * h_spin_R;
+        let t83 = t12 + (t16 - t23);
+        let t85 = t3 * t51;
+        let t89 = self.mH * self.xH;
+        let t95 = t54 - yaw_by_delta * t42;
+        let h_wheels_all = wx_delta2_delta * t85 - (self.xH * t54 + t95 * self.c - t68);
+        let C1_22 = yaw_per_v_delta * h_wheels_all;
+        let t105 = t32 * (t42 + t89);
+        let vy_all1_delta = self.rhoF * (self.mF + t105);
+        let t112 = vy_all1_delta - t3;
+        let K0_11 = t112 + t83 - self.rhoR * (t105 - (self.mR + self.mH) - self.mB);
+        let K0_12 = t95 + wx_delta2_delta * t112;
         let K0_22 = wx_delta2_delta * K0_12;
-        let K2_12 = yaw_per_v_delta * (t11 + t84);
-        let K2_22 = yaw_per_v_delta * (wx_delta2_delta * (t11 + h_spin_F) - t95);
-        let M_12 = t20 * t52 - (yaw_by_delta * t37 - t44);
-        let C1_12 = t91 - (t37 - t75 - (self.c * t84 - self.zH * t86)) * yaw_per_v_delta;
-        let C1_21 = -(t91 + yaw_by_delta * h_wheels_all);
+        let t118 = t3 + h_spin_F;
+        let K2_12 = yaw_per_v_delta * (t118 + h_spin_R - t83);
+        let K2_22 = yaw_per_v_delta * (wx_delta2_delta * t118 - t95);
+        let M_12 = self.zH * t54 - (yaw_by_delta * t44 - t39);
+        let C1_12 = t81
+            - (self.c * t83 + (t44 - t85) - self.IHxz + self.zH * t89) * yaw_per_v_delta;
+        let C1_21 = -t81;
         WhippleTyresMatrices::from_entries([
             M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
             K2_12, zero, K2_22,
@@ -5207,228 +5209,235 @@ pub struct WhippleTyresDerivatives<T = f64> {
 
 impl<T: Number> WhippleTyres<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 113 additions, 195 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 316 operations.
+    /// 120 additions, 199 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 326 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleTyresMatrices<T>, WhippleTyresDerivatives<T>) {
         let t4 = self.rF * self.mF;
-        let t7 = self.IFxx + self.IHxx + self.rF * t4;
+        let t7 = self.IHxx + self.IFxx + self.rF * t4;
+        let t12 = self.zH * self.mH;
         let M_11_mR = self.rR * self.rR;
-        let M_11_mH = self.zH * self.zH;
-        let t20 = self.zB * self.mB;
-        let M_11 = t7 + self.IBxx + self.mR * M_11_mR + self.IRxx + self.mH * M_11_mH
-            + self.zB * t20;
-        let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
-        let t31 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = wx_delta2_delta_lam * t31;
-        let yaw_by_delta = self.c * yaw_per_v_delta;
-        let t37 = self.IBxz - t20 * self.xB;
-        let M_22_yaw_per_v_delta = yaw_by_delta * t37;
-        let wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
-        let t44 = self.mH * self.zH;
-        let t45 = self.zH * wx_delta2_delta;
-        let t47 = self.c + self.w;
-        let t48 = self.c * t31;
-        let t49 = self.xH * t48;
-        let t51 = self.xH + t49 - t47;
-        let t53 = t45 - wx_delta2_delta_lam * t51;
-        let t56 = self.IHxz * wz_delta2_delta + t7 * wx_delta2_delta + t44 * t53;
-        let M_12 = M_22_yaw_per_v_delta + t56;
-        let t60 = self.IFxx + self.IHzz;
-        let t63 = wz_delta2_delta * t60 + self.IHxz * wx_delta2_delta;
-        let t65 = self.mB * self.xB;
-        let t68 = self.IRxx + self.IBzz + self.xB * t65;
-        let t70 = t63 + yaw_by_delta * t68;
-        let t71 = t48 * t70;
-        let t72 = self.mH * t53;
-        let t75 = t63 + t71 - t51 * t72;
-        let M_22 = wx_delta2_delta * t56 + wx_delta2_delta_lam * t75;
-        let zero = self.w.like(0.0);
-        let t80 = self.w.like(1.0) / self.rF;
-        let h_spin_F = self.IFyy * t80;
-        let t82 = self.mH * self.xH;
-        let M_12_yaw_by_delta = t37 + self.IHxz;
-        let t85 = self.zH * t82 - M_12_yaw_by_delta;
-        let t86 = t4 * t47;
-        let t88 = self.w.like(1.0) / self.rR;
-        let t89 = self.IRyy * t88;
-        let h_wheels_all = h_spin_F + t89;
-        let t91 = self.mR * self.rR;
-        let t93 = t91 - t20 - t44;
-        let t94 = h_wheels_all + t93;
-        let t98 = t31 * (t86 + self.c * t94 - t85);
-        let t99 = h_spin_F + t98;
-        let C1_12 = wx_delta2_delta_lam * t99;
-        let M_22_wz_delta2_delta = t48 * h_wheels_all;
-        let t102 = h_spin_F + M_22_wz_delta2_delta;
-        let t105 = self.c * t65;
-        let t106 = yaw_per_v_delta * t105;
-        let t107 = t106 - t72;
-        let t112 = t70 + wx_delta2_delta * t86 + self.c * t107 - self.xH * t72;
-        let C1_22 = yaw_per_v_delta * t112;
-        let t116 = t31 * (t65 + t82);
-        let K0_11_rhoF = self.mF + t116;
-        let t119 = t4 - self.rhoF * K0_11_rhoF;
-        let t121 = self.mH - t116;
-        let K0_11_rhoR = self.mR + self.mB + t121;
-        let K0_11 = self.rhoR * K0_11_rhoR - t93 - t119;
-        let t128 = t107 + wx_delta2_delta * t119;
-        let K2_12_yaw_per_v_delta = t4 + t94;
-        let K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
-        let t132 = t4 + h_spin_F;
-        let t134 = t107 + wx_delta2_delta * t132;
-        let K2_22 = yaw_per_v_delta * t134;
-        let t136 = yaw_per_v_delta * t85;
-        let t138 = wx_delta2_delta_lam * t44;
-        let M_12_w = t48 * t136 + t138;
-        let t140 = self.mH * wx_delta2_delta_lam;
-        let t141 = self.mH * yaw_per_v_delta;
-        let t143 = t140 + t49 * t141;
-        let t146 = yaw_per_v_delta * t71 - t53 * t143;
-        let t147 = t146 + t146;
-        let C1_12_w = yaw_per_v_delta * (t4 - t98);
-        let C1_21_w = yaw_per_v_delta * M_22_wz_delta2_delta;
-        let K2_12_mF = self.rF * yaw_per_v_delta;
-        let K2_22_mF = wx_delta2_delta * K2_12_mF;
-        let t153 = self.mF * K2_22_mF;
-        let t154 = self.c + self.xH;
-        let t156 = yaw_per_v_delta * t60;
-        let C1_22_yaw_by_delta = t156 + yaw_per_v_delta * (t68 + t105);
-        let t162 = t31 * (t112 + self.c * C1_22_yaw_by_delta);
-        let C1_22_w = t153 - yaw_per_v_delta * (t143 * t154 + t162);
-        let t167 = t31 * (self.rhoF - self.rhoR);
-        let t168 = t116 * t167;
-        let t169 = t31 * wx_delta2_delta;
-        let t170 = self.rhoF * t169;
-        let t171 = yaw_by_delta - t170;
-        let K0_12_w = t140 + t116 * t171;
-        let K0_22_w = wx_delta2_delta * K0_12_w;
-        let t175 = t31 * K2_12;
-        let K2_22_yaw_per_v_delta = t106 + t134;
-        let t177 = t31 * K2_22_yaw_per_v_delta;
-        let t179 = yaw_per_v_delta * (t143 + t177);
-        let M_12_c = t138 - t136;
-        let t183 = t140 - yaw_per_v_delta * t82;
-        let t185 = yaw_per_v_delta * t70 + t53 * t183;
-        let M_22_c = t185 + t185;
-        let t187 = yaw_per_v_delta * h_wheels_all;
-        let C1_22_c = t153 + yaw_per_v_delta * (t107 + C1_22_yaw_by_delta - t154 * t183);
-        let K0_12_c = wx_delta2_delta_lam * t121;
-        let K0_22_c = wx_delta2_delta * K0_12_c;
-        let t195 = wx_delta2_delta_lam * yaw_per_v_delta;
-        let t196 = t121 * t195;
-        let K0_12_zH = self.mH * wx_delta2_delta;
-        let t203 = t138 + t51 * K0_12_zH;
-        let M_12_lam = t7 * wx_delta2_delta_lam + self.zH * t203
-            - wx_delta2_delta * (self.IHxz + t48 * M_12_yaw_by_delta);
-        let t209 = wx_delta2_delta * t75 - wx_delta2_delta_lam * t56;
-        let t210 = t209 + t209;
-        let t211 = wx_delta2_delta * t99;
-        let C1_21_lam = wx_delta2_delta * t102;
-        let t217 = yaw_per_v_delta * t203;
-        let C1_22_lam = t195 * (self.IHxz + t86) - wx_delta2_delta * (t156 + t162)
-            - t154 * t217;
-        let K0_12_lam = t203 + t105 * t169 - wx_delta2_delta_lam * t119;
-        let K0_22_lam = wx_delta2_delta * K0_12_lam - wx_delta2_delta_lam * t128;
-        let t228 = K2_12_yaw_per_v_delta * t169;
-        let t232 = t217 + wx_delta2_delta * t177 - t132 * t195;
-        let M_11_rR = t91 + t91;
-        let t235 = self.mR - t88 * t89;
-        let C1_12_rR = yaw_by_delta * t235;
-        let C1_12_IRyy = yaw_by_delta * t88;
-        let C1_21_rR = t89 * C1_12_IRyy;
-        let K2_12_rR = yaw_per_v_delta * t235;
-        let C1_12_mR = self.rR * yaw_by_delta;
-        let K0_11_mR = self.rhoR - self.rR;
-        let K2_12_mR = self.rR * yaw_per_v_delta;
-        let C1_22_vy_spin_F4_delta = yaw_per_v_delta * yaw_by_delta;
-        let M_22_vy_spin_F4_delta = self.c * C1_22_vy_spin_F4_delta;
-        let K2_12_IRyy = yaw_per_v_delta * t88;
-        let t247 = t20 * yaw_by_delta;
-        let t248 = yaw_by_delta * t106;
-        let M_22_xB = t248 + t248;
-        let t250 = self.zB * yaw_per_v_delta;
-        let t251 = self.mB * t250;
-        let t252 = self.c + self.xB;
-        let t254 = self.mB * yaw_per_v_delta;
-        let K2_22_xB = yaw_by_delta * t254;
-        let C1_22_xB = (self.xB + t252) * K2_22_xB;
-        let K0_11_xB = self.mB * t167;
-        let t258 = self.mB * t171;
-        let t259 = wx_delta2_delta * t258;
-        let M_11_zB = t20 + t20;
-        let t261 = t252 * t254;
         let M_11_mB = self.zB * self.zB;
-        let t263 = yaw_by_delta * self.xB;
-        let t264 = self.zB * t263;
-        let M_22_mB = t263 * t263;
-        let t266 = t250 * t252;
-        let K2_22_mB = yaw_per_v_delta * t263;
-        let C1_22_mB = t252 * K2_22_mB;
+        let M_11 = t7 + self.IRxx + self.IBxx + self.zH * t12 + self.mR * M_11_mR
+            + self.mB * M_11_mB;
+        let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
+        let t34 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = wx_delta2_delta_lam * t34;
+        let yaw_by_delta = self.c * yaw_per_v_delta;
+        let wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
+        let t39 = t7 * wx_delta2_delta + self.IHxz * wz_delta2_delta;
+        let t42 = self.mB * self.xB;
+        let t44 = self.IBxz - self.zB * t42;
+        let t46 = self.zH * wx_delta2_delta;
+        let t47 = self.c + self.w;
+        let t49 = t46 + wx_delta2_delta_lam * t47;
+        let t52 = t49 - wz_delta2_delta * self.xH;
+        let M_12_mH = self.zH * t52;
+        let M_12 = t39 + yaw_by_delta * t44 + self.mH * M_12_mH;
+        let t58 = self.mH * t52;
+        let t60 = wx_delta2_delta * self.IHxz;
+        let t62 = self.IFxx + self.IHzz;
+        let t64 = t60 + wz_delta2_delta * t62;
+        let K_phi_phi___yaw_by_delta = self.IRxx + self.IBzz + self.xB * t42;
+        let t69 = yaw_by_delta * K_phi_phi___yaw_by_delta;
+        let t70 = t64 + t69;
+        let M_22 = wx_delta2_delta * t39 + t52 * t58 + yaw_by_delta * t70
+            + wx_delta2_delta_lam * t64;
+        let zero = self.w.like(0.0);
+        let t78 = self.w.like(1.0) / self.rF;
+        let h_spin_F = self.IFyy * t78;
+        let t80 = wx_delta2_delta_lam * h_spin_F;
+        let t82 = self.w.like(1.0) / self.rR;
+        let h_spin_R = self.IRyy * t82;
+        let t84 = h_spin_F + h_spin_R;
+        let t85 = yaw_per_v_delta * t84;
+        let t86 = self.c * t85;
+        let t87 = t80 + t86;
+        let t88 = t4 * t47;
+        let t89 = self.IHxz + t44;
+        let t90 = self.mH * self.xH;
+        let t92 = t89 - self.zH * t90;
+        let t93 = self.mR * self.rR;
+        let t94 = self.mB * self.zB;
+        let t96 = t12 + t94 - t93;
+        let t99 = t88 + t92 - self.c * t96;
+        let t100 = yaw_per_v_delta * t99;
+        let C1_12 = t87 + t100;
+        let t102 = self.mF * wx_delta2_delta;
+        let t103 = self.rF * t102;
+        let t106 = t70 - t52 * t90;
+        let t107 = yaw_by_delta * t42;
+        let t108 = t107 - t58;
+        let t111 = t47 * t103 + t106 + self.c * t108;
+        let C1_22 = yaw_per_v_delta * t111;
+        let t115 = t34 * (t42 + t90);
+        let t116 = self.mH - t115;
+        let K0_11_rhoR = self.mR + self.mB + t116;
+        let K0_11_rhoF = self.mF + t115;
+        let t122 = self.rhoF * K0_11_rhoF;
+        let t123 = t4 - t96;
+        let K0_11 = self.rhoR * K0_11_rhoR + t122 - t123;
+        let K0_12_rhoF = wx_delta2_delta * K0_11_rhoF;
+        let K_phi_phi___xB = self.rhoF * K0_12_rhoF;
+        let t128 = t103 + t108;
+        let K0_12 = K_phi_phi___xB - t128;
+        let K0_22 = wx_delta2_delta * K0_12;
+        let K2_12_yaw_per_v_delta = t84 + t123;
+        let K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
+        let t133 = wx_delta2_delta * h_spin_F;
+        let K2_22_yaw_per_v_delta = t128 + t133;
+        let K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
+        let t136 = t12 * wx_delta2_delta_lam;
+        let t137 = t34 * yaw_by_delta;
+        let M_12_w = t136 - t92 * t137;
+        let t140 = t106 * t137;
+        let t142 = self.mH * wx_delta2_delta_lam;
+        let t143 = (t52 + t52) * t142;
+        let t145 = t140 + t140 - t143;
+        let t146 = t4 * wx_delta2_delta_lam;
+        let t149 = t34 * (t86 + t100 - t146);
+        let C1_21_w = t84 * t137;
+        let t152 = t142 + yaw_by_delta * t115;
+        let C1_22_yaw_by_delta = yaw_per_v_delta
+            * (t62 + K_phi_phi___yaw_by_delta + self.xH * t90);
+        let t161 = self.xH * t142;
+        let t164 = self.c * t152 + t34 * (t111 + self.c * C1_22_yaw_by_delta) + t161
+            - t103;
+        let t165 = yaw_per_v_delta * t164;
+        let t167 = t34 * (self.rhoF - self.rhoR);
+        let t168 = t115 * t167;
+        let t169 = wx_delta2_delta * t34;
+        let t171 = yaw_by_delta - self.rhoF * t169;
+        let h_wheels_all = t115 * t171;
+        let K0_12_w = t142 + h_wheels_all;
+        let K0_22_w = wx_delta2_delta * K0_12_w;
+        let t175 = t34 * K2_12;
+        let t178 = yaw_per_v_delta * t152 + t34 * K2_22;
+        let M_12_c = t136 + yaw_per_v_delta * t92;
+        let t181 = yaw_per_v_delta * t106;
+        let M_22_c = t143 + t181 + t181;
+        let K0_12_c = wx_delta2_delta_lam * t116;
+        let C1_22_c = yaw_per_v_delta
+            * (t128 + C1_22_yaw_by_delta - t161 - self.c * K0_12_c);
+        let K0_22_c = wx_delta2_delta * K0_12_c;
+        let t191 = yaw_per_v_delta * K0_12_c;
+        let K0_12_zH = self.mH * wx_delta2_delta;
+        let t195 = self.c * t169;
+        let t196 = wx_delta2_delta + t195;
+        let M_22_yaw_by_delta = t136 + t90 * t196 - t47 * K0_12_zH;
+        let M_12_lam = t7 * wx_delta2_delta_lam + self.zH * M_22_yaw_by_delta - t60
+            - t89 * t195;
+        let K_phi_phi___mB = t64 * t196 + t69 * t195 - wx_delta2_delta_lam * t39
+            - t52 * M_22_yaw_by_delta;
+        let t212 = K_phi_phi___mB + K_phi_phi___mB;
+        let C1_21_lam = t133 + t84 * t195;
+        let t216 = C1_21_lam + t99 * t169;
+        let t217 = self.c + self.xH;
+        let t227 = M_22_yaw_by_delta * t217
+            + t195 * (K_phi_phi___yaw_by_delta + self.c * t42) + t62 * t196
+            - wx_delta2_delta_lam * (self.IHxz + t88);
+        let t230 = yaw_per_v_delta * t227 + t111 * t169;
+        let t233 = M_22_yaw_by_delta + t42 * t195 - t146;
+        let K0_12_lam = t233 + wx_delta2_delta_lam * t122;
+        let K0_22_lam = wx_delta2_delta * K0_12_lam + wx_delta2_delta_lam * K0_12;
+        let t239 = K2_12_yaw_per_v_delta * t169;
+        let t243 = yaw_per_v_delta * (t233 - t80) + K2_22_yaw_per_v_delta * t169;
+        let M_11_rR = t93 + t93;
+        let t245 = t82 * h_spin_R;
+        let K2_12_rR = yaw_per_v_delta * (self.mR - t245);
+        let C1_12_rR = self.c * K2_12_rR;
+        let C1_21_rR = yaw_by_delta * t245;
+        let K2_12_mR = self.rR * yaw_per_v_delta;
+        let C1_12_mR = self.c * K2_12_mR;
+        let K0_11_mR = self.rhoR - self.rR;
+        let C1_22_IRxx = yaw_per_v_delta * yaw_by_delta;
+        let M_22_IRxx = self.c * C1_22_IRxx;
+        let K2_12_IRyy = yaw_per_v_delta * t82;
+        let C1_12_IRyy = self.c * K2_12_IRyy;
+        let t258 = yaw_by_delta * t94;
+        let t259 = yaw_by_delta * t107;
+        let M_22_xB = t259 + t259;
+        let t261 = self.mB * yaw_per_v_delta;
+        let t262 = self.zB * t261;
+        let t263 = self.c + self.xB;
+        let K2_22_xB = yaw_by_delta * t261;
+        let C1_22_xB = (self.xB + t263) * K2_22_xB;
+        let K0_11_xB = self.mB * t167;
+        let t268 = self.mB * t171;
+        let t269 = wx_delta2_delta * t268;
+        let M_11_zB = t94 + t94;
+        let t271 = t261 * t263;
+        let t272 = yaw_by_delta * self.xB;
+        let t273 = self.zB * t272;
+        let M_22_mB = t272 * t272;
+        let t275 = self.zB * yaw_per_v_delta;
+        let t276 = t263 * t275;
+        let K2_22_mB = self.xB * C1_22_IRxx;
+        let C1_22_mB = t263 * K2_22_mB;
         let K0_11_mB = self.zB + self.rhoR + self.xB * t167;
-        let t272 = self.xB * t171;
-        let t273 = wx_delta2_delta * t272;
-        let t274 = wz_delta2_delta * t44;
-        let t276 = wz_delta2_delta * (t72 + t72);
-        let t277 = t31 * t138;
-        let t278 = yaw_per_v_delta * t53;
-        let K2_22_xH = wz_delta2_delta * t141;
-        let C1_22_xH = t154 * K2_22_xH - self.mH * t278;
+        let t282 = self.xB * t171;
+        let t283 = wx_delta2_delta * t282;
+        let t284 = t12 * wz_delta2_delta;
+        let t285 = t58 + t58;
+        let t286 = wz_delta2_delta * t285;
+        let t287 = t34 * t136;
+        let t288 = t34 * t142;
+        let K2_22_xH = wz_delta2_delta * t288;
+        let t291 = yaw_per_v_delta * t52;
+        let C1_22_xH = t217 * K2_22_xH - self.mH * t291;
         let K0_11_xH = self.mH * t167;
-        let M_12_yaw_per_v_delta = wz_delta2_delta - t170;
-        let t285 = self.mH * M_12_yaw_per_v_delta;
-        let t286 = wx_delta2_delta * t285;
-        let M_11_zH = t44 + t44;
-        let M_12_zH = t72 + self.mH * t45;
-        let t290 = wx_delta2_delta + wx_delta2_delta;
-        let M_22_zH = t72 * t290;
-        let t292 = t141 * t154;
-        let t293 = yaw_per_v_delta * K0_12_zH;
-        let t294 = t154 * t293;
+        let t295 = wx_delta2_delta_lam + t171;
+        let t296 = self.mH * t295;
+        let t297 = wx_delta2_delta * t296;
+        let M_11_zH = t12 + t12;
+        let M_12_zH = t58 + self.mH * t46;
+        let M_22_zH = wx_delta2_delta * t285;
+        let t302 = t217 * t288;
+        let t303 = wx_delta2_delta * t302;
         let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
         let K0_22_zH = self.mH * M_22_IHxx;
-        let M_12_mH = self.zH * t53;
-        let M_22_mH = t53 * t53;
-        let t299 = self.zH * yaw_per_v_delta;
-        let t300 = t154 * t299;
-        let t301 = t154 * t278;
+        let t306 = t142 * t169;
+        let M_11_mH = self.zH * self.zH;
+        let M_22_mH = t52 * t52;
+        let t309 = self.zH * yaw_per_v_delta;
+        let t310 = t217 * t309;
+        let t311 = t217 * t291;
         let K0_11_mH = self.zH + self.rhoR + self.xH * t167;
-        let K0_12_mH = t53 + self.xH * t170;
+        let K0_12_mH = t49 - self.xH * t295;
         let K0_22_mH = wx_delta2_delta * K0_12_mH;
         let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-        let C1_22_IHzz = t195 + C1_22_vy_spin_F4_delta;
-        let M_22_IHxz = wz_delta2_delta * t290;
-        let K2_22_h_spin_F = wx_delta2_delta_lam * t169;
+        let C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
+        let M_22_IHxz = t196 * (wx_delta2_delta_lam + wx_delta2_delta_lam);
+        let C1_22_IHxz = wx_delta2_delta * yaw_per_v_delta;
         let M_11_rF = t4 + t4;
         let M_12_rF = wx_delta2_delta * M_11_rF;
-        let M_22_rF = wx_delta2_delta * M_12_rF;
-        let t315 = self.mF * yaw_per_v_delta;
-        let t316 = t47 * t315;
-        let C1_12_IFyy = wz_delta2_delta * t80;
+        let M_22_rF = M_22_IHxx * M_11_rF;
+        let t326 = self.mF * yaw_per_v_delta;
+        let t327 = t47 * t326;
+        let C1_12_IFyy = wz_delta2_delta * t78;
         let C1_21_rF = h_spin_F * C1_12_IFyy;
-        let C1_12_rF = t316 - C1_21_rF;
-        let C1_22_rF = wx_delta2_delta * t316;
-        let t321 = self.mF * wx_delta2_delta;
-        let t322 = self.mF * M_22_IHxx;
-        let K2_12_IFyy = yaw_per_v_delta * t80;
-        let K2_12_rF = t315 - h_spin_F * K2_12_IFyy;
-        let K2_22_rF = wx_delta2_delta * K2_12_rF;
+        let C1_12_rF = t327 - C1_21_rF;
+        let C1_22_rF = wx_delta2_delta * t327;
+        let t332 = self.mF * M_22_IHxx;
+        let K2_12_IFyy = yaw_per_v_delta * t78;
+        let K2_12_rF = t326 - h_spin_F * K2_12_IFyy;
         let M_11_mF = self.rF * self.rF;
         let M_12_mF = wx_delta2_delta * M_11_mF;
         let M_22_mF = M_22_IHxx * M_11_mF;
+        let K2_12_mF = self.rF * yaw_per_v_delta;
         let C1_12_mF = t47 * K2_12_mF;
         let C1_22_mF = wx_delta2_delta * C1_12_mF;
-        let t333 = wx_delta2_delta * (self.rF - self.rhoF);
-        let t334 = wx_delta2_delta * t333;
+        let t343 = self.rF - self.rhoF;
+        let t344 = wx_delta2_delta * t343;
+        let t345 = M_22_IHxx * t343;
+        let K2_22_mF = wx_delta2_delta * K2_12_mF;
         let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let K2_22_IFyy = t80 * K2_22_h_spin_F;
-        let K0_12_rhoF = wx_delta2_delta * K0_11_rhoF;
-        let K0_22_rhoF = wx_delta2_delta * K0_12_rhoF;
-        let C1_21 = -(wx_delta2_delta_lam * t102);
-        let K0_12 = -t128;
-        let K0_22 = -(wx_delta2_delta * t128);
+        let K2_22_IFyy = t78 * C1_22_IHxz;
+        let K0_22_rhoF = K0_11_rhoF * M_22_IHxx;
+        let C1_21 = -t87;
+        let t351 = -(wx_delta2_delta * K2_12_rF);
         let K0_11_mF = self.rhoF - self.rF;
         (
             WhippleTyresMatrices::from_entries([
@@ -5437,22 +5446,21 @@ impl<T: Number> WhippleTyres<T> {
             ]),
             WhippleTyresDerivatives {
                 values: [
-                    M_12_w, t147, C1_12_w, C1_21_w, C1_22_w, t168, K0_12_w, K0_22_w, t175, t179,
-                    M_12_c, M_22_c, K2_12, t187, C1_22_c, K0_12_c, K0_22_c, t196, M_12_lam, t210,
-                    t211, C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t228, t232, M_11_rR, C1_12_rR,
-                    C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, K0_11_mR, K2_12_mR,
-                    self.w.like(1.0), M_22_vy_spin_F4_delta, C1_22_vy_spin_F4_delta, C1_12_IRyy,
-                    K2_12_IRyy, t247, M_22_xB, t251, C1_22_xB, K0_11_xB, t258, t259, K2_22_xB,
-                    M_11_zB, t106, t261, self.mB, t254, M_11_mB, t264, M_22_mB, t266, C1_22_mB,
-                    K0_11_mB, t272, t273, t250, K2_22_mB, yaw_by_delta, yaw_per_v_delta, t274, t276,
-                    t277, C1_22_xH, K0_11_xH, t285, t286, K2_22_xH, M_11_zH, M_12_zH, M_22_zH, t292,
-                    t294, self.mH, K0_12_zH, K0_22_zH, t141, t293, M_11_mH, M_12_mH, M_22_mH, t300,
-                    t301, K0_11_mH, K0_12_mH, K0_22_mH, t299, t278, wx_delta2_delta, M_22_IHxx,
-                    M_22_IHzz, C1_22_IHzz, wz_delta2_delta, M_22_IHxz, K2_22_h_spin_F, M_11_rF,
-                    M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t321, t322, K2_12_rF,
-                    K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF, C1_22_mF, K0_11_mF, t333, t334,
-                    K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy, K2_12_IFyy, K2_22_IFyy, K0_11_rhoR,
-                    K0_11_rhoF, K0_12_rhoF, K0_22_rhoF,
+                    M_12_w, t145, t149, C1_21_w, t165, t168, K0_12_w, K0_22_w, t175, t178, M_12_c,
+                    M_22_c, K2_12, t85, C1_22_c, K0_12_c, K0_22_c, t191, M_12_lam, t212, t216,
+                    C1_21_lam, t230, K0_12_lam, K0_22_lam, t239, t243, M_11_rR, C1_12_rR, C1_21_rR,
+                    self.mR, K2_12_rR, M_11_mR, C1_12_mR, K0_11_mR, K2_12_mR, self.w.like(1.0),
+                    M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t258, M_22_xB, t262, C1_22_xB,
+                    K0_11_xB, t268, t269, K2_22_xB, M_11_zB, t107, t271, self.mB, t261, M_11_mB,
+                    t273, M_22_mB, t276, C1_22_mB, K0_11_mB, t282, t283, t275, K2_22_mB,
+                    yaw_by_delta, yaw_per_v_delta, t284, t286, t287, C1_22_xH, K0_11_xH, t296, t297,
+                    K2_22_xH, M_11_zH, M_12_zH, M_22_zH, t302, t303, self.mH, K0_12_zH, K0_22_zH,
+                    t288, t306, M_11_mH, M_12_mH, M_22_mH, t310, t311, K0_11_mH, K0_12_mH, K0_22_mH,
+                    t309, t291, wx_delta2_delta, M_22_IHxx, M_22_IHzz, C1_22_IHzz, wz_delta2_delta,
+                    M_22_IHxz, C1_22_IHxz, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF,
+                    self.mF, t102, t332, K2_12_rF, t351, M_11_mF, M_12_mF, M_22_mF, C1_12_mF,
+                    C1_22_mF, K0_11_mF, t344, t345, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy,
+                    K2_12_IFyy, K2_22_IFyy, K0_11_rhoR, K0_11_rhoF, K0_12_rhoF, K0_22_rhoF,
                 ],
             },
         )
@@ -5976,8 +5984,9 @@ impl WhippleTyresDerivatives {
     pub const PARTIALS: &'static [Partial; 166] = &[
         Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
         Partial::new(MatrixName::M, 1, 1, 0, 1).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 0, 2), Partial::new(MatrixName::C1, 1, 0, 0, 3),
-        Partial::new(MatrixName::C1, 1, 1, 0, 4),
+        Partial::new(MatrixName::C1, 0, 1, 0, 2).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 0, 3),
+        Partial::new(MatrixName::C1, 1, 1, 0, 4).negative(),
         Partial::new(MatrixName::K0, 0, 0, 0, 5).negative(),
         Partial::new(MatrixName::K0, 0, 1, 0, 6), Partial::new(MatrixName::K0, 1, 0, 0, 6),
         Partial::new(MatrixName::K0, 1, 1, 0, 7),
@@ -5993,8 +6002,10 @@ impl WhippleTyresDerivatives {
         Partial::new(MatrixName::M, 1, 0, 2, 18),
         Partial::new(MatrixName::M, 1, 1, 2, 19).negative(),
         Partial::new(MatrixName::C1, 0, 1, 2, 20).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 2, 21), Partial::new(MatrixName::C1, 1, 1, 2, 22),
-        Partial::new(MatrixName::K0, 0, 1, 2, 23), Partial::new(MatrixName::K0, 1, 0, 2, 23),
+        Partial::new(MatrixName::C1, 1, 0, 2, 21),
+        Partial::new(MatrixName::C1, 1, 1, 2, 22).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 2, 23),
+        Partial::new(MatrixName::K0, 1, 0, 2, 23),
         Partial::new(MatrixName::K0, 1, 1, 2, 24),
         Partial::new(MatrixName::K2, 0, 1, 2, 25).negative(),
         Partial::new(MatrixName::K2, 1, 1, 2, 26).negative(),
@@ -6078,7 +6089,8 @@ impl WhippleTyresDerivatives {
         Partial::new(MatrixName::K0, 0, 1, 22, 108).negative(),
         Partial::new(MatrixName::K0, 1, 0, 22, 108).negative(),
         Partial::new(MatrixName::K0, 1, 1, 22, 109).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 110), Partial::new(MatrixName::K2, 1, 1, 22, 111),
+        Partial::new(MatrixName::K2, 0, 1, 22, 110),
+        Partial::new(MatrixName::K2, 1, 1, 22, 111).negative(),
         Partial::new(MatrixName::M, 0, 0, 23, 112), Partial::new(MatrixName::M, 0, 1, 23, 113),
         Partial::new(MatrixName::M, 1, 0, 23, 113), Partial::new(MatrixName::M, 1, 1, 23, 114),
         Partial::new(MatrixName::C1, 0, 1, 23, 115), Partial::new(MatrixName::C1, 1, 1, 23, 116),

@@ -47,6 +47,7 @@ mod sensitivity;
 mod serialization;
 mod simulation;
 mod single_precision;
+mod some_derivatives;
 mod stability;
 mod state_space;
 mod states;

@@ -24,16 +24,27 @@ const MAX_TRIED: usize = 200_000;
 /// Short programs are rearranged so many times at most, each time by other numbers.
 const MAX_TIMES: usize = 4;
 
+/// Where the numbers begin: of some twenty beginnings that give the bicycle the same operations the one with the smallest
+/// rounding errors.
+const FIRST: u64 = 2026;
+
+/// What saves no more than this part stays as it was found in the formulas, where sums are as people write them.
+const LITTLE: usize = 50;
+
 /// Out of a thousand changes so many may make it worse at first, by one or two operations, and towards the end none.
 const WORSE: usize = 30;
 
-/// Afterwards the program is as cheap as before or cheaper. It has to be without whole powers.
+/// Afterwards the program is the same as before, or cheaper. It has to be without whole powers.
 pub fn rearrange(program: Program) -> Program {
     let steps = (TRIED * Counts::of(&program).total()).min(MAX_TRIED);
     let times = (MAX_TRIED / steps.max(1)).min(MAX_TIMES);
-    let others = (0..times).map(|time| rearrange_once(&program, steps, Random(1904 + time as u64)));
+    let others = (0..times).map(|time| rearrange_once(&program, steps, Random(FIRST + time as u64)));
+    let cost = |program: &Program| Counts::of(program).cost();
     // Of equally cheap ones the first stays.
-    std::iter::once(program.clone()).chain(others).min_by_key(|other| Counts::of(other).cost()).unwrap_or(program)
+    match others.min_by_key(cost) {
+        Some(cheapest) if cost(&cheapest) + cost(&program) / LITTLE < cost(&program) => cheapest,
+        _ => program,
+    }
 }
 
 fn rearrange_once(program: &Program, steps: usize, mut random: Random) -> Program {
