@@ -232,6 +232,12 @@
 /// of them are zero for all parameters is proved, and those take neither time nor memory. A model that does not ask for
 /// them pays nothing. What it asks for beside `nonlinear;` is said there.
 ///
+/// `derivatives of M, K0 with respect to w, c;` asks for those alone, and the program computes no others; either half may be
+/// left out. Of a model that asks for all matrices with respect to some parameters, `with_respect_to` gives nothing for the
+/// others; of one that asks for some matrices, there is `matrix_with_respect_to` in its place. What takes any model, as
+/// [`Sensitivity`](crate::Sensitivity), needs all derivatives, and so does the nonlinear motion to first order: for these such a model is one
+/// without.
+///
 /// At valid parameters every derivative exists. A root has none where its argument is zero, so a model with derivatives
 /// is refused unless domains or a `require` keep the arguments of its roots above zero.
 ///
@@ -291,9 +297,9 @@
 ///   in one straight-line function whose documentation states its operation counts.
 /// - `Name::INFO`, and [`Model<N>`](crate::Model) for `Name<T>`: names, units, domains, validation, conversion from and to slices, and the
 ///   matrices as [`Coefficients`](crate::Coefficients).
-/// - With `derivatives;` a struct `NameDerivatives<T>` and `Name::matrices_and_derivatives`: an array of the values of the
+/// - With `derivatives` a struct `NameDerivatives<T>` and `Name::matrices_and_derivatives`: an array of the values of the
 ///   derivatives that are not zero for all parameters, each once, the table `NameDerivatives::PARTIALS` that says which
-///   derivatives have them, and `with_respect_to` for all matrices derived with respect to one parameter; and
+///   derivatives have them, and `with_respect_to` for all matrices derived with respect to one parameter; and if all are asked for
 ///   [`Differentiable<N>`](crate::Differentiable), with all of them as [`Coefficients`](crate::Coefficients).
 /// - With `nonlinear;` a struct `NameMotion<T>` with [`Motion`](crate::Motion), and `Name::motion`, which computes what does
 ///   not depend on the state; and [`Nonlinear<N>`](crate::Nonlinear). With `derivatives;` as well it has

@@ -12,7 +12,7 @@ use crate::system::{Coefficients, MatrixName};
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a model with {N} coordinates that was compiled with its derivatives",
     label = "a model without derivatives",
-    note = "add `derivatives;` to its declaration"
+    note = "add `derivatives;` to its declaration, by itself: all of them are needed"
 )]
 pub trait Differentiable<const N: usize>: Model<N> {
     /// An array with one item for each parameter, in declared order.
