@@ -8,7 +8,7 @@ use super::quadratic::Quadratic;
 use super::state_matrix::{Layout, solve};
 use crate::characteristic::units::{time_unit, to_per_second};
 use crate::number::{Number, Scalar};
-use crate::numeric::{Square, exponent, ldexp};
+use crate::numeric::{Square, exponent, ldexp, sort_by};
 use crate::system::{Matrix, States, System, SystemError, require_finite};
 
 impl<const N: usize, T: Scalar> System<N, T> {
@@ -85,7 +85,7 @@ fn eigenvalues_of(
         Spectrum::of(rows, layout.reduced_columns())?.values
     };
     to_per_second(&mut found, unit)?;
-    found.sort_by(|x, y| x.re.total_cmp(&y.re).then(x.im.total_cmp(&y.im)));
+    sort_by(&mut found, |x, y| x.re.total_cmp(&y.re).then(x.im.total_cmp(&y.im)));
     Ok(found)
 }
 

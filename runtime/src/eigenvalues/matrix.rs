@@ -4,7 +4,7 @@ use nalgebra::{Complex, DMatrix};
 
 use super::general::Spectrum;
 use crate::characteristic::units::to_per_second;
-use crate::numeric::{Square, exponent, ldexp};
+use crate::numeric::{Square, exponent, ldexp, sort_by};
 use crate::system::{SystemError, require_finite};
 
 /// The eigenvalues of a square matrix, such as the state matrix of a closed loop, sorted by real part, then by imaginary part.
@@ -40,7 +40,7 @@ pub fn matrix_eigenvalues(matrix: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, Sy
     let mut found = Spectrum::of(Square::from_fn(coupled.len(), scaled), 0)?.values;
     to_per_second(&mut found, unit)?;
     values.extend(found);
-    values.sort_by(|x, y| x.re.total_cmp(&y.re).then(x.im.total_cmp(&y.im)));
+    sort_by(&mut values, |x, y| x.re.total_cmp(&y.re).then(x.im.total_cmp(&y.im)));
     Ok(values)
 }
 

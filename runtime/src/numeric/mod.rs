@@ -19,6 +19,8 @@ mod refinement;
 mod roots;
 pub(crate) mod rounded;
 #[cfg(feature = "std")]
+mod sort;
+#[cfg(feature = "std")]
 mod square;
 mod taylor;
 mod tracked;
@@ -27,6 +29,8 @@ mod tracked;
 pub(crate) use polynomial::Polynomial;
 #[cfg(feature = "std")]
 pub(crate) use roots::{Root, candidates, positive_roots};
+#[cfg(feature = "std")]
+pub(crate) use sort::sort_by;
 #[cfg(feature = "std")]
 pub(crate) use square::Square;
 pub(crate) use taylor::expand_taylor;

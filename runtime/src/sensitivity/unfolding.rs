@@ -13,6 +13,7 @@
 use nalgebra::Complex;
 
 use super::pencil::{Pencil, Weights};
+use crate::numeric::sort_by;
 
 /// The other eigenvalues, as one of them sees them.
 pub(super) struct Neighbours {
@@ -29,7 +30,7 @@ impl Neighbours {
         let s = eigenvalues[index];
         let mut others: Vec<Complex<f64>> =
             eigenvalues.iter().enumerate().filter(|(other, _)| *other != index).map(|(_, &t)| t).collect();
-        others.sort_by(|t, u| (s - t).norm().total_cmp(&(s - u).norm()));
+        sort_by(&mut others, |t, u| (s - t).norm().total_cmp(&(s - u).norm()));
         let closeness = others.iter().map(|t| 1.0 / (s - t).norm()).sum();
         // Every number of coordinates has at least two eigenvalues.
         let partner = others.first().copied().unwrap_or(s);

@@ -3,6 +3,7 @@
 use super::crossing::change_of_sign;
 use super::nonlinear::{Event, Happening, Simulation};
 use crate::motion::MotionError;
+use crate::numeric::sort_by;
 
 /// Into how many parts a step is divided, to see changes of sign that would hide in it.
 const PARTS: usize = 4;
@@ -31,7 +32,7 @@ pub(super) fn happened(
                 found.push((change_of_sign((from, *before), moment, value)?, event));
             }
         }
-        found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by(&mut found, |a, b| a.0.total_cmp(&b.0));
         *values = after;
         for (moment, event) in found {
             happened.push((moment, event));

@@ -10,6 +10,7 @@ use super::naming::{self, Course, Names};
 use super::stretches::{Stretch, stretches};
 use super::{CriticalKind, CriticalSpeed, Stability};
 use crate::number::Scalar;
+use crate::numeric::sort_by;
 use crate::system::{Coefficients, States, SystemError, require_speed};
 
 /// One eigenvalue and the mode it belongs to.
@@ -110,7 +111,7 @@ impl Modes {
         let (stretch, names) = &self.stretches[above.max(1) - 1];
         let ordered = self.ordered(speed, stretch)?;
         let mut values: [ModeValue; 4] = core::array::from_fn(|i| ModeValue { mode: names[i], value: ordered[i] });
-        values.sort_by_key(|value| value.mode);
+        sort_by(&mut values, |x, y| x.mode.cmp(&y.mode));
         Ok(values)
     }
 

@@ -4,7 +4,7 @@ use nalgebra::Complex;
 
 use super::along_speed::Characteristic;
 use super::careful::double_roots;
-use crate::numeric::{DoubleDouble, Polynomial, positive_roots};
+use crate::numeric::{DoubleDouble, Polynomial, positive_roots, sort_by};
 use crate::system::SystemError;
 
 /// A stretch of speeds over which one order keeps every eigenvalue at its place.
@@ -136,9 +136,9 @@ impl Order {
         let [[s0, s1], [t0, t1]] = factored;
         let mut all = [s0, s1, t0, t1];
         match (self.pairs, count_pairs(factored)) {
-            (0, _) => all.sort_by(by_parts),
+            (0, _) => sort_by(&mut all, by_parts),
             (1, 0) => {
-                all.sort_by(by_parts);
+                sort_by(&mut all, by_parts);
                 let gap = |&i: &usize| all[i + 1].re - all[i].re;
                 let closest = (0..3).min_by(|i, j| gap(i).total_cmp(&gap(j))).unwrap_or(0);
                 all[closest..].rotate_left(2);

@@ -2,6 +2,8 @@
 
 use nalgebra::Complex;
 
+use crate::numeric::sort_by;
+
 /// How far an eigenvalue may move in a step, relative to its distance from others: where it moves farther, the step is too
 /// long to tell.
 const STEP: f64 = 0.3;
@@ -43,7 +45,7 @@ pub(super) fn closest(from: &[Complex<f64>], to: &[Complex<f64>]) -> Vec<usize> 
     for (i, a) in from.iter().enumerate() {
         pairs.extend(to.iter().enumerate().map(|(j, b)| ((a - b).norm(), i, j)));
     }
-    pairs.sort_by(|x, y| x.0.total_cmp(&y.0));
+    sort_by(&mut pairs, |x, y| x.0.total_cmp(&y.0));
     let mut places = vec![None; from.len()];
     let mut is_taken = vec![false; to.len()];
     for (_, i, j) in pairs {

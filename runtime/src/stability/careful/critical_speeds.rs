@@ -8,7 +8,7 @@ use super::double_roots::{self, DoubleRoot};
 use super::found::{FoundSpeed, is_same};
 use super::imaginary::{Pair, find_imaginary_pairs};
 use crate::number::real::Real;
-use crate::numeric::{DoubleDouble, Root, Tracked, positive_roots};
+use crate::numeric::{DoubleDouble, Root, Tracked, positive_roots, sort_by};
 use crate::stability::along_speed::Characteristic;
 use crate::stability::critical::{Change, CriticalKind, CriticalSpeed};
 use crate::stability::stretches::count_pairs;
@@ -28,7 +28,7 @@ pub(super) fn find_critical_speeds(characteristic: &Characteristic) -> Result<Ve
     for (root, double_root) in double_roots::find_double_roots(characteristic) {
         found.push(find_meeting(characteristic, root, double_root)?);
     }
-    found.sort_by(|x, y| x.at.partial_cmp(&y.at).unwrap_or(Ordering::Equal));
+    sort_by(&mut found, |x, y| x.at.partial_cmp(&y.at).unwrap_or(Ordering::Equal));
     for i in 0..found.len() {
         if found[i].undecided {
             found[i].critical.change = change_around(characteristic, &found, &found[i]);

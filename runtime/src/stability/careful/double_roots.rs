@@ -4,7 +4,7 @@ use nalgebra::Complex;
 
 use crate::characteristic::double_root::Jet;
 use crate::number::real::Real;
-use crate::numeric::{DoubleDouble, Polynomial, Root, Tracked, candidates};
+use crate::numeric::{DoubleDouble, Polynomial, Root, Tracked, candidates, sort_by};
 use crate::stability::along_speed::Characteristic;
 
 /// How far polishing may move a speed, relative to it: more than the discriminant errs by, and less than the distance to
@@ -83,7 +83,7 @@ fn find_double_root(characteristic: &Characteristic, discriminant: &Polynomial, 
 /// The two eigenvalues at a scaled speed that are closest to each other, of those that are not zero at all speeds.
 fn closest(characteristic: &Characteristic, speed: DoubleDouble) -> (Complex<f64>, Complex<f64>) {
     let mut roots = characteristic.roots(speed).as_flattened().to_vec();
-    roots.sort_by(|x, y| y.norm().total_cmp(&x.norm()));
+    sort_by(&mut roots, |x, y| y.norm().total_cmp(&x.norm()));
     let count = characteristic.coefficients().len() - 1;
     let pairs = (0..count).flat_map(|i| (0..i).map(move |j| (i, j)));
     let distance = |&(i, j): &(usize, usize)| (roots[i] - roots[j]).norm();

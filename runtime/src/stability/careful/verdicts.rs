@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 
 use super::found::{FoundSpeed, is_same};
-use crate::numeric::{DoubleDouble, positive_roots};
+use crate::numeric::{DoubleDouble, positive_roots, sort_by};
 use crate::stability::along_speed::Characteristic;
 use crate::stability::verdict::Verdict;
 use crate::stability::verdicts::{Stretch, Verdicts};
@@ -55,7 +55,7 @@ fn find_verdict_changes(characteristic: &Characteristic, found: &[FoundSpeed]) -
         let on_the_axis = found.iter().filter(|found| found.there.is_some());
         on_the_axis.map(|found| VerdictChange { speed: found.at, verdict: found.there }).collect()
     };
-    bounds.sort_by(|x, y| x.speed.partial_cmp(&y.speed).unwrap_or(Ordering::Equal));
+    sort_by(&mut bounds, |x, y| x.speed.partial_cmp(&y.speed).unwrap_or(Ordering::Equal));
     // At a speed with two reasons to be a bound the worse verdict holds.
     bounds.dedup_by(|next, bound| {
         let same = is_same(bound.speed, next.speed);

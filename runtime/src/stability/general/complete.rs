@@ -3,6 +3,7 @@
 use super::count::Count;
 use super::crossings::{Findings, Found};
 use super::equations::Equations;
+use crate::numeric::sort_by;
 use crate::stability::critical::{Change, CriticalKind};
 use crate::system::SystemError;
 
@@ -58,7 +59,7 @@ impl Equations {
         if let (low, Some(high)) = self.variable.ends() {
             found.retain(|found| found.v() > low && found.v() <= high);
         }
-        found.sort_by(|x, y| x.v().total_cmp(&y.v()));
+        sort_by(&mut found, |x, y| x.v().total_cmp(&y.v()));
         let mut groups: Vec<core::ops::Range<usize>> = Vec::new();
         for i in 0..found.len() {
             match groups.last_mut() {
@@ -133,7 +134,7 @@ impl Course {
 
 /// Intervals, of which those that overlap or touch have become one.
 fn union(mut intervals: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
-    intervals.sort_by(|x, y| x[0].total_cmp(&y[0]));
+    sort_by(&mut intervals, |x, y| x[0].total_cmp(&y[0]));
     let mut union: Vec<[f64; 2]> = Vec::new();
     for [low, high] in intervals {
         match union.last_mut() {

@@ -6,6 +6,7 @@ use super::equations::Equations;
 use super::inverse::determinant;
 use super::product::Product;
 use super::sums::{Sum, each_sum};
+use crate::numeric::sort_by;
 use crate::system::SystemError;
 
 /// What eigenvalues err by, relative to the norm of the balanced state matrix.
@@ -46,7 +47,7 @@ impl Condition for Drifting<'_> {
     fn at(&self, v: f64) -> Result<Product, SystemError> {
         let spectrum = self.equations.spectrum(v)?;
         let mut values = spectrum.values.to_vec();
-        values.sort_by(|x, y| x.norm().total_cmp(&y.norm()));
+        sort_by(&mut values, |x, y| x.norm().total_cmp(&y.norm()));
         let error = ROUNDING * spectrum.norm;
         Ok(values.into_iter().skip(self.drifts).fold(Product::ONE, |product, value| {
             // The product of a pair is positive.
@@ -88,7 +89,7 @@ impl Condition for Flutter<'_> {
         } else {
             let mut sums = Vec::new();
             each_sum(&halves, |sum| sums.push(sum));
-            sums.sort_by(|x, y| x.size.total_cmp(&y.size));
+            sort_by(&mut sums, |x, y| x.size.total_cmp(&y.size));
             product = sums.into_iter().skip(self.left_out).fold(product, times);
         }
         Ok(product)

@@ -10,6 +10,7 @@ use super::isolation::{Bracket, isolate};
 use super::newton::Crossing;
 use super::polynomial::Normalized;
 use crate::eigenvalues::Spectrum;
+use crate::numeric::sort_by;
 use crate::stability::critical::{Change, CriticalKind};
 use crate::system::SystemError;
 
@@ -102,7 +103,7 @@ impl Equations {
         if let Some(flutter) = flutter {
             let mut brackets = isolate(&flutter, self.is_polynomial(), NARROW_FLUTTER)?;
             // What is certain comes first, and takes least.
-            brackets.sort_by_key(|bracket| bracket.zero.is_none());
+            sort_by(&mut brackets, |x, y| x.zero.is_none().cmp(&y.zero.is_none()));
             for bracket in brackets {
                 // Those that are certain are no more than the degree, and the search was for them.
                 if self.is_exhausted() && bracket.zero.is_none() {
@@ -247,7 +248,7 @@ impl Equations {
         let gap = |[s, t]: &[Complex<f64>; 2]| (s - t).norm() / (s + t).norm();
         let pairs = halves.iter().enumerate().flat_map(|(i, s)| halves[..i].iter().map(move |t| [*s, *t]));
         let mut pairs: Vec<[Complex<f64>; 2]> = pairs.collect();
-        pairs.sort_by(|x, y| gap(x).total_cmp(&gap(y)));
+        sort_by(&mut pairs, |x, y| gap(x).total_cmp(&gap(y)));
         let crossing = pairs.into_iter().take(CANDIDATES).find_map(|[s, t]| {
             let omega = 0.5 * (s.im + t.im);
             // At a divergence, too, the determinant and its derivative are zero together: at the frequency zero.
@@ -283,7 +284,7 @@ impl Equations {
 /// The upper halves of the pairs, those nearest to the axis first.
 fn pairs_by_real_part(spectrum: &Spectrum) -> Vec<Complex<f64>> {
     let mut pairs: Vec<_> = spectrum.values.iter().copied().filter(|value| value.im > 0.0).collect();
-    pairs.sort_by(|x, y| x.re.abs().total_cmp(&y.re.abs()));
+    sort_by(&mut pairs, |x, y| x.re.abs().total_cmp(&y.re.abs()));
     pairs
 }
 

@@ -1,0 +1,45 @@
+//! Sorting, compiled once.
+
+use core::cmp::Ordering;
+
+/// The same as `sort_by` of slices, stable as that is.
+///
+/// That is 5 kB of code for each type and each order that it is asked for, which a web page has to load; few things are sorted
+/// here, and few at a time. So there is one for all: it sorts places, and what stands there is then swapped into them.
+pub(crate) fn sort_by<T>(values: &mut [T], mut compare: impl FnMut(&T, &T) -> Ordering) {
+    let mut order: Vec<usize> = (0..values.len()).collect();
+    sort_places(&mut order, &mut |a, b| compare(&values[a], &values[b]));
+    for place in 0..order.len() {
+        // What was at a place before this one has been swapped on since.
+        let mut from = order[place];
+        while from < place {
+            from = order[from];
+        }
+        values.swap(place, from);
+    }
+}
+
+#[inline(never)]
+fn sort_places(order: &mut [usize], compare: &mut dyn FnMut(usize, usize) -> Ordering) {
+    order.sort_by(|a, b| compare(*a, *b));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_is_that_of_slices() {
+        for length in 0..40 {
+            for seed in 0..50_u64 {
+                // With many that are equal, of which the order stays.
+                let key = |place: u64| (place + 1).wrapping_mul(6_364_136_223_846_793_005 + 2 * seed) >> 60;
+                let mut values: Vec<(u64, u64)> = (0..length).map(|place| (key(place), place)).collect();
+                let mut expected = values.clone();
+                expected.sort_by(|a, b| a.0.cmp(&b.0));
+                sort_by(&mut values, |a, b| a.0.cmp(&b.0));
+                assert_eq!(values, expected);
+            }
+        }
+    }
+}
