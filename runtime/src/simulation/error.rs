@@ -73,11 +73,7 @@ impl fmt::Display for SimulationError {
             Self::OutOfRange { time } => {
                 write!(f, "the motion leaves the range of floating-point numbers before {time} s")
             }
-            Self::TooLong { time } => write!(
-                f,
-                "the step to {time} s is too long: floating-point numbers do not tell what moves fastest for so many times its own \
-                 time"
-            ),
+            Self::TooLong { time } => write!(f, "the step to {time} s is too long beside what moves fastest"),
         }
     }
 }

@@ -89,8 +89,11 @@ impl Motion<'_> {
     }
 
     /// The forces that follow from the motion, in the order of the design: what they are called, and their units as models declare
-    /// them.
+    /// them. Without the feature `control` there are none.
     pub fn feedback(&self) -> Vec<(String, &'static str)> {
+        if !cfg!(feature = "control") {
+            return Vec::new();
+        }
         self.design.feedback.iter().map(|law| law.force(self.design.info())).collect()
     }
 
@@ -117,6 +120,9 @@ pub(super) fn fed_back(
     positions: &[f64],
     rates: &[f64],
 ) -> Vec<f64> {
+    if !cfg!(feature = "control") {
+        return Vec::new();
+    }
     forces(&design.feedback, speed, |coordinate| {
         let name = design.info().coordinates[coordinate].name;
         let place = quantities.iter().position(|quantity| quantity.name == name);
