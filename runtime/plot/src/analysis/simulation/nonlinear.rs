@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use carvallo::motion::{MotionInfo, PositionKind};
-use carvallo::simulation::{Drive, End, Machine, Moment, Ride, RideRow, Simulation, State};
+use carvallo::simulation::{Drive, End, Happening, Machine, Moment, Ride, RideRow, Simulation, State};
 use carvallo_design::number::shortest;
 use carvallo_design::{Design, Failure};
 
@@ -126,7 +126,10 @@ impl Solver for Nonlinear<'_> {
         }
         let start = self.state(given, speed).map_err(fail)?;
         let mut notes = Vec::new();
-        let names: Vec<String> = (0..given.watches.len()).map(|place| format!("{WATCHED}{place}")).collect();
+        let names: Vec<String> = (0..given.watches.len())
+            .filter(|_| cfg!(feature = "events"))
+            .map(|place| format!("{WATCHED}{place}"))
+            .collect();
         let mut simulation = Simulation::new(self.machine);
         for (force, given) in info.forces.iter().zip(&given.forces) {
             simulation = simulation.force(force.name, given.clone()).map_err(|error| fail(error.to_string()))?;
@@ -148,8 +151,10 @@ impl Solver for Nonlinear<'_> {
         if let Some(drive) = self.drive {
             simulation = simulation.noting(STOP, move |moment: &Moment| drive.speed(moment.rates));
         }
-        for (name, watch) in names.iter().zip(&given.watches) {
-            simulation = simulation.watching(name, watch.crossing, watch.ends, &watch.function);
+        if cfg!(feature = "events") {
+            for (name, watch) in names.iter().zip(&given.watches) {
+                simulation = simulation.watching(name, watch.crossing, watch.ends, &watch.function);
+            }
         }
         let simulation = simulation.observed_by(reach);
         let ride = simulation.run(&start, times).map_err(|error| fail(error.to_string()))?;
@@ -181,7 +186,7 @@ fn told<'a>(
     let end = match &ride.end {
         End::Event { time: end, name } => {
             let degrees = if name == FALL.name { FALL.degrees } else { TURN.degrees };
-            let watched = watched(name).map(|place| watches[place].end());
+            let watched = watched(name).filter(|_| cfg!(feature = "events")).map(|place| watches[place].end());
             let what = watched.unwrap_or_else(|| format!("{name} by {degrees} degrees"));
             Some(format!("the motion ends at {} s: {what}", time(*end)))
         }
@@ -229,14 +234,17 @@ fn told<'a>(
         energy: Some([row.energy.kinetic, row.energy.potential]),
         contact_forces: row.contact_forces,
     };
-    let events = ride.events.into_iter();
-    let events = events.filter_map(|event| Some(Happened { watch: watched(&event.name)?, row: told(event.row) }));
+    let mut events = Vec::new();
+    if cfg!(feature = "events") {
+        let happened = |event: Happening| Some(Happened { watch: watched(&event.name)?, row: told(event.row) });
+        events.extend(ride.events.into_iter().filter_map(happened));
+    }
     Motion {
         design,
         is_linear: false,
         quantities: order.iter().map(|&place| quantities[place]).collect(),
         wheels: info.wheels.iter().map(|wheel| wheel.name).collect(),
-        events: events.collect(),
+        events,
         rows: ride.rows.into_iter().map(told).collect(),
         end,
         notes,
