@@ -75,11 +75,16 @@ impl<const N: usize> Units<N> {
 
     /// A matrix that is multiplied by powers of s and of v, and by `2^rest`.
     fn scale<T: Scalar + Scaled>(&self, matrix: &Matrix<T, N>, [s, v]: [i32; 2], rest: i32) -> Matrix<T, N> {
-        let power = v * self.speed - (2 - s) * self.time + rest;
+        let power = self.power([s, v]) + rest;
         Matrix::from_fn(|i, j| {
             let entry = entry(matrix, i, j).unwrap_or(T::from_f64(0.0));
             ldexp(entry, self.rows[i] + self.columns[j] + power)
         })
+    }
+
+    /// The exponent of what is multiplied by powers of s and of v, beside those of rows and columns.
+    fn power(&self, [s, v]: [i32; 2]) -> i32 {
+        v * self.speed - (2 - s) * self.time
     }
 
     /// The matrices at one speed, or derivatives of them, in these units.
@@ -103,6 +108,17 @@ impl<const N: usize> Units<N> {
             k2: self.scale(k2, [0, 2], 0),
             states: *states,
         }
+    }
+
+    /// By what exponents [`scale_coefficients`](Self::scale_coefficients) scales the entries of each matrix, by the place in
+    /// [`MatrixName::ALL`](crate::system::MatrixName::ALL).
+    #[cfg(feature = "std")]
+    pub(crate) fn exponents(&self) -> [[[i32; N]; N]; 8] {
+        let powers = [[2, 0], [1, -1], [1, 0], [1, 1], [0, 0], [0, 0], [0, 1], [0, 2]].map(|powers| self.power(powers));
+        let rests = [0, 0, 0, 0, 0, self.gravity, 0, 0];
+        core::array::from_fn(|which| {
+            self.rows.map(|row| self.columns.map(|column| row + column + powers[which] + rests[which]))
+        })
     }
 
     /// A gravitational field strength in these units.

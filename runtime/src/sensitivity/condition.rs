@@ -3,7 +3,7 @@
 use nalgebra::Complex;
 
 use super::scaled::{Quartic, Scaled};
-use crate::characteristic::determinant::{ByPower, Rows, cofactors};
+use crate::characteristic::determinant::{self, ByPower, Rows, cofactors};
 use crate::characteristic::double_root::Jet;
 use crate::number::real::Real as _;
 use crate::numeric::{ComplexDoubleDouble, DoubleDouble, Tracked, expand_taylor};
@@ -18,6 +18,8 @@ pub(super) struct Condition {
     s: ComplexDoubleDouble,
     /// How many of the lowest coefficients are left out: those that are zero at all speeds, if the eigenvalue is zero.
     pub(super) zeros: usize,
+    /// K, C and M at the speed.
+    matrices: ByPower<Rows<Tracked>>,
     /// p and its derivatives.
     at: Jet<ComplexDoubleDouble>,
     /// The size of the terms of p.
@@ -49,58 +51,69 @@ impl Condition {
         s: ComplexDoubleDouble,
         zeros: usize,
     ) -> Self {
-        let p = scaled.characteristic(speed);
-        let at = Jet::new(shifted(&p, zeros), shifted(&scaled.by_speed(speed), zeros), s);
+        let matrices = scaled.matrices(speed);
+        let p = determinant::coefficients(matrices);
+        let at = Jet::new(shifted(&p, zeros), shifted(&scaled.by_speed(matrices, speed), zeros), s);
         let [size, _, half_curvature] = expand_taylor(p[zeros..].iter().map(|p| p.size), s.norm());
-        Self { kind, s, zeros, at, size, curvature_size: 2.0 * half_curvature, speed: speed.to_f64() }
+        Self { kind, s, zeros, matrices, at, size, curvature_size: 2.0 * half_curvature, speed: speed.to_f64() }
     }
 
     /// How far the condition is from being met, as a change that would make up for it.
     pub(super) fn residual(&self) -> Response {
-        self.answer([self.at.p, self.at.by_s])
+        self.law().answer([self.at.p, self.at.by_s])
     }
 
     /// The answers to a change of each entry, which keeps the zeros: the characteristic polynomial changes by the cofactor
     /// of the entry, times 1, s or s^2.
-    pub(super) fn answers(&self, scaled: &Scaled, speed: DoubleDouble) -> Answers {
-        // The derivatives of p with respect to an entry of each of the matrices K, C and M.
-        let cofactors = scaled.matrices(speed).map(cofactors);
-        let answer = |power: usize, i: usize, j: usize| {
-            let mut change = [Tracked::ZERO; 5];
-            for (coefficient, cofactor) in change[power..].iter_mut().zip(&cofactors) {
-                *coefficient = cofactor[i][j];
+    pub(super) fn answers(&self) -> Answers {
+        let (law, zero) = (self.law(), ComplexDoubleDouble::ZERO);
+        // The derivatives of p with respect to an entry of K, by powers of s.
+        let cofactors = self.matrices.map(cofactors);
+        let none = [[[Complex::new(0.0, 0.0); 2]; 2]; 3];
+        let mut answers = Answers { speed: none, eigenvalue: none };
+        for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+            let [c0, c1, c2] = cofactors.each_ref().map(|cofactor| ComplexDoubleDouble::real(cofactor[i][j].value));
+            let [mut value, mut slope, _] = expand_taylor([c0, c1, c2].into_iter(), self.s);
+            for power in 0..3 {
+                if self.zeros > 0 {
+                    // At s = 0 they are coefficients.
+                    let change = [zero, zero, c0, c1, c2, zero, zero];
+                    let at = |place: usize| change.get(place + self.zeros - power).copied().unwrap_or(zero);
+                    (value, slope) = (at(2), at(3));
+                } else if power > 0 {
+                    // Another factor s.
+                    (value, slope) = (value * self.s, value + slope * self.s);
+                }
+                let Response { speed, eigenvalue } = law.answer([value, slope]);
+                answers.speed[power][i][j] = speed.to_f64();
+                answers.eigenvalue[power][i][j] = eigenvalue.to_f64();
             }
-            let [value, slope, _] = expand_taylor(shifted(&change, self.zeros).into_iter(), self.s);
-            self.answer([value, slope])
-        };
-        let rows = |power| [0, 1].map(|i| [0, 1].map(|j| answer(power, i, j)));
-        let all = [0, 1, 2].map(rows);
-        let part =
-            |part: fn(&Response) -> ComplexDoubleDouble| all.map(|rows| rows.map(|row| row.map(|r| part(&r).to_f64())));
-        Answers { speed: part(|response| response.speed), eigenvalue: part(|response| response.eigenvalue) }
+        }
+        answers
     }
 
-    /// The answer to a change of p and of its slope in s.
-    fn answer(&self, [value, slope]: [ComplexDoubleDouble; 2]) -> Response {
+    /// The law by which speed and eigenvalue answer to a change of p and of its slope in s.
+    fn law(&self) -> Law {
         let at = &self.at;
-        let (speed, eigenvalue) = match self.kind {
-            CriticalKind::Capsize => (-value / at.by_v, ComplexDoubleDouble::ZERO),
+        let one = ComplexDoubleDouble::from(1.0);
+        match self.kind {
+            CriticalKind::Capsize => Law::Capsize(-(one / at.by_v)),
             CriticalKind::Weave => {
                 // p_v dv + i p_s d(omega) = -change, two real equations.
                 let by_omega = ComplexDoubleDouble { re: -at.by_s.im, im: at.by_s.re };
-                let cross = |x: ComplexDoubleDouble, y: ComplexDoubleDouble| x.re * y.im - x.im * y.re;
-                let determinant = cross(at.by_v, by_omega);
-                let omega = -cross(at.by_v, value) / determinant;
-                let speed = -cross(value, by_omega) / determinant;
-                (ComplexDoubleDouble::real(speed), ComplexDoubleDouble { re: DoubleDouble::ZERO, im: omega })
+                let inverse = DoubleDouble::from(1.0) / cross(at.by_v, by_omega);
+                let scaled = |x: ComplexDoubleDouble| ComplexDoubleDouble { re: x.re * inverse, im: x.im * inverse };
+                Law::Weave { by_v: scaled(at.by_v), by_omega: scaled(by_omega) }
             }
             CriticalKind::DoubleRoot => {
-                let [speed, eigenvalue] = at.step_against([value, slope]);
-                let determinant = at.determinant();
-                (speed / determinant, eigenvalue / determinant)
+                let inverse = one / at.determinant();
+                let [by_slope, by_value] = [[0.0, 1.0], [1.0, 0.0]].map(|change| {
+                    let change = change.map(ComplexDoubleDouble::from);
+                    at.step_against(change).map(|step| step * inverse)
+                });
+                Law::DoubleRoot { by_value, by_slope }
             }
-        };
-        Response { speed, eigenvalue }
+        }
     }
 
     /// By how much the speed may answer to a change of the polynomial by one.
@@ -124,6 +137,36 @@ impl Condition {
         let condition = if self.kind == CriticalKind::DoubleRoot { condition.max(curvature) } else { condition };
         if condition.is_nan() { f64::INFINITY } else { condition }
     }
+}
+
+/// The answers to a change of p and of its slope, without the equations that they solve.
+enum Law {
+    /// What the change of p is multiplied by.
+    Capsize(ComplexDoubleDouble),
+    /// The derivatives of p, divided by their determinant.
+    Weave { by_v: ComplexDoubleDouble, by_omega: ComplexDoubleDouble },
+    /// What speed and eigenvalue answer to a change of p, and of its slope, by one.
+    DoubleRoot { by_value: [ComplexDoubleDouble; 2], by_slope: [ComplexDoubleDouble; 2] },
+}
+
+impl Law {
+    fn answer(&self, [value, slope]: [ComplexDoubleDouble; 2]) -> Response {
+        match *self {
+            Self::Capsize(factor) => Response { speed: value * factor, eigenvalue: ComplexDoubleDouble::ZERO },
+            Self::Weave { by_v, by_omega } => {
+                let eigenvalue = ComplexDoubleDouble { re: DoubleDouble::ZERO, im: -cross(by_v, value) };
+                Response { speed: ComplexDoubleDouble::real(-cross(value, by_omega)), eigenvalue }
+            }
+            Self::DoubleRoot { by_value, by_slope } => {
+                let [speed, eigenvalue] = [0, 1].map(|of| by_value[of] * value + by_slope[of] * slope);
+                Response { speed, eigenvalue }
+            }
+        }
+    }
+}
+
+fn cross(x: ComplexDoubleDouble, y: ComplexDoubleDouble) -> DoubleDouble {
+    x.re * y.im - x.im * y.re
 }
 
 /// The coefficients without the lowest ones.

@@ -3,13 +3,12 @@
 use nalgebra::Complex;
 
 use super::Sensitivity;
-use super::condition::Condition;
+use super::condition::{Answers, Condition};
 use super::critical::{CriticalDerivative, MEETING, NEAR, NEGLIGIBLE, NotDifferentiable, SMALL, STEPS};
 use super::scaled::Scaled;
-use crate::characteristic::determinant::{ByPower, Rows};
 use crate::numeric::{ComplexDoubleDouble, DoubleDouble, ldexp};
 use crate::stability::{CriticalKind, CriticalSpeed};
-use crate::system::SystemError;
+use crate::system::{Coefficients, Matrix, SystemError};
 
 impl Sensitivity<2> {
     /// Those of a speed at which the quartic, or its slope, is zero.
@@ -24,36 +23,87 @@ impl Sensitivity<2> {
             let error = SystemError::OutOfRange { quantity: "a derivative of a critical speed" };
             if value.is_finite() { Ok(value) } else { Err(error) }
         };
-        let answers = condition.answers(&scaled, speed);
-        let (mut speeds, mut eigenvalues) = (Vec::new(), Vec::new());
+        let weights = weights(&condition.answers(), &scaled, speed.to_f64());
+        let count = self.derivatives.len();
+        let (mut speeds, mut eigenvalues) = (Vec::with_capacity(count), Vec::with_capacity(count));
         for (parameter, derivative) in self.derivatives.iter().enumerate() {
-            let mut direction = *derivative;
-            if self.gravity_parameter == Some(parameter) {
-                direction.kc += self.coefficients.k0;
+            let is_gravity = self.gravity_parameter == Some(parameter);
+            let keeps_zeros = condition.zeros == 0 || {
+                let kc = if is_gravity { derivative.kc + self.coefficients.k0 } else { derivative.kc };
+                let direction = scaled.units.scale_coefficients(&Coefficients { kc, ..*derivative });
+                scaled.keeps_zeros(condition.zeros, &direction, speed)
+            };
+            let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, states: _ } = derivative;
+            let mut answer = Answer::NONE;
+            for (matrix, weights) in [m, cm1, c0, c1, kc, k0, k1, k2].into_iter().zip(&weights) {
+                answer.add(matrix, weights);
             }
-            let direction = scaled.units.scale_coefficients(&direction);
-            let keeps_zeros = scaled.keeps_zeros(condition.zeros, &direction, speed);
-            let direction = scaled.direction(&direction, speed.to_f64());
-            let (by_speed, size) = dot(&answers.speed, &direction);
-            if !keeps_zeros || by_speed.im.abs() > NEGLIGIBLE * size {
+            if is_gravity {
+                let [.., of_kc, _, _, _] = &weights;
+                answer.add(&self.coefficients.k0, of_kc);
+            }
+            if !keeps_zeros || answer.speed.im.abs() > NEGLIGIBLE * answer.size {
                 return Ok(CriticalDerivative::None(NotDifferentiable::Coincidence));
             }
-            speeds.push(finite(by_speed.re, scaled.units.speed)?);
-            let (eigenvalue, _) = dot(&answers.eigenvalue, &direction);
+            speeds.push(finite(answer.speed.re, scaled.units.speed)?);
             let part = |part: f64| finite(part, scaled.units.time);
-            eigenvalues.push(Complex::new(part(eigenvalue.re)?, part(eigenvalue.im)?));
+            eigenvalues.push(Complex::new(part(answer.eigenvalue.re)?, part(answer.eigenvalue.im)?));
         }
         Ok(CriticalDerivative::Smooth { speed: speeds, eigenvalue: eigenvalues, condition: condition.condition() })
     }
 }
 
-/// The sum of derivatives times changes, and the size of its terms.
-fn dot(derivatives: &ByPower<Rows<Complex<f64>>>, changes: &ByPower<Rows>) -> (Complex<f64>, f64) {
-    let pairs = derivatives.as_flattened().as_flattened().iter().zip(changes.as_flattened().as_flattened());
-    pairs.fold((Complex::new(0.0, 0.0), 0.0), |(sum, size), (derivative, change)| {
-        let term = derivative * *change;
-        (sum + term, size + term.l1_norm())
+/// What a change of one entry of a coefficient matrix is multiplied by: first by powers of two, in two steps so that each is in
+/// the range of `f64`, then by the derivatives of the critical speed and of its eigenvalue.
+#[derive(Clone, Copy)]
+struct Weight {
+    scale: [f64; 2],
+    speed: Complex<f64>,
+    eigenvalue: Complex<f64>,
+}
+
+/// By the place of the matrix in [`MatrixName::ALL`](crate::system::MatrixName::ALL), column by column.
+fn weights(answers: &Answers, scaled: &Scaled, speed: f64) -> [[Weight; 4]; 8] {
+    let (exponents, factors) = (scaled.units.exponents(), scaled.factors(speed));
+    core::array::from_fn(|which| {
+        let (power, factor) = factors[which];
+        [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(i, j)| {
+            let (exponent, half) = (exponents[which][i][j], exponents[which][i][j] / 2);
+            Weight {
+                scale: [half, exponent - half].map(|exponent| ldexp(1.0, exponent)),
+                speed: answers.speed[power][i][j] * factor,
+                eigenvalue: answers.eigenvalue[power][i][j] * factor,
+            }
+        })
     })
+}
+
+/// The derivatives of a critical speed and of its eigenvalue in a direction: sums of derivatives by entries times changes.
+struct Answer {
+    speed: Complex<f64>,
+    eigenvalue: Complex<f64>,
+    /// The size of the terms of the speed's.
+    size: f64,
+}
+
+impl Answer {
+    const NONE: Self = Self { speed: Complex::new(0.0, 0.0), eigenvalue: Complex::new(0.0, 0.0), size: 0.0 };
+
+    /// Adds what the change of one coefficient matrix makes.
+    #[inline]
+    fn add(&mut self, change: &Matrix<f64, 2>, weights: &[Weight; 4]) {
+        for (&change, weight) in change.as_slice().iter().zip(weights) {
+            // Most entries do not depend on a parameter.
+            if change == 0.0 {
+                continue;
+            }
+            let change = change * weight.scale[0] * weight.scale[1];
+            let term = weight.speed * change;
+            self.speed += term;
+            self.size += term.l1_norm();
+            self.eigenvalue += weight.eigenvalue * change;
+        }
+    }
 }
 
 /// The condition of a critical speed at the speed itself, which is polished, in the units of the condition.

@@ -1,6 +1,6 @@
 //! The characteristic polynomial of two coordinates and its derivatives, at any scale of the matrices.
 
-use crate::characteristic::determinant::{self, ByPower, Rows, rows};
+use crate::characteristic::determinant::{self, ByPower, Rows, mixed};
 use crate::characteristic::units::Units;
 use crate::numeric::{DoubleDouble, Exact, Tracked};
 use crate::system::{Coefficients, Matrix, SystemError};
@@ -23,27 +23,23 @@ impl Scaled {
         Ok(Self { coefficients, gravity: units.scale_gravity(gravity), units })
     }
 
-    /// The characteristic polynomial at a scaled speed.
-    pub(super) fn characteristic(&self, speed: DoubleDouble) -> Quartic {
-        determinant::coefficients(self.matrices(speed))
-    }
-
     /// K, C and M at a scaled speed.
     pub(super) fn matrices(&self, speed: DoubleDouble) -> ByPower<Rows<Tracked>> {
         self.matrices_of(&self.coefficients, speed)
     }
 
-    /// The derivative of the characteristic polynomial with respect to the speed.
-    pub(super) fn by_speed(&self, speed: DoubleDouble) -> Quartic {
+    /// The derivative of the characteristic polynomial with respect to the speed, which M does not depend on.
+    pub(super) fn by_speed(&self, [k, c, m]: ByPower<Rows<Tracked>>, speed: DoubleDouble) -> Quartic {
         let Coefficients { cm1, c1, k1, k2, .. } = &self.coefficients;
         let twice = Tracked::from(speed + speed);
         let over_square = inverse(cm1, speed * speed);
-        let stiffness = each(|at| Tracked::from(k1[at]) + Exact(k2[at]) * twice);
-        let damping = each(|at| Tracked::from(c1[at]) + Exact(-cm1[at]) * over_square);
-        determinant::derivatives(self.matrices(speed), [stiffness, damping, [[Tracked::ZERO; 2]; 2]])
+        let dk = each(|at| Tracked::from(k1[at]) + Exact(k2[at]) * twice);
+        let dc = each(|at| Tracked::from(c1[at]) + Exact(-cm1[at]) * over_square);
+        let inner = mixed(c, dc) + mixed(m, dk);
+        [mixed(k, dk), mixed(k, dc) + mixed(c, dk), inner, mixed(m, dc), Tracked::ZERO]
     }
 
-    /// Its derivative in the direction of scaled derivatives of the coefficients.
+    /// The derivative of the characteristic polynomial in the direction of scaled derivatives of the coefficients.
     fn by(&self, direction: &Coefficients<f64, 2>, speed: DoubleDouble) -> Quartic {
         determinant::derivatives(self.matrices(speed), self.matrices_of(direction, speed))
     }
@@ -61,17 +57,18 @@ impl Scaled {
         [stiffness, damping, each(|at| m[at].into())]
     }
 
-    /// The derivatives of K, C and M at a scaled speed in the direction of scaled derivatives of the coefficients.
-    pub(super) fn direction(&self, direction: &Coefficients<f64, 2>, speed: f64) -> ByPower<Rows> {
-        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, states: _ } = direction;
-        let over_speed = inverse(cm1, speed.into()).value.to_f64();
-        let stiffness = kc + k0 * self.gravity + k1 * speed + k2 * speed * speed;
-        [rows(&stiffness), rows(&(cm1 * over_speed + c0 + c1 * speed)), rows(m)]
+    /// What each of the coefficient matrices is a coefficient of at a scaled speed: the power of s, and the factor that is
+    /// not s; by the place in [`MatrixName::ALL`](crate::system::MatrixName::ALL).
+    pub(super) fn factors(&self, speed: f64) -> [(usize, f64); 8] {
+        let square = speed * speed;
+        [(2, 1.0), (1, 1.0 / speed), (1, 1.0), (1, speed), (0, 1.0), (0, self.gravity), (0, speed), (0, square)]
     }
 
     /// How many of the lowest coefficients are zero at all speeds.
     pub(super) fn zeros(&self, speed: DoubleDouble) -> usize {
-        let is_zero = |power: usize| samples(speed).iter().all(|&v| self.characteristic(v)[power].sign() == 0);
+        let is_zero = |power: usize| {
+            samples(speed).iter().all(|&v| determinant::coefficients(self.matrices(v))[power].sign() == 0)
+        };
         (0..4).take_while(|&power| is_zero(power)).count()
     }
 
