@@ -2,6 +2,7 @@
 
 use super::quadratic::Quadratic;
 use crate::number::lane::Lane;
+use crate::number::real::Real;
 use crate::numeric::{Scaled, exponent};
 
 /// A monic quartic `x^4 + a x^3 + b x^2 + c x + d`.
@@ -25,16 +26,7 @@ impl<T: Scaled> Quartic<T> {
     }
 }
 
-impl<T: Lane> Quartic<T> {
-    /// Whether no intermediate result over- or underflows.
-    #[inline(always)]
-    pub(super) fn is_moderate(self) -> T::Mask {
-        let larger = |x: T, y: T| T::select(x.less(y), y, x);
-        let largest = larger(larger(self.a.abs(), self.b.abs()), larger(self.c.abs(), self.d.abs()));
-        let [small, large] = T::COEFFICIENTS;
-        largest.like(small).less_or_equal(largest) & largest.less(largest.like(large))
-    }
-
+impl<T: Real> Quartic<T> {
     /// The coefficients of the quartic less those of the product of the factors, and the size of the terms that each of
     /// them has in the roots.
     #[inline(always)]
@@ -45,5 +37,16 @@ impl<T: Lane> Quartic<T> {
         let (sq, tq) = (s.q.abs(), t.q.abs());
         let (sp, tp) = (s.p.abs() + sq.sqrt(), t.p.abs() + tq.sqrt());
         (residual, [sp + tp, sq + tq + sp * tp, sp * tq + tp * sq, sq * tq])
+    }
+}
+
+impl<T: Lane> Quartic<T> {
+    /// Whether no intermediate result over- or underflows.
+    #[inline(always)]
+    pub(super) fn is_moderate(self) -> T::Mask {
+        let larger = |x: T, y: T| T::select(x.less(y), y, x);
+        let largest = larger(larger(self.a.abs(), self.b.abs()), larger(self.c.abs(), self.d.abs()));
+        let [small, large] = T::COEFFICIENTS;
+        largest.like(small).less_or_equal(largest) & largest.less(largest.like(large))
     }
 }

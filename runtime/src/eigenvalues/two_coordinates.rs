@@ -92,7 +92,7 @@ fn factored_eigenvalues<T: Precision>(system: &System<2, T>) -> Result<[[Complex
     let [k, c, m] = [rows(&system.k), rows(&system.c), rows(&system.m)];
     // Without a branch for each entry.
     if are_moderate(m) & are_moderate(c) & are_moderate(k) {
-        return Ok(regular_quartic(m, c, k)?.roots());
+        return regular_quartic(m, c, k)?.roots();
     }
     system.require_finite()?;
     scaled_eigenvalues(system)
@@ -166,7 +166,7 @@ fn regular_quartic<T: Precision>(m: Rows<T>, c: Rows<T>, k: Rows<T>) -> Result<Q
 fn scaled_eigenvalues<T: Precision>(system: &System<2, T>) -> Result<[[Complex<T>; 2]; 2], SystemError> {
     let units = Units::of_system(system)?;
     let System { m, c, k, .. } = units.scale_system(system);
-    let mut roots = regular_quartic(rows(&m), rows(&c), rows(&k))?.roots();
+    let mut roots = regular_quartic(rows(&m), rows(&c), rows(&k))?.roots()?;
     to_per_second(roots.as_flattened_mut(), units.time)?;
     Ok(roots)
 }

@@ -68,7 +68,7 @@ impl Characteristic {
     pub(super) fn roots(&self, speed: DoubleDouble) -> [[Complex<f64>; 2]; 2] {
         let [d, c, b, a, leading] = self.at(speed).map(|p| p.value);
         let [a, b, c, d] = [a, b, c, d].map(|p| (p / leading).to_f64());
-        Quartic { a, b, c, d }.roots()
+        Quartic { a, b, c, d }.nearest_roots().0
     }
 
     /// A scaled speed in m/s.
