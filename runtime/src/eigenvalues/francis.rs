@@ -2,6 +2,7 @@
 
 use nalgebra::Complex;
 
+use super::shifts::Shifts;
 use crate::number::Number;
 use crate::numeric::Square;
 
@@ -13,14 +14,6 @@ const PATIENCE: usize = 10;
 
 /// What is lost below this is nothing beside entries of size one.
 const TINY: f64 = f64::MIN_POSITIVE / f64::EPSILON;
-
-/// Two shifts: the eigenvalues of a matrix with the diagonal x, y and the product w of the other entries.
-#[derive(Clone, Copy)]
-struct Shifts {
-    x: f64,
-    y: f64,
-    w: f64,
-}
 
 /// Passes the eigenvalues on one by one; pairs one after the other, exactly conjugate.
 ///
@@ -43,7 +36,11 @@ pub(super) fn find_eigenvalues(h: &mut Square<f64>, mut found: impl FnMut(Comple
             }
             sweeps += 1;
             since_last += 1;
-            let shifts = if since_last % PATIENCE == 0 { exceptional_shifts(h, last) } else { usual_shifts(h, last) };
+            let shifts = match since_last % PATIENCE {
+                0 => Shifts::exceptional(h, last),
+                1 => Shifts::of_block(h, start, last),
+                _ => Shifts::usual(h, last),
+            };
             sweep(h, start, last, shifts);
             continue;
         }
@@ -90,29 +87,6 @@ fn block([[a, b], [c, d]]: [[f64; 2]; 2]) -> [Complex<f64>; 2] {
     [d + large, d - small].map(|re| Complex::new(re + 0.0, 0.0))
 }
 
-/// The eigenvalues of the last block of two rows; if they are real, twice the one that is closer to the last entry.
-#[inline]
-fn usual_shifts(h: &Square<f64>, last: usize) -> Shifts {
-    let (x, y) = (h[last][last], h[last - 1][last - 1]);
-    let w = h[last][last - 1] * h[last - 1][last];
-    let half = 0.5 * (y - x);
-    let discriminant = half * half + w;
-    if discriminant < 0.0 {
-        return Shifts { x, y, w };
-    }
-    let large = half + Number::sqrt(discriminant).copysign(half);
-    let closer = x - if large == 0.0 { 0.0 } else { w / large };
-    Shifts { x: closer, y: closer, w: 0.0 }
-}
-
-/// A pair about the last entry, as far away as the entries below the diagonal are large (Wilkinson & Reinsch 1971).
-#[cold]
-fn exceptional_shifts(h: &Square<f64>, last: usize) -> Shifts {
-    let size = h[last][last - 1].abs() + h[last - 1][last - 2].abs();
-    let x = 0.75 * size + h[last][last];
-    Shifts { x, y: x, w: -0.4375 * size * size }
-}
-
 /// One step for both shifts, in the rows from `start` to `last`: three of them or more.
 #[inline(always)]
 fn sweep(h: &mut Square<f64>, start: usize, last: usize, shifts: Shifts) {
@@ -155,7 +129,7 @@ fn sweep(h: &mut Square<f64>, start: usize, last: usize, shifts: Shifts) {
         h[k][column] = upper - sum * across[0];
         h[last][column] = lower - sum * across[1];
     }
-    for row in h.rows_mut().take(last + 1).skip(start) {
+    for row in h.rows_between_mut(start, last + 1) {
         if let [left, right] = &mut row[k..last + 1] {
             let sum = *left * along[0] + *right * along[1];
             *left -= sum * across[0];
@@ -208,37 +182,45 @@ impl Reflection {
     /// Reflects three rows from k on, and the same columns; what column k is then below the diagonal.
     #[inline(always)]
     fn apply(&self, h: &mut Square<f64>, k: usize, start: usize, last: usize) -> [f64; 3] {
+        let (size, count) = (h.size(), last + 1 - k);
+        let entries = h.entries_mut();
+        // The three rows from the diagonal of the first one on.
+        let rows = entries.get_mut(k * (size + 1)..).and_then(|rows| {
+            let (first, rows) = rows.split_at_mut_checked(size)?;
+            let (second, third) = rows.split_at_mut_checked(size)?;
+            Some([first.get_mut(..count)?, second.get_mut(..count)?, third.get_mut(..count)?])
+        });
+        let Some([[u0, u1, u2, first @ ..], [m0, m1, m2, second @ ..], [l0, l1, l2, third @ ..]]) = rows else {
+            return [0.0; 3];
+        };
         // What both change is kept in registers: the next reflection waits for it.
-        let at = |i: usize| [h[k + i][k], h[k + i][k + 1], h[k + i][k + 2]];
-        let [upper, middle, lower] = [at(0), at(1), at(2)];
-        let (u0, m0, l0) = self.mirrored(upper[0], middle[0], lower[0]);
-        let (u1, m1, l1) = self.mirrored(upper[1], middle[1], lower[1]);
-        let (u2, m2, l2) = self.mirrored(upper[2], middle[2], lower[2]);
-        let upper = self.mirrored(u0, u1, u2);
-        let middle = self.mirrored(m0, m1, m2);
-        let lower = self.mirrored(l0, l1, l2);
-        let [first, second, third] = h.several_rows_mut(k);
-        let rest = k + 3..last + 1;
-        let others = first[rest.clone()].iter_mut().zip(&mut second[rest.clone()]).zip(&mut third[rest]);
-        for ((first, second), third) in others {
+        let (x0, y0, z0) = self.mirrored(*u0, *m0, *l0);
+        let (x1, y1, z1) = self.mirrored(*u1, *m1, *l1);
+        let (x2, y2, z2) = self.mirrored(*u2, *m2, *l2);
+        (*u0, *u1, *u2) = self.mirrored(x0, x1, x2);
+        (*m0, *m1, *m2) = self.mirrored(y0, y1, y2);
+        (*l0, *l1, *l2) = self.mirrored(z0, z1, z2);
+        let next = [*m0, *l0];
+        for ((first, second), third) in first.iter_mut().zip(second).zip(third) {
             (*first, *second, *third) = self.mirrored(*first, *second, *third);
         }
-        for (row, (x, y, z)) in [(first, upper), (second, middle), (third, lower)] {
-            row[k..k + 3].copy_from_slice(&[x, y, z]);
-        }
-        for row in h.rows_mut().take(k).skip(start) {
-            if let [left, middle, right] = &mut row[k..k + 3] {
+        let mut place = start * size + k;
+        for _ in start..k {
+            if let Some([left, middle, right]) = entries.get_mut(place..place + 3) {
                 (*left, *middle, *right) = self.mirrored(*left, *middle, *right);
             }
+            place += size;
         }
-        if k + 3 > last {
-            return [middle.0, lower.0, 0.0];
-        }
-        // Here there is only the entry below the diagonal so far.
-        if let [left, middle, right] = &mut h[k + 3][k..k + 3] {
+        // Of the row after them there is only the entry below the diagonal so far.
+        let after = place + 3 * size;
+        let mut below = 0.0;
+        if count > 3
+            && let Some([left, middle, right]) = entries.get_mut(after..after + 3)
+        {
             (*left, *middle, *right) = self.mirrored(0.0, 0.0, *right);
+            below = *left;
         }
-        [middle.0, lower.0, h[k + 3][k]]
+        [next[0], next[1], below]
     }
 
     #[inline(always)]

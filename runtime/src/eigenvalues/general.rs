@@ -4,6 +4,7 @@ use nalgebra::Complex;
 
 use super::francis::{self, SWEEPS_PER_EIGENVALUE};
 use super::hessenberg::{balance, reduce};
+use super::hidden::Found;
 use super::quadratic::Quadratic;
 use super::state_matrix::{Layout, solve};
 use crate::characteristic::units::{time_unit, to_per_second};
@@ -19,11 +20,12 @@ impl<const N: usize, T: Scalar> System<N, T> {
     /// more they come from the state matrix, balanced, by the QR algorithm with a bound on its iterations; jointly they are
     /// the exact ones of a state matrix that differs from the given one by rounding, relative to its norm. There, too, real
     /// ones have an imaginary part of exactly zero and pairs are exactly conjugate. Without any damping they are the square
-    /// roots of the eigenvalues of -M^-1 K: what oscillates then has a real part of exactly zero.
+    /// roots of the eigenvalues of -M^-1 K: what oscillates then has a real part of exactly zero. Eigenvalues that are smaller
+    /// than others by more than the digits of `f64` are the reciprocals of those of the equations with M and K exchanged.
     ///
     /// # Errors
-    /// If an entry is not finite, if the mass matrix is singular, if an eigenvalue leaves the range of `f64`, or if the
-    /// iteration for N other than 2 does not converge.
+    /// If an entry is not finite, if the mass matrix is singular, if an eigenvalue leaves the range of `f64`, or others are so
+    /// much larger and smaller that it is lost in their rounding, or if the iteration does not converge.
     pub fn eigenvalues(&self) -> Result<Vec<Complex<f64>>, SystemError> {
         if N == 2 && self.states == [States::Both; N] {
             let two = |matrix: &Matrix<T, N>| Matrix::<T, 2>::from_fn(|i, j| matrix[(i, j)]);
@@ -31,15 +33,30 @@ impl<const N: usize, T: Scalar> System<N, T> {
             return Ok(system.quartic_eigenvalues()?.to_vec());
         }
         let square = |matrix: &Matrix<T, N>| Square::from_fn(N, |row, column| matrix[(row, column)].to_f64());
-        eigenvalues_of([&self.m, &self.c, &self.k].map(square), &self.states)
+        eigenvalues_of(&|| [&self.m, &self.c, &self.k].map(square), &self.states)
     }
 }
 
 /// The eigenvalues of M, C and K, sorted.
 fn eigenvalues_of(
-    [mut m, mut c, mut k]: [Square<f64>; 3],
+    matrices: &dyn Fn() -> [Square<f64>; 3],
     states: &[States],
 ) -> Result<Vec<Complex<f64>>, SystemError> {
+    let found = find(matrices(), states)?;
+    let mut values = if states.iter().all(|states| *states == States::Both) {
+        found.uncovered(|| {
+            let [m, c, k] = matrices();
+            find([k, c, m], states)
+        })?
+    } else {
+        found.values
+    };
+    sort_by(&mut values, |x, y| x.re.total_cmp(&y.re).then(x.im.total_cmp(&y.im)));
+    Ok(values)
+}
+
+/// The eigenvalues in 1/s as the state matrix has them.
+fn find([mut m, mut c, mut k]: [Square<f64>; 3], states: &[States]) -> Result<Found, SystemError> {
     for (quantity, matrix) in [("M", &m), ("C", &c), ("K", &k)] {
         matrix.entries().iter().try_for_each(|&entry| require_finite(quantity, entry))?;
     }
@@ -76,22 +93,18 @@ fn eigenvalues_of(
     }
     let has_both = states.iter().all(|states| *states == States::Both);
     let mut found = if has_both && states.len() == 1 {
-        Quadratic { p: 0.0 - damping[0][0], q: 0.0 - stiffness[0][0] }.complex_roots().to_vec()
+        Found::exactly(Quadratic { p: 0.0 - damping[0][0], q: 0.0 - stiffness[0][0] }.complex_roots().to_vec())
     } else if has_both && damping.entries().iter().all(|&entry| entry == 0.0) {
-        undamped(stiffness)?
+        // Of q'' = S q: both square roots of the eigenvalues of S, half as many.
+        Found::of_spectrum(Spectrum::of(stiffness, 0)?).square_roots(square_roots)
     } else {
         let layout = Layout::new(states.iter().map(|states| [*states != States::Rate, *states != States::Position]));
         let rows = layout.transposed(&stiffness, &damping, 1.0);
-        Spectrum::of(rows, layout.reduced_columns())?.values
+        Found::of_spectrum(Spectrum::of(rows, layout.reduced_columns())?)
     };
-    to_per_second(&mut found, unit)?;
-    sort_by(&mut found, |x, y| x.re.total_cmp(&y.re).then(x.im.total_cmp(&y.im)));
+    to_per_second(&mut found.values, unit)?;
+    [found.hidden, found.clear] = [found.hidden, found.clear].map(|size| ldexp(size, unit));
     Ok(found)
-}
-
-/// Of `q'' = S q`: both square roots of the eigenvalues of S, half as many.
-fn undamped(stiffness: Square<f64>) -> Result<Vec<Complex<f64>>, SystemError> {
-    Ok(Spectrum::of(stiffness, 0)?.values.into_iter().flat_map(square_roots).collect())
 }
 
 /// Eigenvalues in no order, but with the halves of each pair next to each other.

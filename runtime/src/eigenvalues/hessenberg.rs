@@ -55,9 +55,18 @@ fn power_of_two(power: i64) -> f64 {
 /// Reduces to Hessenberg form by Householder's reflections, column by column from `first` on.
 #[inline]
 pub(super) fn reduce(a: &mut Square<f64>, first: usize) {
+    // As many numbers as two columns of the state matrix of eight coordinates have, without an allocation.
+    const USUAL: usize = 32;
     let n = a.size();
+    let (mut usual, mut unusual) = ([0.0; USUAL], Vec::new());
+    let columns = if 2 * n <= USUAL {
+        &mut usual[..2 * n]
+    } else {
+        unusual.resize(2 * n, 0.0);
+        &mut unusual[..]
+    };
     // The direction of a reflection, from the row below the diagonal on, and the sums of columns along it.
-    let (mut direction, mut sums) = (vec![0.0; n], vec![0.0; n]);
+    let (direction, sums) = columns.split_at_mut(n);
     for k in first..n.saturating_sub(2) {
         let head = a[k + 1][k];
         let size = a.rows().skip(k + 2).fold(0.0, |size: f64, row| size.max(row[k].abs()));

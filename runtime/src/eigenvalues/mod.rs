@@ -10,10 +10,14 @@ mod general;
 #[cfg(feature = "std")]
 mod hessenberg;
 #[cfg(feature = "std")]
+mod hidden;
+#[cfg(feature = "std")]
 mod matrix;
 mod quadratic;
 mod quartic;
 mod resolvent;
+#[cfg(feature = "std")]
+mod shifts;
 #[cfg(feature = "std")]
 mod state_matrix;
 mod two_coordinates;

@@ -55,20 +55,15 @@ impl<T: Copy> Square<T> {
         self.entries.chunks_exact_mut(self.size.max(1))
     }
 
-    pub(crate) fn column(&self, column: usize) -> impl Iterator<Item = T> {
-        self.entries.iter().skip(column).step_by(self.size.max(1)).copied()
+    /// The rows from one on to before another.
+    #[inline]
+    pub(crate) fn rows_between_mut(&mut self, from: usize, to: usize) -> impl Iterator<Item = &mut [T]> {
+        let size = self.size;
+        self.entries[from * size..to * size].chunks_exact_mut(size.max(1))
     }
 
-    /// So many rows from one on.
-    #[inline]
-    pub(crate) fn several_rows_mut<const COUNT: usize>(&mut self, from: usize) -> [&mut [T]; COUNT] {
-        let size = self.size;
-        let mut rest = &mut self.entries[from * size..];
-        core::array::from_fn(|_| {
-            let (row, others) = core::mem::take(&mut rest).split_at_mut(size);
-            rest = others;
-            row
-        })
+    pub(crate) fn column(&self, column: usize) -> impl Iterator<Item = T> {
+        self.entries.iter().skip(column).step_by(self.size.max(1)).copied()
     }
 
     pub(crate) fn swap_rows(&mut self, a: usize, b: usize) {
