@@ -191,3 +191,63 @@ fn what_is_not_finite_is_an_error() {
         assert!(broken.at(5.0, 9.81).is_err());
     }
 }
+
+/// A slow motion coupled to one that is faster by 2^133, about 1e40: by mpmath's `polyroots` with 400 digits.
+#[test]
+fn eigenvalues_of_very_different_size_are_all_right() {
+    let fast = 2f64.powi(133);
+    let c = Matrix2::new(0.125, 0.25, -0.5, fast);
+    let k = Matrix2::new(1.0, 0.5, 0.25, fast * fast);
+    let expected = [
+        (-5.444517870735016e39, -9.430181574829767e39),
+        (-5.444517870735016e39, 9.430181574829767e39),
+        (-0.0625, -0.998044963916957),
+        (-0.0625, 0.998044963916957),
+    ];
+    for (found, (re, im)) in four(&System::new(Matrix2::identity(), c, k)).into_iter().zip(expected) {
+        let distance = (found - Complex::new(re, im)).norm();
+        assert!(distance <= 4.0 * f64::EPSILON * re.hypot(im), "{found} is not {re} + {im}i");
+    }
+}
+
+/// The same of three coordinates, with and without damping: the slow ones are hidden in the rounding of the fast ones.
+#[test]
+fn eigenvalues_hidden_by_far_larger_ones_are_all_right() {
+    let fast = 2f64.powi(133);
+    let m = Matrix3::new(2.0, 1.0, 0.0, 1.0, 3.0, 0.5, 0.0, 0.5, 1.0);
+    let c = Matrix3::new(0.25, 0.5, 0.0, -0.5, 0.125, 0.25, 0.0, 0.25, fast);
+    let k = Matrix3::new(3.0, 1.0, 0.5, 1.0, 5.0, 0.25, 0.5, 0.25, fast * fast);
+    let damped = [
+        (-6.049464300816684e39, -9.754468086462955e39),
+        (-6.049464300816684e39, 9.754468086462955e39),
+        (-0.061928983225892624, -1.4601559839234939),
+        (-0.061928983225892624, 1.4601559839234939),
+        (-0.038071016774107375, -1.1443247370803538),
+        (-0.038071016774107375, 1.1443247370803538),
+    ];
+    let undamped = [
+        (0.0, -1.1478051488675235e40),
+        (0.0, -1.4142135623730951),
+        (0.0, -1.1832159566199232),
+        (0.0, 1.1832159566199232),
+        (0.0, 1.4142135623730951),
+        (0.0, 1.1478051488675235e40),
+    ];
+    for (c, expected) in [(c, damped), (Matrix3::zeros(), undamped)] {
+        let found = System::new(m, c, k).eigenvalues().expect("eigenvalues");
+        for (found, (re, im)) in found.into_iter().zip(expected) {
+            let distance = (found - Complex::new(re, im)).norm();
+            assert!(distance <= 32.0 * f64::EPSILON * f64::hypot(re, im), "{found} is not {re} + {im}i");
+        }
+    }
+}
+
+/// Of three sizes that are 1e20 apart the one in the middle is hidden both ways.
+#[test]
+fn eigenvalues_hidden_both_ways_are_refused() {
+    let size = 2f64.powi(66);
+    let m = Matrix3::new(2.0, 1.0, 0.0, 1.0, 3.0, 0.5, 0.0, 0.5, 1.0);
+    let k = Matrix3::from_diagonal(&nalgebra::Vector3::new(1.0, size * size, size.powi(4)));
+    let found = System::new(m, Matrix3::zeros(), k + Matrix3::repeat(0.25)).eigenvalues();
+    assert_eq!(found, Err(SystemError::OutOfRange { quantity: "an eigenvalue beside far larger ones" }));
+}

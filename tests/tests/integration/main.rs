@@ -18,11 +18,14 @@ mod eigenvalues;
 #[cfg(feature = "compiler")]
 mod enormous;
 mod events;
+#[cfg(feature = "compiler")]
 mod explained;
 mod fast_stability;
+#[cfg(feature = "compiler")]
 mod formulas;
 #[cfg(feature = "compiler")]
 mod generation;
+#[cfg(feature = "compiler")]
 mod kept;
 mod machines;
 mod many_coordinates;
