@@ -309,7 +309,8 @@ mod tests {
         /// Coefficients that differ by up to 16 orders of magnitude.
         #[test]
         fn coefficients_of_any_spread(a in number(8.0), b in number(8.0), c in number(8.0), d in number(8.0)) {
-            prop_assert!(backward_error(Quartic { a, b, c, d }) < 16.0);
+            let quartic = Quartic { a, b, c, d };
+            prop_assert!(backward_error(quartic) < 16.0);
         }
 
         /// Two imaginary pairs that nearly coincide, as without damping.
@@ -393,11 +394,11 @@ mod tests {
             ),
         ];
         for ([a, b, c, d], expected) in cases {
-            let mut roots = Quartic { a, b, c, d }.roots().expect("roots").as_flattened().to_vec();
+            let mut roots = Quartic::<f64> { a, b, c, d }.roots().expect("roots").as_flattened().to_vec();
             roots.sort_by(|x, y| x.re.total_cmp(&y.re).then(x.im.total_cmp(&y.im)));
             for (root, (re, im)) in roots.into_iter().zip(expected) {
                 let distance = (root - Complex::new(re, im)).norm();
-                assert!(distance <= 4.0 * f64::EPSILON * re.hypot(im), "{root} is not {re} + {im}i");
+                assert!(distance <= 4.0 * f64::EPSILON * f64::hypot(re, im), "{root} is not {re} + {im}i");
             }
         }
     }
@@ -407,7 +408,7 @@ mod tests {
     fn roots_that_are_not_found_are_refused() {
         let (a, b, c, d) =
             (-4.7941041388314354e39, -0.00036961717769342235, 3.3340361535071345e-21, 0.1890317053100779);
-        assert_eq!(Quartic { a, b, c, d }.roots(), Err(SystemError::NotConverged { iterations: STEPS }));
+        assert_eq!(Quartic::<f64> { a, b, c, d }.roots(), Err(SystemError::NotConverged { iterations: STEPS }));
     }
 
     #[test]
