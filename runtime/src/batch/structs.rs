@@ -48,8 +48,8 @@ fn parameters<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
             // They are asked for in order, so a square is made once.
             let first = (position - position % lanes).min(count - lanes);
             if first != begin {
-                for lane in 0..lanes {
-                    square[lane] = Lanes::load(simd, &designs[lane].parameters().as_ref()[first..][..lanes]);
+                for (numbers, design) in square[..lanes].iter_mut().zip(designs) {
+                    *numbers = Lanes::load(simd, &design.parameters().as_ref()[first..][..lanes]);
                 }
                 transpose(&mut square[..lanes]);
                 begin = first;
@@ -69,9 +69,9 @@ fn write<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
     // By columns, as matrices lie in memory.
     let mut columns = *rows;
     for (columns, rows) in columns.iter_mut().zip(rows) {
-        for row in 0..N {
-            for column in 0..N {
-                columns[column][row] = rows[row][column];
+        for (row, numbers) in rows.iter().enumerate() {
+            for (column, number) in numbers.iter().enumerate() {
+                columns[column][row] = *number;
             }
         }
     }
