@@ -8,6 +8,9 @@ use crate::model::{Evaluator, Model};
 use crate::number::Scalar;
 use crate::system::Coefficients;
 
+/// The rows of a matrix.
+type Rows<T, const N: usize> = [[T; N]; N];
+
 #[inline(always)]
 pub fn structs<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
     simd: S,
@@ -62,7 +65,7 @@ fn parameters<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
 /// Writes what lanes hold as the matrices of one design after the other.
 #[inline(always)]
 fn write<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
-    rows: &[[[Lanes<S, M::Scalar>; N]; N]; 8],
+    rows: &[Rows<Lanes<S, M::Scalar>, N>; 8],
     coefficients: &mut [Coefficients<M::Scalar, N>],
 ) {
     let lanes = Lanes::<S, M::Scalar>::COUNT;

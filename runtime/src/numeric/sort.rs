@@ -36,7 +36,7 @@ mod tests {
                 let key = |place: u64| (place + 1).wrapping_mul(6_364_136_223_846_793_005 + 2 * seed) >> 60;
                 let mut values: Vec<(u64, u64)> = (0..length).map(|place| (key(place), place)).collect();
                 let mut expected = values.clone();
-                expected.sort_by(|a, b| a.0.cmp(&b.0));
+                expected.sort_by_key(|pair| pair.0);
                 sort_by(&mut values, |a, b| a.0.cmp(&b.0));
                 assert_eq!(values, expected);
             }
