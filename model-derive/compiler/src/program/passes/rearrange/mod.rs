@@ -114,7 +114,9 @@ mod tests {
     fn check(instructions: &[Instruction], outputs: &[Value], operations: usize) -> Program {
         let mut program = Program::new(3);
         let all = [0, 1, 2].map(Parameter).into_iter().chain(instructions.iter().copied());
-        all.for_each(|instruction| drop(program.push(instruction)));
+        all.for_each(|instruction| {
+            program.push(instruction);
+        });
         program.outputs = outputs.to_vec();
         program.labels = vec![(outputs[0], 0)];
         let after = rearrange(program.clone());
