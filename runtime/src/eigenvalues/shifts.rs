@@ -55,6 +55,10 @@ impl Shifts {
             let (by_p, by_q) = ((b1 * c2 - b0 * c3) / determinant, (b0 * c2 - b1 * c1) / determinant);
             (p, q) = (p + by_p, q + by_q);
             let size = p.abs() + Number::sqrt(q.abs());
+            // Where nothing more can be told apart: divided by zero.
+            if !size.is_finite() {
+                return usual;
+            }
             if by_p.abs() <= CLOSE * size && by_q.abs() <= CLOSE * size * size {
                 let half = -0.5 * p;
                 return Self { x: half, y: half, w: half * half - q };

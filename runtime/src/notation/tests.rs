@@ -43,7 +43,7 @@ fn names_are_letters_with_indices_or_words() {
         ("angle", "\\lambda_s", "lambda_s"),
         ("mu", "\\mu", "mu"),
         ("deltaF", "\\delta_F", "delta_F"),
-        ("kθ", "k_\\theta", "k_theta"),
+        ("kθ", "k_{\\theta}", "k_theta"),
         ("theta1", "\\theta_1", "theta_1"),
         ("mus", "\\mathrm{mus}", "\"mus\""),
         ("Jxz_delta", "J_{xz\\,\\delta}", "J_(x z thin delta)"),

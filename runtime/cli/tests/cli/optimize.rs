@@ -136,7 +136,8 @@ fn the_same_seed_finds_the_same_design_and_the_file_reads_back() {
     let first = directory.run(&[&arguments[..], &["--format", "json", "--seed", "7"]].concat()).ok();
     let second = directory.run(&[&arguments[..], &["--format", "json", "--seed", "7"]].concat()).ok();
     assert_eq!(first, second);
-    let run = directory.run(&[&arguments[..], &["--output", "best.toml", "--plot", "both.svg"]].concat());
+    let files = ["--seed", "7", "--output", "best.toml", "--plot", "both.svg"];
+    let run = directory.run(&[&arguments[..], &files].concat());
     assert_eq!((run.code, run.stderr.as_str()), (Some(0), "wrote: best.toml\nwrote: both.svg\n"));
     directory.write("best.json", &first);
     let of = |file: &str| directory.run(&["analyze", file, "--format", "json"]).json()["critical_speeds"].clone();
