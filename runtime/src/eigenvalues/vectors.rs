@@ -37,6 +37,8 @@ const MULTIPLE: f64 = (1u64 << 40) as f64;
 /// Eigenvalues that are closer than this, relative to the largest, may be one; and pivots that are smaller are zero.
 const CLOSE: f64 = 1e-7;
 
+const ZERO: Complex<f64> = Complex::new(0.0, 0.0);
+
 /// Sizes that differ by less, relative to them, are equal.
 const TIE: f64 = 1e-9;
 
@@ -88,7 +90,7 @@ fn find_vectors(matrices: &Matrices, eigenvalues: &[Complex<f64>]) -> Result<Vec
         let others = eigenvalues.iter().enumerate().filter(|(other, _)| *other != index);
         let closeness: f64 = others.map(|(_, t)| 1.0 / (s - t).norm()).sum();
         let before = eigenvalues[..index].iter().filter(|t| (s - **t).norm() <= CLOSE * largest).count();
-        let vectors = find(matrices, s, closeness, before);
+        let vectors = find(matrices, if is_zero(matrices, s, largest) { ZERO } else { s }, closeness, before);
         let is_finite = |vector: &[Complex<f64>]| vector.iter().all(|x| x.re.is_finite() && x.im.is_finite());
         if is_finite(&vectors.right) && is_finite(&vectors.left) {
             Ok(vectors)
@@ -97,6 +99,15 @@ fn find_vectors(matrices: &Matrices, eigenvalues: &[Complex<f64>]) -> Result<Vec
         }
     };
     eigenvalues.iter().enumerate().map(of).collect()
+}
+
+/// Whether an eigenvalue that rounding beside the largest one cannot tell from zero is that: where it is far from it relative
+/// to its own size, the columns of rates say nothing of which of them is the vector.
+fn is_zero(matrices: &Matrices, s: Complex<f64>, largest: f64) -> bool {
+    const ROUNDING: f64 = 64.0 * f64::EPSILON;
+    let is_singular =
+        || Elimination::new(&matrices.at(ComplexDoubleDouble::ZERO, 0), &matrices.sizes(0.0, 0)).pivot(0) <= ROUNDING;
+    s != ZERO && s.norm() <= ROUNDING * largest && is_singular()
 }
 
 /// Those of an eigenvalue, with the sum of its reciprocal distances to all others, and how many of these are the same as it
@@ -166,7 +177,7 @@ impl NullVectors {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::{Complex, SMatrix};
+    use nalgebra::{Complex, SMatrix, SVector};
 
     use crate::system::{Matrix, States, System};
 
@@ -225,6 +236,24 @@ mod tests {
             let expected = (s * s + 1.0) / s;
             assert!((vectors.right[1] / vectors.right[0] - expected).norm() < 1e-14);
             assert!((vectors.right[1] / vectors.right[0]).re.abs() < 1e-14);
+        }
+    }
+
+    /// A cart with an inverted pendulum goes on at any speed, with the pendulum upright: that is the vector of what is zero
+    /// but for rounding, which is far from zero relative to its own size.
+    #[test]
+    fn what_rounding_leaves_of_zero_has_the_vector_of_zero() {
+        let m = Matrix::<f64, 2>::new(0.69, -0.0696, -0.0696, 0.008404);
+        let k = Matrix::<f64, 2>::new(0.0, 0.0, 0.0, -0.412);
+        let states = [States::Rate, States::Both];
+        let system = System { states, ..System::new(m, Matrix::<f64, 2>::zeros(), k) };
+        let fast = (0.412 * 0.69 / (0.69 * 0.008404 - 0.0696 * 0.0696) as f64).sqrt();
+        for zero in [-5.5e-16, 3e-15, 1e-30, 0.0] {
+            let values = [-fast, zero, fast].map(|s| Complex::new(s, 0.0));
+            let vectors = system.eigenvectors(&values).unwrap()[1];
+            assert_eq!(vectors.right, SVector::from([1.0, 0.0].map(|x| Complex::new(x, 0.0))), "{zero:e}");
+            // The momentum is 0.69 x' - 0.0696 theta'.
+            assert!((vectors.left[0] * 0.69 - 1.0).norm() < 1e-15, "{zero:e}");
         }
     }
 
