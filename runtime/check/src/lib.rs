@@ -35,22 +35,22 @@ pub fn check(given: &Given, design: &Design) -> Result<Report, String> {
 /// As there.
 pub fn check_machine(given: &Given, machine: &Machine) -> Result<Report, String> {
     given.fits(machine.info)?;
-    let rounded = Predictor::new(given, machine.info);
+    let rounded = Predictor::new(given, machine);
     let here = rounded.predict(&machine.world());
     if rounded.agreeing(&here) == here.len() {
         return Ok(Report::new(machine, &rounded, &rounded, Vec::new()));
     }
     // Numbers that may have been cut off: some of them, by hand, or all.
     let all = given.cut_off(&mut |_| true);
-    let of_all = Predictor::new(&all, machine.info);
+    let of_all = Predictor::new(&all, machine);
     let some = given.cut_off(&mut |at| !rounded.agrees(at, here[at]) && of_all.agrees(at, here[at]));
-    let of_some = Predictor::new(&some, machine.info);
+    let of_some = Predictor::new(&some, machine);
     if of_some.agreeing(&here) == rounded.agreeing(&here) {
         let found = Search::new(machine, &rounded, &rounded).explain(&rounded);
         return Ok(Report::new(machine, &rounded, &rounded, found));
     }
     let any = given.in_any_way();
-    let of_any = Predictor::new(&any, machine.info);
+    let of_any = Predictor::new(&any, machine);
     let search = Search::new(machine, &rounded, &of_any);
     let is_one_cause = search.has_one_cause(&rounded);
     // Who cuts off needs no other cause; but a slip that makes the very same numbers is told beside that.

@@ -8,6 +8,7 @@ use carvallo_design::{Equations, Shipped};
 
 use crate::formulas::index;
 use crate::given::{Accelerations, Eigenvalues, Given, Quantity, Reading, StateMatrix, SystemMatrix};
+use crate::machine::Machine;
 use crate::states::{order, states};
 
 /// What makes numbers of matrices.
@@ -38,15 +39,17 @@ pub struct World {
 const ROUNDING: [f64; 3] = [1e-12, 1e-9, 1e-9];
 
 impl<'a> Predictor<'a> {
-    /// For the numbers that were given of a model.
-    pub fn new(given: &'a Given, info: &'static ModelInfo) -> Self {
+    /// For the numbers that were given of a machine.
+    pub fn new(given: &'a Given, machine: &Machine) -> Self {
+        let info = machine.info;
         let coordinates = info.coordinates.iter();
         let coordinates = coordinates.map(|own| Coordinate { name: own.name.to_owned(), states: own.states });
         let form = Form { matrices: MatrixName::ALL.to_vec(), coordinates: coordinates.collect() };
         let numbers = given.numbers();
         let orders = given.state_matrices.iter().map(|matrix| order(matrix, info)).collect();
-        let tolerances = tolerances(&numbers);
-        Self { given, numbers, tolerances, info, system: matrices::model(&form), orders }
+        let mut made = Self { given, numbers, tolerances: Vec::new(), info, system: matrices::model(&form), orders };
+        made.tolerances = tolerances(&made.numbers, &made.predict(&machine.world()));
+        made
     }
 
     /// What was given.
@@ -228,7 +231,9 @@ fn assigned(given: &Eigenvalues, mut found: Vec<Complex<f64>>) -> Vec<Complex<f6
 }
 
 /// Half a unit of the last digit, and no less than what rounding may do.
-fn tolerances(numbers: &[(Quantity, &Reading)]) -> Vec<f64> {
+fn tolerances(numbers: &[(Quantity, &Reading)], ours: &[f64]) -> Vec<f64> {
+    /// Numbers that are larger than ours by more are mistaken, and say nothing of rounding.
+    const LARGER: f64 = 1e6;
     let kind = |quantity: &Quantity| match *quantity {
         Quantity::Entry(matrix, ..) => (0, matrix as usize),
         Quantity::State(at, ..) => (1, at),
@@ -239,8 +244,10 @@ fn tolerances(numbers: &[(Quantity, &Reading)]) -> Vec<f64> {
     };
     let tolerance = |(quantity, reading): &(Quantity, &Reading)| {
         let own = kind(quantity);
-        let group = numbers.iter().filter(|(other, _)| kind(other) == own);
-        let largest = group.fold(0.0, |largest: f64, (_, reading)| largest.max(reading.value.abs()));
+        let group = || numbers.iter().zip(ours).filter(|((other, _), _)| kind(other) == own);
+        let largest_of_ours = group().fold(0.0, |largest: f64, (_, ours)| largest.max(ours.abs()));
+        let limit = if largest_of_ours > 0.0 { LARGER * largest_of_ours } else { f64::INFINITY };
+        let largest = group().fold(0.0, |largest: f64, ((_, reading), _)| largest.max(reading.value.abs())).min(limit);
         let rounding = match own.0 {
             0 | 5 => ROUNDING[0],
             2 => ROUNDING[1],

@@ -109,6 +109,11 @@ fn files_stand_in_the_place_of_periods() {
     std::fs::write(folder.join("more.csv"), format!("# logged\ntime (ms);other;gyro [V]\n{rows}")).unwrap();
     let beside = radial(&measured("{ file = 'more.csv', column = 'gyro' }").unwrap());
     assert!((beside.0 / given.0 - 1.0).abs() < 1e-9, "{beside:?}, {given:?}");
+    for heading in ["time_ms", "t / ms", "time ms", "t [ms]"] {
+        std::fs::write(folder.join("more.csv"), format!("{heading};other;gyro [V]\n{rows}")).unwrap();
+        assert_eq!(radial(&measured("{ file = 'more.csv', column = 'gyro' }").unwrap()), beside, "{heading}");
+    }
+    std::fs::write(folder.join("long.csv"), format!("time (furlong);other;gyro [V]\n{rows}")).unwrap();
     let gyro = data.join("gyro.csv").display().to_string();
     let mean = |value: &str| radial(&measured(value).unwrap()).0;
     let [period, deviation, ..] = of_scipy("gyro")[..] else { panic!("a fit") };
@@ -117,6 +122,7 @@ fn files_stand_in_the_place_of_periods() {
     assert!((mean(&format!("[{recording}, {recording}]")) / expected - 1.0).abs() < 1e-9);
     for (value, message) in [
         ("'none.csv'", "none.csv: "),
+        ("{ file = 'long.csv', column = 'gyro' }", "`furlong` is no unit of time"),
         ("{ file = 'more.csv' }", "it has 3 columns; give that of the signal as `column`"),
         ("{ file = 'more.csv', colum = 'gyro' }", "`colum` is nothing that a recording has"),
         (&format!("'{gyro}'"), "it has no times; give the samples a second as `rate`"),

@@ -247,7 +247,7 @@ mod tests {
         let k = Matrix::<f64, 2>::new(0.0, 0.0, 0.0, -0.412);
         let states = [States::Rate, States::Both];
         let system = System { states, ..System::new(m, Matrix::<f64, 2>::zeros(), k) };
-        let fast = (0.412 * 0.69 / (0.69 * 0.008404 - 0.0696 * 0.0696) as f64).sqrt();
+        let fast = f64::sqrt(0.412 * 0.69 / (0.69 * 0.008404 - 0.0696 * 0.0696));
         for zero in [-5.5e-16, 3e-15, 1e-30, 0.0] {
             let values = [-fast, zero, fast].map(|s| Complex::new(s, 0.0));
             let vectors = system.eigenvectors(&values).unwrap()[1];

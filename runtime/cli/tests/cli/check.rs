@@ -31,6 +31,17 @@ All come out as yours if
     assert!(run.stdout.contains(expected), "{}", run.stdout);
 }
 
+/// What is far too large says nothing of the rounding of what stands beside it.
+#[test]
+fn wrong_numbers_do_not_agree_beside_enormous_ones() {
+    let directory = Directory::of_this_test();
+    for file in ["M = [[1e20, 2], [3, 4]]", "critical_speeds = { weave = 9e19, capsize = 9 }"] {
+        let run = directory.write("mine.toml", file).run(&["check", "mine.toml", "--format", "csv"]);
+        let last = run.stdout.lines().last().unwrap_or_default();
+        assert!(run.code == Some(1) && last.ends_with(",false"), "{}", run.stdout);
+    }
+}
+
 /// Of Meijaard et al. (2007): the eigenvalues at 5 m/s of Table 2, -14.07838969279822, -0.32286642900409 and
 /// -0.77534188219585 ± 4.46486771378823i, and the matrices, with digits cut off.
 #[test]

@@ -67,7 +67,15 @@ impl<'a> Closed<'a> {
         for Part { gain, force, position } in &self.parts {
             forces[*force] += gain.force(speed, positions[*position], rates[*position]);
         }
-        Ok(forces)
+        // As a law with 1/v at rest.
+        match self.parts.iter().find(|part| !forces[part.force].is_finite()) {
+            None => Ok(forces),
+            Some(Part { force, .. }) => Err(MotionError::NotFinite {
+                name: self.info().forces[*force].name,
+                what: "force of feedback",
+                value: forces[*force],
+            }),
+        }
     }
 }
 

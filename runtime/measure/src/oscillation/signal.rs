@@ -4,7 +4,7 @@ use std::path::Path;
 
 use carvallo_design::input::{Named, Node, Value};
 use carvallo_design::number::shortest;
-use carvallo_design::quantity::{Context, no_names, number, scale};
+use carvallo_design::quantity::{Context, Scale, no_names, number, scale};
 
 use super::fit::{Oscillation, fit};
 
@@ -113,7 +113,7 @@ impl Recording {
         let has_names = first.iter().any(|cell| value(cell).is_none());
         let (time, signal) = self.columns(&first, has_names)?;
         let of_time = first.get(time.unwrap_or(0)).filter(|_| has_names && time.is_some());
-        let unit = of_time.and_then(|name| scale(name.rsplit_once(['[', '('])?.1.trim_end_matches([']', ')']), "s"));
+        let unit = of_time.map_or(Ok(None), |heading| unit_of_times(heading))?;
         let mut samples = (Vec::new(), Vec::new());
         for (row, (line, text)) in lines.iter().skip(usize::from(has_names)).enumerate() {
             let cells = cells(text);
@@ -161,4 +161,14 @@ fn rounded(value: f64, deviation: f64) -> f64 {
     }
     let digits = (1.0 - deviation.log10().floor()).clamp(0.0, 15.0) as usize;
     format!("{value:.digits$}").parse().unwrap_or(value)
+}
+
+/// The unit in the heading of the times, if there is one: `t [ms]`, `time (ms)`, `t / ms`, `time_ms` or `time ms`.
+fn unit_of_times(heading: &str) -> Result<Option<Scale>, String> {
+    if let Some((_, inside)) = heading.rsplit_once(['[', '(']) {
+        let inside = inside.trim_end_matches([']', ')']).trim();
+        let unknown = || format!("the times are headed `{heading}`; `{inside}` is no unit of time");
+        return scale(inside, "s").map(Some).ok_or_else(unknown);
+    }
+    Ok(heading.rsplit_once(['/', '_', ' ']).and_then(|(_, behind)| scale(behind, "s")))
 }
