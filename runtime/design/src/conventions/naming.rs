@@ -86,13 +86,7 @@ impl Naming {
                 sizes: (prepared != name).then(|| name.to_owned()),
             }),
             (_, Some(at)) => Ok(Varying::of_model(self.info, at)),
-            (Some(Name { need: Need::Zero(reason), .. }), None) => Err(format!("`{name}` is 0: {reason}")),
-            (Some(Name { need: Need::Equal(other, reason), .. }), None) => {
-                Err(format!("`{name}` is that of `{other}`: {reason}"))
-            }
-            (Some(Name { need: Need::Ignored(reason), .. }), None) => {
-                Err(format!("`{name}` changes nothing: {reason}"))
-            }
+            (Some(known), None) => Err(fixed(name, known).unwrap_or_else(|| self.unknown(name))),
             _ => Err(self.unknown(name)),
         }
     }
@@ -133,8 +127,12 @@ impl Naming {
         };
         match (&with_all(&entries(&[name.to_owned()]))[..], &self.foreign[..]) {
             ([], _) => {
+                if let Some(why) = OTHERS.iter().find_map(|convention| fixed(name, convention.known(name)?)) {
+                    return why;
+                }
                 let names = OTHERS.iter().flat_map(|convention| convention.names).map(|known| known.name);
                 let hint = if without.contains(':') || without.contains(';') { None } else { nearest(name, names) };
+                let hint = hint.filter(|hint| *hint != name);
                 without + &hint.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default()
             }
             (several, [_]) => format!("`{name}` means several things: it is a name of {}", titles(several)),
@@ -245,4 +243,14 @@ fn entry(name: &str) -> Vec<Entry> {
 
 fn entries(names: &[String]) -> Vec<Entry> {
     names.iter().flat_map(|name| entry(name)).collect()
+}
+
+/// Why the value of a name that others have cannot vary, if it cannot.
+fn fixed(name: &str, known: &Name) -> Option<String> {
+    match known.need {
+        Need::Zero(reason) => Some(format!("`{name}` is 0: {reason}")),
+        Need::Equal(other, reason) => Some(format!("`{name}` is that of `{other}`: {reason}")),
+        Need::Ignored(reason) => Some(format!("`{name}` changes nothing: {reason}")),
+        _ => None,
+    }
 }
