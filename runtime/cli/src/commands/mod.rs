@@ -76,7 +76,7 @@ const STYLES: Styles = Styles::styled()
 const ABOUT: &str = "Stability of bicycles and of other models: matrices, eigenvalues and critical speeds.";
 
 #[derive(Debug, Parser)]
-#[command(name = "carvallo", version, about = ABOUT, styles = STYLES, after_help = EXAMPLES, disable_help_subcommand = true)]
+#[command(name = "carvallo", version, about = ABOUT, styles = STYLES, after_help = EXAMPLES)]
 struct Arguments {
     /// Without one: the benchmark bicycle, as a first look.
     #[command(subcommand)]
