@@ -127,12 +127,14 @@ impl Naming {
         };
         match (&with_all(&entries(&[name.to_owned()]))[..], &self.foreign[..]) {
             ([], _) => {
+                if without.contains([':', ';']) {
+                    return without;
+                }
                 if let Some(why) = OTHERS.iter().find_map(|convention| fixed(name, convention.known(name)?)) {
                     return why;
                 }
                 let names = OTHERS.iter().flat_map(|convention| convention.names).map(|known| known.name);
-                let hint = if without.contains(':') || without.contains(';') { None } else { nearest(name, names) };
-                let hint = hint.filter(|hint| *hint != name);
+                let hint = nearest(name, names).filter(|hint| *hint != name);
                 without + &hint.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default()
             }
             (several, [_]) => format!("`{name}` means several things: it is a name of {}", titles(several)),
