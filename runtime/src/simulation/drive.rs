@@ -25,7 +25,7 @@ impl Drive {
         let wheel = info.wheels.first()?;
         let position = info.position(&format!("theta{}", wheel.name))?;
         let speed = info.speed_of(position)?;
-        // At rest in the reference state, what rate 1 m/s takes.
+        // The rate of x where that of the wheel alone is one, upright and straight.
         let state = State::new(machine, &[], &[]).ok()?;
         let mut speeds = state.speeds;
         speeds[speed] = 1.0;

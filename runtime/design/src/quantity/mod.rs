@@ -25,6 +25,8 @@ mod context;
 mod decimals;
 pub(crate) mod expression;
 pub(crate) mod function;
+#[cfg(feature = "full")]
+mod heading;
 pub(crate) mod literal;
 mod measured;
 mod mistake;
@@ -34,6 +36,8 @@ mod value;
 
 pub use self::context::{Context, Lookup, no_names};
 pub use self::decimals::{ambiguous, signs};
+#[cfg(feature = "full")]
+pub use self::heading::{headed, is_unit};
 pub use self::literal::TOO_SMALL;
 pub use self::measured::{Measured, Part, check_parts, has_deviation, measured, number};
 pub use self::mistake::{Mistake, Reason};

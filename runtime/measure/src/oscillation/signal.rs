@@ -4,7 +4,7 @@ use std::path::Path;
 
 use carvallo_design::input::{Named, Node, Value};
 use carvallo_design::number::shortest;
-use carvallo_design::quantity::{Context, Scale, no_names, number, scale};
+use carvallo_design::quantity::{Context, Scale, headed, no_names, number, scale};
 
 use super::fit::{Oscillation, fit};
 
@@ -165,10 +165,9 @@ fn rounded(value: f64, deviation: f64) -> f64 {
 
 /// The unit in the heading of the times, if there is one: `t [ms]`, `time (ms)`, `t / ms`, `time_ms` or `time ms`.
 fn unit_of_times(heading: &str) -> Result<Option<Scale>, String> {
-    if let Some((_, inside)) = heading.rsplit_once(['[', '(']) {
-        let inside = inside.trim_end_matches([']', ')']).trim();
-        let unknown = || format!("the times are headed `{heading}`; `{inside}` is no unit of time");
-        return scale(inside, "s").map(Some).ok_or_else(unknown);
+    if let (_, Some(unit)) = headed(heading) {
+        let unknown = || format!("the times are headed `{heading}`; `{unit}` is no unit of time");
+        return scale(unit, "s").map(Some).ok_or_else(unknown);
     }
-    Ok(heading.rsplit_once(['/', '_', ' ']).and_then(|(_, behind)| scale(behind, "s")))
+    Ok(heading.rsplit_once(['_', ' ']).and_then(|(_, behind)| scale(behind, "s")))
 }

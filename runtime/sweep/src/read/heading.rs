@@ -2,7 +2,7 @@
 
 use carvallo::ModelInfo;
 use carvallo_design::conventions::{Naming, folded, spelled};
-use carvallo_design::quantity::scale;
+use carvallo_design::quantity::{headed, is_unit};
 
 /// A heading taken apart.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,7 +16,7 @@ pub struct Heading {
 impl Heading {
     /// Of `w`, `w [mm]`, `w (mm)`, `w / mm`, `w_mm`, `Fork offset (mm)` and `fork-offset_mm`.
     pub fn parse(text: &str, info: &ModelInfo) -> Self {
-        let (name, unit) = in_brackets(text).or_else(|| behind_slash(text)).unwrap_or((text, None));
+        let (name, unit) = headed(text);
         if let Some(name) = spelled(name, info) {
             return Self { name, unit: unit.map(str::to_owned) };
         }
@@ -28,27 +28,6 @@ impl Heading {
         let found = if unit.is_none() { name.match_indices('_').find_map(|(at, _)| behind(at)) } else { None };
         found.unwrap_or_else(|| Self { name: name.to_owned(), unit: unit.map(str::to_owned) })
     }
-}
-
-/// `w [mm]`, `w (mm)`; `[-]` and `[1]` mean that there is none.
-fn in_brackets(text: &str) -> Option<(&str, Option<&str>)> {
-    let inside = |open: char, close: char| {
-        let (name, unit) = text.strip_suffix(close)?.rsplit_once(open)?;
-        let unit = Some(unit.trim()).filter(|unit| !matches!(*unit, "" | "-" | "1"));
-        Some((name.trim(), unit)).filter(|(name, _)| !name.is_empty())
-    };
-    inside('[', ']').or_else(|| inside('(', ')'))
-}
-
-/// `w / mm`, as ISO 80000 has it.
-fn behind_slash(text: &str) -> Option<(&str, Option<&str>)> {
-    let (name, unit) = text.split_once('/')?;
-    let (name, unit) = (name.trim(), unit.trim());
-    (is_unit(unit) && !name.is_empty()).then_some((name, Some(unit)))
-}
-
-fn is_unit(text: &str) -> bool {
-    !text.is_empty() && scale(text, text).is_some()
 }
 
 /// What the names mean that stand beside each other in a table. Where all are those of the model but for their case, as
