@@ -12,9 +12,10 @@ pub mod slips;
 mod states;
 
 use carvallo_design::Design;
+use carvallo_design::units::Units;
 
 pub use self::given::Given;
-pub use self::report::{Comparison, Explanation, Group, Part, Report, Suspects, words};
+pub use self::report::{Behind, Comparison, Explanation, Group, Part, Report, Suspects, words};
 
 use self::explain::Search;
 use self::machine::Machine;
@@ -24,9 +25,19 @@ use self::predict::Predictor;
 ///
 /// # Errors
 /// That nothing was given; that a number is of what the model does not have, such as a third row of a matrix of two; or that
-/// its formulas are not those of the design: matrices that are given themselves have none, nor has feedback.
+/// its formulas are not known: matrices that are given themselves have none.
 pub fn check(given: &Given, design: &Design) -> Result<Report, String> {
-    Ok(Report { machine: design.title(), ..check_machine(given, &Machine::new(design)?)? })
+    check_in(given, design, Units::default())
+}
+
+/// The same with a report in other units than those of the SI; the numbers that are given are in these.
+///
+/// # Errors
+/// As there.
+pub fn check_in(given: &Given, design: &Design, units: Units) -> Result<Report, String> {
+    let mut machine = Machine::new(design)?;
+    machine.units = units;
+    Ok(Report { machine: design.title(), ..check_machine(given, &machine)? })
 }
 
 /// The same of a machine that is kept, with everything that may be mistaken about it, for several checks.

@@ -4,6 +4,8 @@ use std::sync::OnceLock;
 
 use carvallo::{Expression, ModelInfo};
 use carvallo_design::Design;
+use carvallo_design::feedback::{Gain, Law};
+use carvallo_design::units::Units;
 
 use crate::conventions::{self, Convention};
 use crate::explain::Cause;
@@ -20,6 +22,10 @@ pub struct Machine {
     pub formulas: Formulas,
     /// The values of the parameters.
     pub parameters: Vec<f64>,
+    /// The feedback: all numbers are those of the closed loop.
+    pub feedback: Vec<Law>,
+    /// What reports show values in.
+    pub units: Units,
     /// The values of the formulas.
     pub values: Values,
     /// What may be otherwise on purpose, by a convention: with a slip, or with another convention.
@@ -57,13 +63,9 @@ impl Machine {
     /// Everything about a design.
     ///
     /// # Errors
-    /// If its model has no formulas, as matrices that are given themselves; or others than the design, which has feedback.
+    /// If its model has no formulas, as matrices that are given themselves.
     pub fn new(design: &Design) -> Result<Self, String> {
-        let machine = Self::with(design.info(), &design.values())?;
-        match design.feedback.is_empty() {
-            true => Ok(machine),
-            false => Err("there are no formulas of feedback; expected a design without it".to_owned()),
-        }
+        Self::closed(design.info(), &design.values(), &design.feedback)
     }
 
     /// The same from a model and the values of its parameters.
@@ -71,16 +73,24 @@ impl Machine {
     /// # Errors
     /// As there.
     pub fn with(info: &'static ModelInfo, parameters: &[f64]) -> Result<Self, String> {
+        Self::closed(info, parameters, &[])
+    }
+
+    fn closed(info: &'static ModelInfo, parameters: &[f64], feedback: &[Law]) -> Result<Self, String> {
         let formulas = Formulas::new(info)?;
         let values = formulas.values(parameters);
         let gravity = info.gravity.map_or(0.0, |at| parameters[at]);
-        let mut usual = conventions::matrices(info, &values.entries, gravity);
+        // Of a closed loop the sign of its feedback is the likeliest.
+        let mut usual = conventions::feedback(info, feedback);
+        usual.extend(conventions::matrices(info, &values.entries, gravity));
         usual.extend(conventions::usual(info, parameters));
         let mut single = conventions::entries(info, &values.entries);
         single.extend(conventions::parameters(info, parameters));
-        let parameters = parameters.to_vec();
+        single.extend(conventions::gains(info, feedback));
+        let (parameters, feedback) = (parameters.to_vec(), feedback.to_vec());
         let (slips, worlds, others) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
-        Ok(Self { info, formulas, parameters, values, usual, single, slips, worlds, others })
+        let units = Units::default();
+        Ok(Self { info, formulas, parameters, feedback, units, values, usual, single, slips, worlds, others })
     }
 
     /// Every slip of every formula, in their order; those of a formula that several entries share in all of them, and in
@@ -120,11 +130,10 @@ impl Machine {
     }
 
     fn all_worlds(&self) -> Worlds {
-        let gravity = self.gravity(&self.parameters);
         let mut own = self.values.clone();
         let mut world = |slip: &FormulaSlip| {
             let is_any = self.slip(slip, &self.parameters, &self.values, &mut own);
-            is_any.then(|| World { entries: own.entries.clone(), gravity })
+            is_any.then(|| self.world_from(own.entries.clone(), &self.parameters))
         };
         Worlds {
             conventions: self.usual.iter().chain(&self.single).map(|own| self.world_with(own)).collect(),
@@ -143,7 +152,7 @@ impl Machine {
             let other = |number: usize| -> Vec<f64> {
                 self.parameters.iter().enumerate().map(|own| vary(number, own)).collect()
             };
-            (0..2).filter_map(|number| Self::with(self.info, &other(number)).ok()).collect()
+            (0..2).filter_map(|number| Self::closed(self.info, &other(number), &self.feedback).ok()).collect()
         })
     }
 
@@ -152,14 +161,24 @@ impl Machine {
         self.info.gravity.map_or(0.0, |at| parameters[at])
     }
 
+    /// The gains of all laws of the feedback, one after the other.
+    pub fn gains(&self) -> impl Iterator<Item = &Gain> {
+        self.feedback.iter().flat_map(|law| &law.gains)
+    }
+
     /// The matrices as they are.
     pub fn world(&self) -> World {
-        World { entries: self.values.entries.clone(), gravity: self.gravity(&self.parameters) }
+        self.world_from(self.values.entries.clone(), &self.parameters)
     }
 
     /// The matrices for other parameters.
     pub fn world_of(&self, parameters: &[f64]) -> World {
-        World { entries: self.formulas.values(parameters).entries, gravity: self.gravity(parameters) }
+        self.world_from(self.formulas.values(parameters).entries, parameters)
+    }
+
+    /// With these entries, for parameters that have the gravitational field strength among them.
+    pub fn world_from(&self, entries: Vec<f64>, parameters: &[f64]) -> World {
+        World { entries, gravity: self.gravity(parameters), gains: self.gains().map(|gain| gain.value).collect() }
     }
 
     /// The matrices with a convention.

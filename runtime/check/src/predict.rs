@@ -23,15 +23,19 @@ pub struct Predictor<'a> {
     system: &'static Shipped,
     /// Of each state matrix the state, by the order of the library, that stands at each place.
     orders: Vec<Vec<usize>>,
+    /// Of each gain of the feedback the entry that it is taken from.
+    closing: Vec<usize>,
 }
 
-/// Matrices, all eight row by row, and the gravitational field strength in N/kg.
+/// Matrices of the open loop, all eight row by row, the gravitational field strength in N/kg, and what closes the loop.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct World {
     /// In the order of [`MatrixName::ALL`].
     pub entries: Vec<f64>,
     /// In N/kg.
     pub gravity: f64,
+    /// The values of the gains of the feedback, in the order of [`Machine::gains`].
+    pub gains: Vec<f64>,
 }
 
 /// What rounding may do to a number, relative to the largest of its kind: an entry, an eigenvalue, a critical speed. Other
@@ -47,7 +51,9 @@ impl<'a> Predictor<'a> {
         let form = Form { matrices: MatrixName::ALL.to_vec(), coordinates: coordinates.collect() };
         let numbers = given.numbers();
         let orders = given.state_matrices.iter().map(|matrix| order(matrix, info)).collect();
-        let mut made = Self { given, numbers, tolerances: Vec::new(), info, system: matrices::model(&form), orders };
+        let closing = machine.gains().map(|gain| index(gain.matrix, gain.row, gain.column, info.coordinates.len()));
+        let (closing, system) = (closing.collect(), matrices::model(&form));
+        let mut made = Self { given, numbers, tolerances: Vec::new(), info, system, orders, closing };
         made.tolerances = tolerances(&made.numbers, &made.predict(&machine.world()));
         made
     }
@@ -55,6 +61,11 @@ impl<'a> Predictor<'a> {
     /// What was given.
     pub fn given(&self) -> &'a Given {
         self.given
+    }
+
+    /// The states, by the order of the library, that stand at each place of a state matrix.
+    pub fn order(&self, at: usize) -> &[usize] {
+        &self.orders[at]
     }
 
     /// The numbers that were given, with what each is of.
@@ -112,7 +123,9 @@ impl<'a> Predictor<'a> {
     pub fn entry(&self, quantity: Quantity, world: &World) -> Option<f64> {
         match quantity {
             Quantity::Entry(matrix, row, column) => {
-                Some(world.entries[index(matrix, row, column, self.info.coordinates.len())])
+                let at = index(matrix, row, column, self.info.coordinates.len());
+                let gains = self.closing.iter().zip(&world.gains).filter(|(entry, _)| **entry == at);
+                Some(world.entries[at] - gains.map(|(_, value)| value).sum::<f64>())
             }
             _ => None,
         }
@@ -124,6 +137,7 @@ impl<'a> Predictor<'a> {
         let Some(first) = self.numbers.iter().position(|number| !is_entry(number)) else { return };
         let mut parameters = Vec::with_capacity(world.entries.len() + 1);
         parameters.extend_from_slice(&world.entries);
+        self.closing.iter().zip(&world.gains).for_each(|(entry, value)| parameters[*entry] -= value);
         parameters.push(world.gravity);
         let mut place = first;
         let mut next = |value: f64| {

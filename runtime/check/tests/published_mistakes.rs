@@ -126,3 +126,34 @@ fn damping_and_stiffness_at_a_speed() {
     let causes = explained(&format!("{c}K = [[794.1195, 1940.435], [25.50126, 74.23820]]"));
     assert_eq!(causes[0], "K0 has the other sign");
 }
+
+/// State matrices at 5 m/s, computed from the printed matrices in Python, with what is said of each.
+const A: &str =
+    "speed = 5\nA = [[0, 0, 1, 0], [0, 0, 0, 1], [9.48977, A32, -0.527612, A34], [11.7195, A42, 18.384, A44]]";
+
+fn state_matrix(entries: [&str; 4]) -> String {
+    let names = ["A32", "A34", "A42", "A44"];
+    names.iter().zip(entries).fold(A.to_owned(), |text, (name, entry)| text.replace(name, entry))
+}
+
+#[test]
+fn an_entry_of_a_state_matrix() {
+    let sign = state_matrix(["22.8515", "-1.65258", "-18.3841", "-15.4243"]);
+    assert_eq!(explained(&sign), ["A_32 at 5 m/s has the other sign"]);
+    let exchanged = state_matrix(["-22.8515", "-18.3841", "-1.65258", "-15.4243"]);
+    assert_eq!(explained(&exchanged), ["A_34 at 5 m/s and A_42 at 5 m/s are exchanged"]);
+    let digits = state_matrix(["-22.8515", "-1.65258", "-18.3841", "-15.2443"]);
+    assert_eq!(explained(&digits), ["A_44 at 5 m/s has two digits exchanged"]);
+}
+
+/// Behind A stand C and K: of K0_12 with the other sign, and C1_22 = 1.5.
+#[test]
+fn the_matrices_behind_a_state_matrix() {
+    let report = checked(&state_matrix(["-23.6642", "-1.76761", "-12.0551", "-11.416"]));
+    let behind = report.unexplained.expect("nothing explains it").behind.expect("a state matrix");
+    let expected =
+        ["C_22 at 5 m/s is 7.49998 in the place of 8.42702", "K_12 at 5 m/s is 1940.44 in the place of 1889.43"];
+    assert_eq!((&behind.wrong[..], behind.count), (&expected.map(str::to_owned)[..], 8));
+    assert_eq!(behind.parts[0].numbers, ["K_12 at 5 m/s"]);
+    assert_eq!(behind.parts[0].causes[1], "K0_12 has the other sign");
+}

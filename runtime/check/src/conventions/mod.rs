@@ -2,6 +2,7 @@
 //! place, and parameters that were taken for others.
 
 mod entries;
+mod feedback;
 mod matrices;
 mod parameters;
 mod usual;
@@ -11,6 +12,7 @@ use carvallo_design::matrices::dependent_column;
 use crate::predict::World;
 
 pub use self::entries::entries;
+pub use self::feedback::{feedback, gains};
 pub use self::matrices::matrices;
 pub use self::parameters::parameters;
 pub use self::usual::usual;
@@ -35,6 +37,8 @@ pub enum Effect {
     Entries(Vec<Assignment>),
     /// Every matrix is divided by M from the left, and M is 1.
     DividedByMass,
+    /// Each gain of the feedback is multiplied by a factor.
+    Gains(Vec<f64>),
 }
 
 /// An entry that has the value of another one, times a factor; places are those of [`World::entries`].
@@ -96,6 +100,7 @@ impl Convention {
                 }
             }
             Effect::DividedByMass => divide(&mut own.entries, count),
+            Effect::Gains(factors) => own.gains.iter_mut().zip(factors).for_each(|(value, factor)| *value *= factor),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Cause, Found};
 use crate::machine::Machine;
-use crate::predict::{Predictor, World};
+use crate::predict::Predictor;
 use crate::slips::{Kind, Slip};
 
 /// Two slips in one formula, the first of which stands before the second.
@@ -44,7 +44,7 @@ pub fn find<'a>(machine: &Machine, predictor: &Predictor, definition: usize, val
             }
             let mut values = machine.values.clone();
             machine.formulas.change(&[definition], &changed, &machine.parameters, &mut values);
-            let world = World { entries: values.entries, gravity: machine.gravity(&machine.parameters) };
+            let world = machine.world_from(values.entries, &machine.parameters);
             if predictor.fits(&world) {
                 found.push(Found { causes: vec![Cause::Slips(double)], world });
             }

@@ -4,6 +4,7 @@ mod double;
 mod pairs;
 mod solve;
 mod unknown;
+mod written;
 
 use std::cell::OnceCell;
 
@@ -14,9 +15,12 @@ use crate::predict::{Predictor, World};
 
 pub use self::double::DoubleSlip;
 pub use self::solve::{digits, relation};
+pub use self::written::written;
 
 /// A value with up to so many significant digits may be what stood there.
 const PLAIN: usize = 5;
+/// So many numbers may have been written wrongly, all of them.
+const WRITTEN: usize = 2;
 
 /// What makes the numbers that were given, in the place of those of the machine: one cause, or two together.
 #[derive(Clone, Debug)]
@@ -42,6 +46,8 @@ pub enum Cause<'a> {
     Definition(usize, f64),
     /// The speeds are others by this factor.
     Speed(f64),
+    /// A number itself was written wrongly, whatever it comes from: in words.
+    Written(String),
 }
 
 /// The search for explanations of numbers of a machine. They may be read in several ways, as rounded or as cut off: most of the
@@ -88,6 +94,10 @@ impl<'a, 'b> Search<'a, 'b> {
         if found.iter().any(is_plain) {
             found.retain(is_plain);
         }
+        // Of one number alone that is likelier than two causes.
+        if found.is_empty() {
+            found = self.written(predictor, 1);
+        }
         if found.is_empty() {
             found = fitting(self.pairs());
         }
@@ -97,7 +107,31 @@ impl<'a, 'b> Search<'a, 'b> {
         if found.is_empty() {
             found = self.of_definitions(predictor);
         }
+        if found.is_empty() {
+            found = self.written(predictor, WRITTEN);
+        }
         found
+    }
+
+    /// All numbers that do not agree, of which there are so many at most, written wrongly.
+    fn written(&self, predictor: &Predictor, most: usize) -> Vec<Found<'a>> {
+        let slips = written(self.machine, predictor, &self.here);
+        let wrong = self.here.len() - predictor.agreeing(&self.here);
+        let explained: Vec<usize> = slips.iter().flat_map(|slip| slip.numbers.iter().copied()).collect();
+        let is_all = (0..self.here.len()).all(|at| predictor.agrees(at, self.here[at]) || explained.contains(&at));
+        if wrong > most || !is_all {
+            return Vec::new();
+        }
+        // Two that were exchanged are told once.
+        let mut left: Vec<usize> = explained;
+        let mut causes = Vec::new();
+        for slip in slips {
+            if slip.numbers.iter().all(|at| left.contains(at)) {
+                left.retain(|at| !slip.numbers.contains(at));
+                causes.push(Cause::Written(slip.what));
+            }
+        }
+        vec![Found { causes, world: self.machine.world() }]
     }
 
     fn singles(&self) -> &[Found<'a>] {

@@ -60,7 +60,7 @@ fn of_parameters_and_slips<'a>(
     convention.change_parameters(&mut parameters);
     let base = formulas.values(&parameters);
     let mut own = base.clone();
-    let mut world = World { entries: base.entries.clone(), gravity: machine.gravity(&parameters) };
+    let mut world = machine.world_from(base.entries.clone(), &parameters);
     let wrong = wrong_entries(formulas, predictor, &world);
     // A slip does not mend what does not depend on it.
     let may_mend = |slip: &FormulaSlip| {

@@ -1,6 +1,6 @@
 //! One number that is not known: a parameter, a definition or a factor of the speeds has another value.
 
-use carvallo::Expression;
+use carvallo::{Expression, MatrixName};
 
 use super::solve::{relation, solve};
 use super::{Cause, Found};
@@ -73,16 +73,29 @@ impl<'a> Unknown<'a> {
                 let mut own = machine.values.clone();
                 let number = Expression::Number(String::new(), x);
                 machine.formulas.change(&[at], &number, &machine.parameters, &mut own);
-                Some(World { entries: own.entries, gravity: machine.gravity(&machine.parameters) })
+                Some(machine.world_from(own.entries, &machine.parameters))
             }
             Self::Speed => {
                 let mut world = machine.world();
                 let square = machine.formulas.count * machine.formulas.count;
-                for (matrix, power) in world.entries.chunks_exact_mut(square).zip([0, -1, 0, 1, 0, 0, 1, 2]) {
-                    matrix.iter_mut().for_each(|entry| *entry *= x.powi(power));
+                for (matrix, name) in world.entries.chunks_exact_mut(square).zip(MatrixName::ALL) {
+                    matrix.iter_mut().for_each(|entry| *entry *= x.powi(power(name)));
+                }
+                for (value, gain) in world.gains.iter_mut().zip(machine.gains()) {
+                    *value *= x.powi(power(gain.matrix));
                 }
                 (x > 0.0).then_some(world)
             }
         }
+    }
+}
+
+/// The power of the speed that stands before a matrix.
+fn power(matrix: MatrixName) -> i32 {
+    match matrix {
+        MatrixName::Cm1 => -1,
+        MatrixName::C1 | MatrixName::K1 => 1,
+        MatrixName::K2 => 2,
+        MatrixName::M | MatrixName::C0 | MatrixName::Kc | MatrixName::K0 => 0,
     }
 }

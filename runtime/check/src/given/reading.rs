@@ -59,6 +59,7 @@ impl Reading {
         let place = self.value.abs().log10().floor() as i32 + 1 - digits as i32;
         if self.value != 0.0 {
             self.tolerance = self.tolerance.max(0.5 * 10f64.powi(place));
+            self.digits = self.digits.min(digits);
         }
     }
 }

@@ -23,7 +23,7 @@ const IGNORED: [&str; 12] = [
 ];
 
 /// What may be given.
-const KNOWN: [&str; 22] = [
+const KNOWN: [&str; 23] = [
     "M",
     "C-1",
     "C0",
@@ -42,6 +42,7 @@ const KNOWN: [&str; 22] = [
     "set",
     "model",
     "parameters",
+    "feedback",
     "digits",
     "g",
     "weave_speed",
@@ -56,6 +57,7 @@ pub struct Reader {
     pub model: Option<String>,
     pub bicycle: Option<String>,
     pub parameters: Vec<(String, String, String)>,
+    pub feedback: Vec<(String, String)>,
     pub speed: Option<f64>,
     pub digits: Option<usize>,
     pub problems: Vec<Problem>,
@@ -85,6 +87,7 @@ impl Reader {
                 _ => self.problems.push(problem(&node.place, format!("`digits` is {text}; expected 1 to 17"))),
             },
             ("parameters", Value::Table(_)) => self.parameters(node),
+            ("feedback", _) => self.laws(node),
             ("g" | "gravity", _) => self.parameter(Named { name: "g".to_owned(), node }),
             ("matrices", Value::Table(_)) => {
                 if let Value::Table(members) = node.value {
@@ -104,6 +107,20 @@ impl Reader {
             (name, _) => {
                 let hint = nearest(name, KNOWN).map(|known| format!("; did you mean `{known}`?")).unwrap_or_default();
                 let message = format!("`{name}` is not known in a file to check; expected {}{hint}", KNOWN.join(", "));
+                self.problems.push(problem(&node.place, message));
+            }
+        }
+    }
+
+    /// One law of feedback or a list of them, which are judged with the model.
+    fn laws(&mut self, node: Node) {
+        match node.value {
+            Value::Text(text) => self.feedback.push((node.place.to_string(), text)),
+            Value::List(nodes) => nodes.into_iter().for_each(|node| self.laws(node)),
+            Value::Other("null") => {}
+            _ => {
+                let message =
+                    "`feedback` is no law; expected a text such as \"Tdelta = -10*phi_rate\", or a list of them";
                 self.problems.push(problem(&node.place, message));
             }
         }

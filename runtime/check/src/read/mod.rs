@@ -23,6 +23,7 @@ pub struct File {
     model: Option<String>,
     bicycle: Option<String>,
     parameters: Vec<(String, String, String)>,
+    feedback: Vec<(String, String)>,
 }
 
 /// Reads a file, or with `-` the standard input.
@@ -43,7 +44,7 @@ pub fn read(label: &str, bytes: Vec<u8>) -> Result<File, Failure> {
 
 impl File {
     fn new(raw: Raw) -> Result<Self, Failure> {
-        let Reader { given, accelerations, model, bicycle, parameters, mut problems, digits, .. } =
+        let Reader { given, accelerations, model, bicycle, parameters, feedback, mut problems, digits, .. } =
             Reader::new(raw.members);
         let mut given = given;
         if given.numbers().is_empty() && accelerations.is_none() && problems.is_empty() {
@@ -57,11 +58,11 @@ impl File {
         if let Some(digits) = digits {
             given.each_reading(&mut |reading| reading.limit(digits));
         }
-        Ok(Self { label: raw.label, given, accelerations, model, bicycle, parameters })
+        Ok(Self { label: raw.label, given, accelerations, model, bicycle, parameters, feedback })
     }
 
     /// The design that the numbers are of: what is asked for, or else what the file says, or else the benchmark bicycle;
-    /// with the parameters of the file.
+    /// with the parameters and the feedback of the file.
     ///
     /// # Errors
     /// Everything that is wrong with it.
@@ -78,12 +79,20 @@ impl File {
         let given: Vec<usize> = self.parameters.iter().filter_map(name).collect();
         let is_whole = (0..shipped.info.parameters.len())
             .all(|at| given.contains(&at) || !shipped.info.parameters[at].used || shipped.info.gravity == Some(at));
-        if parameters.is_none() && is_whole && asked.overrides.is_empty() {
+        let feedback = self.laws(&asked.feedback);
+        if parameters.is_none() && is_whole && asked.overrides.is_empty() && feedback.is_empty() {
             let values = self.parameters.iter().map(|(_, name, value)| (name.clone(), value.clone()));
             return input::given(shipped, &self.label, values);
         }
         let overrides = self.parameters.iter().chain(&asked.overrides).cloned().collect();
-        input::load(&Request { model, parameters, overrides, ..asked.clone() })
+        input::load(&Request { model, parameters, overrides, feedback, ..asked.clone() })
+    }
+
+    /// The laws of feedback that are asked for, and those of the file for other forces.
+    fn laws(&self, asked: &[(String, String)]) -> Vec<(String, String)> {
+        let force = |law: &str| law.split('=').next().unwrap_or_default().trim().to_owned();
+        let is_other = |(_, law): &&(String, String)| asked.iter().all(|(_, own)| force(own) != force(law));
+        self.feedback.iter().filter(is_other).chain(asked).cloned().collect()
     }
 
     /// The numbers, with names that belong to a design.

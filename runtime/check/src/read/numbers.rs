@@ -42,7 +42,10 @@ pub fn of_text(text: &str) -> Result<Option<Reading>, String> {
     let context = Context { unit: "1", names: &no_names };
     let Measured { mean, deviation } = measured(text, context).map_err(reason)?;
     Ok(Some(match deviation {
-        Some(deviation) => Reading { written: text.to_owned(), ..Reading::within(mean.value, deviation.value.abs()) },
+        Some(deviation) if deviation.value < 0.0 => {
+            return Err(format!("the tolerance is {}; expected one >= 0", deviation.value));
+        }
+        Some(deviation) => Reading { written: text.to_owned(), ..Reading::within(mean.value, deviation.value) },
         None => Reading::printed(text.to_owned(), mean.value),
     }))
 }
@@ -60,7 +63,13 @@ fn of_members(members: &[Named], node: &Node, what: &str) -> Result<Reading, Pro
     for Named { name, node } in members {
         match name.as_str() {
             "value" => value = reading(node, what)?,
-            "tolerance" | "std" => tolerance = reading(node, &format!("the {name} of {what}"))?,
+            "tolerance" | "std" => {
+                tolerance = reading(node, &format!("the {name} of {what}"))?;
+                if let Some(own) = tolerance.as_ref().filter(|own| own.value < 0.0) {
+                    let message = format!("the {name} of {what} is {}; expected one >= 0", own.written);
+                    return Err(problem(&node.place, message));
+                }
+            }
             other => {
                 let message = format!("{what} has a member `{other}`; expected `value` and `tolerance`");
                 return Err(problem(&node.place, message));
@@ -69,7 +78,7 @@ fn of_members(members: &[Named], node: &Node, what: &str) -> Result<Reading, Pro
     }
     let value = value.ok_or_else(|| problem(&node.place, format!("{what} has no `value`")))?;
     Ok(match tolerance {
-        Some(Reading { value: tolerance, .. }) => Reading { tolerance: tolerance.abs(), ..value },
+        Some(Reading { value: tolerance, .. }) => Reading { tolerance, ..value },
         None => value,
     })
 }

@@ -4,8 +4,7 @@ use std::fmt;
 
 use carvallo_design::number::{shortest, unit};
 
-use super::suspects::Part;
-use super::{Comparison, Group, Report, Suspects};
+use super::{Behind, Comparison, Group, Part, Report, Suspects};
 
 /// So many numbers are shown at most unless they are wrong, and so many explanations of a group, and groups.
 const NUMBERS: usize = 48;
@@ -74,7 +73,7 @@ fn table(numbers: &[&Comparison], f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 (true, digits) => format!("all {digits}"),
                 (false, digits) => format!("{digits}, differs"),
             };
-            [number.name.clone(), unit(number.unit), number.yours.clone(), ours(number), digits]
+            [number.name.clone(), unit(&number.unit), number.yours.clone(), ours(number), digits]
         })
         .collect();
     let width =
@@ -130,20 +129,38 @@ fn explanations(groups: &[Group], count: usize, f: &mut fmt::Formatter<'_>) -> f
 
 impl fmt::Display for Suspects {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { wrong, formulas, parts } = self;
+        let Self { wrong, formulas, parts, behind } = self;
         writeln!(f, "\nNo single slip, no convention and no two of them together explain all numbers.")?;
         writeln!(f, "  What differs: {}", wrong.join(", "))?;
         if !formulas.is_empty() {
-            writeln!(f, "  All of it depends on, and nothing of what agrees:")?;
+            let these = if formulas.len() == 1 { "this formula" } else { "each of these formulas" };
+            writeln!(f, "  All that differs depends on {these}, and nothing that agrees does:")?;
             formulas.iter().try_for_each(|formula| writeln!(f, "    {formula}"))?;
         }
-        for (at, Part { numbers, causes }) in parts.iter().enumerate() {
-            if at == 0 {
-                writeln!(f, "  There may be several mistakes. By itself, without a change of what agrees,")?;
-            }
-            let come = if numbers.len() == 1 { "comes" } else { "come" };
-            writeln!(f, "  {} {come} out as yours if\n    {}", numbers.join(", "), causes.join("\n    or "))?;
+        if !parts.is_empty() {
+            writeln!(f, "  There may be several mistakes. By itself, without a change of what agrees,")?;
+            parts.iter().try_for_each(|part| part.fmt(f))?;
         }
-        Ok(())
+        behind.iter().try_for_each(|behind| behind.fmt(f))
+    }
+}
+
+impl fmt::Display for Part {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { numbers, causes } = self;
+        let come = if numbers.len() == 1 { "comes" } else { "come" };
+        writeln!(f, "  {} {come} out as yours if\n    {}", numbers.join(", "), causes.join("\n    or "))
+    }
+}
+
+impl fmt::Display for Behind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { wrong, count, parts } = self;
+        writeln!(f, "  Behind A = [0, 1; -M^-1 K, -M^-1 C] stand, with M as it is here,")?;
+        wrong.iter().take(NUMBERS).try_for_each(|entry| writeln!(f, "    {entry}"))?;
+        if wrong.len() == *count {
+            writeln!(f, "  That is all of C and K: M is likely to be another one.")?;
+        }
+        parts.iter().try_for_each(|part| part.fmt(f))
     }
 }

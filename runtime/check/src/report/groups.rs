@@ -80,6 +80,7 @@ pub fn rank(machine: &Machine, cause: &Cause) -> u32 {
         },
         Cause::Definition(..) => 8,
         Cause::Speed(_) => 3,
+        Cause::Written(_) => 4,
     }
 }
 
@@ -90,7 +91,10 @@ fn are_same(machine: &Machine, a: &World, b: &World) -> bool {
         let largest = a.iter().fold(0.0, |largest: f64, entry| largest.max(entry.abs()));
         a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME * largest)
     };
-    (a.gravity - b.gravity).abs() <= SAME * a.gravity.abs() && matrices.all(is_same)
+    let mut gains = a.gains.iter().zip(&b.gains);
+    (a.gravity - b.gravity).abs() <= SAME * a.gravity.abs()
+        && gains.all(|(a, b)| (a - b).abs() <= SAME * a.abs())
+        && matrices.all(is_same)
 }
 
 /// The first entry, or another number, in which matrices differ that was not given, with both values.
@@ -105,7 +109,8 @@ fn apart(machine: &Machine, predictor: &Predictor, first: &World, other: &World)
         let differs = (a - b).abs() / a.abs().max(b.abs());
         if differs > 1e-9 && largest.as_ref().is_none_or(|(known, _)| differs > *known) {
             let more = if is_given(own) { " with more digits" } else { "" };
-            let [a, b] = [a, b].map(|value| short(*value));
+            let shown = machine.units.of(super::unit(Quantity::Entry(own.0, own.1, own.2), machine.info));
+            let [a, b] = [a, b].map(|value| short(shown.value(*value)));
             let text = format!("{}{more}: {b} by this, {a} by the first", entry_name(own.0, own.1, own.2));
             largest = Some((differs, text));
         }
@@ -143,14 +148,14 @@ fn world(other: &Machine, machine: &Machine, found: &Found) -> Option<World> {
                 let text = double.apply(machine.formulas.formulas[double.formula].text);
                 slip = Some((vec![double.formula], machine.formulas.parse(&text)?));
             }
-            Cause::Parameter(..) | Cause::Definition(..) | Cause::Speed(_) => return None,
+            Cause::Parameter(..) | Cause::Definition(..) | Cause::Speed(_) | Cause::Written(_) => return None,
         }
     }
     let mut values = other.formulas.values(&parameters);
     if let Some((formulas, changed)) = slip {
         other.formulas.change(&formulas, &changed, &parameters, &mut values);
     }
-    let old = World { entries: values.entries, gravity: other.gravity(&parameters) };
+    let old = other.world_from(values.entries, &parameters);
     let Some(convention) = of_matrices else { return Some(old) };
     let mut own = World::default();
     convention.change_matrices(&old, &mut own, other.formulas.count);

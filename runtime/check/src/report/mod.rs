@@ -1,18 +1,21 @@
 //! What comes of a check.
 
+mod behind;
 mod display;
 mod groups;
 mod suspects;
 mod words;
 
 use carvallo::{EntryInfo, FormulaInfo, FormulaSubject, ModelInfo};
+use carvallo_design::DisplayUnit;
+use carvallo_design::number::shortest;
 use serde::Serialize;
 
-pub use self::suspects::{Part, Suspects};
+pub use self::suspects::{Behind, Part, Suspects};
 pub use self::words::words;
 
 use crate::explain::Found;
-use crate::given::Quantity;
+use crate::given::{Quantity, Reading};
 use crate::machine::Machine;
 use crate::predict::Predictor;
 
@@ -39,9 +42,9 @@ pub struct Report {
 pub struct Comparison {
     /// What it is of: `M_12`, with row and column from one, or `Re s2 at 5 m/s`.
     pub name: String,
-    /// In this unit of SI, such as `kg*m^2`; empty for what has none, or where it is not known.
-    pub unit: &'static str,
-    /// As it was given.
+    /// The unit, such as `kg*m^2`: of the SI unless another one was asked for; empty for what has none, or where it is not known.
+    pub unit: String,
+    /// As it was given, in this unit.
     pub yours: String,
     /// As it should be; `None` where there is none, as of a critical speed.
     pub ours: Option<f64>,
@@ -88,17 +91,21 @@ impl Report {
             .iter()
             .zip(&here)
             .enumerate()
-            .map(|(at, (&(quantity, reading), &ours))| Comparison {
-                name: predictor.given().name(quantity, machine.info),
-                unit: unit(quantity, machine.info),
-                yours: reading.written.clone(),
-                ours: ours.is_finite().then_some(ours + 0.0),
-                digits: match predictor.agrees(at, ours) {
-                    true if reading.digits > 0 => reading.digits,
-                    _ => digits(reading.value, ours, predictor.tolerances()[at]),
-                },
-                agrees: predictor.agrees(at, ours),
-                cut_off: (!predictor.agrees(at, ours) && meant.agrees(at, ours)).then(|| reading.rounding(ours)),
+            .map(|(at, (&(quantity, reading), &ours))| {
+                let shown = machine.units.of(unit(quantity, machine.info));
+                let is_cut_off = !predictor.agrees(at, ours) && meant.agrees(at, ours);
+                Comparison {
+                    name: predictor.given().name(quantity, machine.info),
+                    yours: in_unit(reading, &reading.written, reading.value, &shown),
+                    ours: ours.is_finite().then_some(shown.value(ours) + 0.0),
+                    digits: match predictor.agrees(at, ours) {
+                        true if reading.digits > 0 => reading.digits,
+                        _ => digits(reading.value, ours, predictor.tolerances()[at]),
+                    },
+                    agrees: predictor.agrees(at, ours),
+                    cut_off: is_cut_off.then(|| in_unit(reading, &reading.rounding(ours), ours, &shown)),
+                    unit: shown.written,
+                }
             })
             .collect();
         let agrees = numbers.iter().all(|number| number.agrees);
@@ -117,8 +124,18 @@ impl Report {
     }
 }
 
+/// A number as it is written in the unit that it was declared in; in another one with as many digits as it was given to.
+fn in_unit(reading: &Reading, written: &str, value: f64, shown: &DisplayUnit) -> String {
+    let value = shown.value(value);
+    match reading.digits {
+        _ if shown.is_declared() => written.to_owned(),
+        0 => shortest(format!("{value:.9e}").parse().unwrap_or(value)),
+        digits => shortest(format!("{value:.*e}", digits - 1).parse().unwrap_or(value)),
+    }
+}
+
 /// The unit of a number. Of an entry whose formula is zero it is that of the others of its matrix, where that is one.
-fn unit(quantity: Quantity, info: &ModelInfo) -> &'static str {
+pub(crate) fn unit(quantity: Quantity, info: &ModelInfo) -> &'static str {
     let Quantity::Entry(matrix, row, column) = quantity else {
         return match quantity {
             Quantity::RealPart(..) | Quantity::ImaginaryPart(..) => "1/s",

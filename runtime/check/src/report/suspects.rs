@@ -2,8 +2,9 @@
 
 use serde::Serialize;
 
+use super::behind;
 use super::words::words;
-use crate::explain::Cause;
+use crate::explain::{Cause, written};
 use crate::given::Quantity;
 use crate::machine::Machine;
 use crate::predict::Predictor;
@@ -17,6 +18,19 @@ pub struct Suspects {
     pub formulas: Vec<String>,
     /// What explains some of the wrong numbers and leaves all right ones as they are: several mistakes may stand side by
     /// side.
+    pub parts: Vec<Part>,
+    /// Where entries of state matrices are wrong: those of the damping and stiffness that they come from.
+    pub behind: Option<Behind>,
+}
+
+/// The entries of C and K of `M q'' + C q' + K q = f` behind state matrices, by the mass matrix as it is here.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Behind {
+    /// Those that differ: `K_12 at 5 m/s is 1940.43 in the place of 1889.43`.
+    pub wrong: Vec<String>,
+    /// How many there are in all.
+    pub count: usize,
+    /// What explains some of them and leaves all right ones as they are.
     pub parts: Vec<Part>,
 }
 
@@ -39,8 +53,30 @@ impl Suspects {
         Self {
             wrong: wrong.iter().map(|&at| name(at)).collect(),
             formulas: formulas(machine, predictor, &wrong),
-            parts: parts(machine, predictor, wrong, &name),
+            parts: parts(machine, predictor, wrong, here, &name),
+            behind: Behind::new(machine, predictor),
         }
+    }
+}
+
+impl Behind {
+    /// None where no state matrix is given whole, or all is right behind it.
+    fn new(machine: &Machine, predictor: &Predictor) -> Option<Self> {
+        let given = behind::state_matrices(machine, predictor)?;
+        let predictor = Predictor::new(&given, machine);
+        let here = predictor.predict(&machine.world());
+        let name = |at: usize| given.name(predictor.numbers()[at].0, machine.info);
+        let wrong: Vec<usize> = (0..here.len()).filter(|&at| !predictor.agrees(at, here[at])).collect();
+        let told = |&at: &usize| {
+            let [yours, ours] = [predictor.numbers()[at].1.value, here[at]].map(behind::shown);
+            format!("{} is {yours} in the place of {ours}", name(at))
+        };
+        let own = Self {
+            wrong: wrong.iter().map(told).collect(),
+            count: here.len(),
+            parts: parts(machine, &predictor, wrong, &here, &name),
+        };
+        (!own.wrong.is_empty()).then_some(own)
     }
 }
 
@@ -63,7 +99,13 @@ fn formulas(machine: &Machine, predictor: &Predictor, wrong: &[usize]) -> Vec<St
 }
 
 /// One cause after the other, each that explains the most of what is left without a change of what is right.
-fn parts(machine: &Machine, predictor: &Predictor, wrong: Vec<usize>, name: &dyn Fn(usize) -> String) -> Vec<Part> {
+fn parts(
+    machine: &Machine,
+    predictor: &Predictor,
+    wrong: Vec<usize>,
+    here: &[f64],
+    name: &dyn Fn(usize) -> String,
+) -> Vec<Part> {
     let mut left = wrong.clone();
     let mut candidates: Vec<(Vec<usize>, u32, Cause)> = Vec::new();
     machine.singles(&mut |cause, world| {
@@ -76,6 +118,10 @@ fn parts(machine: &Machine, predictor: &Predictor, wrong: Vec<usize>, name: &dyn
             }
         }
     });
+    for slip in written(machine, predictor, here) {
+        let cause = Cause::Written(slip.what);
+        candidates.push((slip.numbers, super::groups::rank(machine, &cause), cause));
+    }
     let mut parts = Vec::new();
     while !left.is_empty() {
         let gain = |explained: &[usize]| explained.iter().filter(|at| left.contains(at)).count();

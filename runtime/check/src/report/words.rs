@@ -23,7 +23,8 @@ pub fn words(machine: &Machine, cause: &Cause) -> String {
                     .iter()
                     .map(|&(at, value)| {
                         let own = parameter(at);
-                        format!("{} = {}", own.name, with_unit(rounded(value), own.unit))
+                        let shown = machine.units.of(own.unit);
+                        format!("{} = {}", own.name, with_unit(rounded(shown.value(value)), &shown.written))
                     })
                     .collect();
                 format!("{} ({})", own.what, values.join(", "))
@@ -46,13 +47,17 @@ pub fn words(machine: &Machine, cause: &Cause) -> String {
         Cause::Parameter(at, value) => {
             let (own, old) = (parameter(*at), machine.parameters[*at]);
             let how = relation(old, *value).map(|how| format!(": {how}")).unwrap_or_default();
-            format!("{} is {} in the place of {}{how}", own.name, with_unit(*value, own.unit), shortest(old))
+            let shown = machine.units.of(own.unit);
+            let show = |value: f64| if shown.is_declared() { value } else { rounded(shown.value(value)) };
+            let value = with_unit(show(*value), &shown.written);
+            format!("{} is {value} in the place of {}{how}", own.name, shortest(show(old)))
         }
         Cause::Definition(at, value) => {
             let (name, old) = (machine.formulas.formulas[*at].subject, machine.values.definition(*at));
             let text = machine.formulas.formulas[*at].text;
             format!("{name} is {} in the place of {} = {text}", shortest(*value), shortest(rounded(old)))
         }
+        Cause::Written(what) => what.clone(),
         Cause::Speed(factor) => {
             format!("the speeds are {} times what is given as the speed", shortest(*factor))
         }

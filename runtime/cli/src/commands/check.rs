@@ -9,7 +9,7 @@ use carvallo_design::input::Request;
 use carvallo_design::number::shortest;
 use clap::{Args, ValueEnum};
 
-use crate::options::Setting;
+use crate::options::{self, Setting, UnitOptions};
 use crate::terminal::{WARNING, note, print, write};
 
 const HELP: &str = "\
@@ -19,7 +19,8 @@ FILE, in TOML or JSON, has any of these, from your program, a paper or a thesis:
   eigenvalues and speed  a list such as [-14.1, \"-0.78+4.46i\"], or several: { \"4\" = […], \"5\" = […] }
   critical_speeds        such as { weave = 4.292, capsize = 6.024 }, in m/s
   accelerations          at a speed, a state and forces
-and bicycle, or model and parameters, if they are not of the benchmark bicycle. Numbers agree if they do to the digits that
+and bicycle, or model and parameters, if they are not of the benchmark bicycle; and feedback, if they are of a closed loop.
+They are in SI units, whatever the report is in (--units). Numbers agree if they do to the digits that
 are given: 2.32 stands for all from 2.315 to 2.325, and \"2.32 +/- 0.02\" says otherwise.
 
 Where they do not agree, everything is tried that could make them: all single slips of the formulas (signs, operators,
@@ -31,6 +32,8 @@ Examples:
   carvallo check mine.toml                      Your matrices of the benchmark bicycle
   carvallo check mine.json --bicycle browser    … of another one that ships, or of a file
   carvallo check speeds.toml --model Motorcycle … of another model
+  carvallo check mine.toml --feedback 'Tdelta = -10*phi_rate'
+                                                … of a closed loop
   carvallo analyze --format json | carvallo check -
                                                 What this program says itself, which agrees
 
@@ -51,6 +54,11 @@ pub struct Options {
     /// Replaces a parameter; may be given several times
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<Setting>,
+    /// A force that follows from the motion, if the numbers are of a closed loop: 'Tdelta = -10*phi_rate'; may be given several times
+    #[arg(long, value_name = "FORCE=LAW", allow_hyphen_values = true)]
+    feedback: Vec<String>,
+    #[command(flatten)]
+    units: UnitOptions,
     /// table, json, or csv of the numbers
     #[arg(long, value_enum, default_value = "table", hide_possible_values = true)]
     format: Format,
@@ -64,17 +72,24 @@ enum Format {
 }
 
 pub fn run(options: &Options) -> Result<ExitCode, Failure> {
+    let format = match options.format {
+        Format::Table => options::Format::Table,
+        Format::Json => options::Format::Json,
+        Format::Csv => options::Format::Csv,
+    };
+    let units = options.units.in_tables(format)?;
     let file = read::load(&options.file)?;
     let request = Request {
         model: options.model.clone(),
         parameters: options.bicycle.clone(),
         overrides: options.set.iter().map(Setting::replacement).collect(),
+        feedback: options.feedback.iter().map(|law| (format!("--feedback '{law}'"), law.clone())).collect(),
         ..Request::default()
     };
     let design = file.design(&request)?;
     design.notes.iter().for_each(|text| note(WARNING, "note", text));
     let given = file.given(&design)?;
-    let report = carvallo_check::check(&given, &design).map_err(Failure::usage)?;
+    let report = carvallo_check::check_in(&given, &design, units).map_err(Failure::usage)?;
     match options.format {
         Format::Table => print(&report.to_string())?,
         Format::Json => write(|output| output.write_all(report.json().as_bytes()))?,
@@ -89,7 +104,14 @@ fn write_csv(report: &Report, output: &mut dyn Write) -> std::io::Result<()> {
     csv.write_record(["number", "unit", "yours", "ours", "digits", "agrees"])?;
     for Comparison { name, unit, yours, ours, digits, agrees, cut_off: _ } in &report.numbers {
         let ours = ours.map(shortest).unwrap_or_default();
-        csv.write_record([name.as_str(), unit, yours, &ours, &digits.to_string(), &agrees.to_string()])?;
+        csv.write_record([
+            name.as_str(),
+            unit.as_str(),
+            yours.as_str(),
+            ours.as_str(),
+            &digits.to_string(),
+            &agrees.to_string(),
+        ])?;
     }
     csv.flush()
 }

@@ -113,6 +113,55 @@ fn csv_has_the_numbers() {
     );
 }
 
+#[test]
+fn no_more_digits_are_told_than_are_trusted() {
+    let directory = Directory::of_this_test();
+    directory.write("mine.toml", "digits = 3\nM = [[80.82, 2.319], [2.319, 0.2979]]");
+    let text = directory.run(&["check", "mine.toml"]).ok();
+    assert!(text.contains("\n  M_11    kg m²   80.82    80.8172  all 3\n"), "{text}");
+}
+
+#[test]
+fn tolerances_are_not_negative() {
+    let directory = Directory::of_this_test();
+    directory.write("mine.toml", "M = [[\"80.8 +/- -0.1\", 2.3194], [{ value = 2.3, tolerance = -1 }, 0.29784]]");
+    let run = directory.run(&["check", "mine.toml"]);
+    assert_eq!(run.code, Some(2));
+    assert!(run.stderr.contains("`80.8 +/- -0.1`") && run.stderr.contains("the tolerance is -0.1; expected one >= 0"));
+    let expected = "mine.toml:1: the tolerance of `M` in row 2, column 1 is -1; expected one >= 0\n";
+    assert!(run.stderr.ends_with(expected), "{}", run.stderr);
+}
+
+/// Of a closed loop: what the program prints of it agrees with the law in the file, and with the wrong sign it is that.
+#[test]
+fn a_closed_loop_has_its_feedback_checked() {
+    let directory = Directory::of_this_test();
+    let law = ["--feedback", "Tdelta = -10*phi_rate + 3*v*delta"];
+    let json = directory.run(&[&["analyze", "--format", "json", "--speeds", "3,5"][..], &law].concat()).stdout;
+    directory.write("closed.json", json);
+    let text = directory.run(&["check", "closed.json"]).ok();
+    assert!(text.starts_with("Held against benchmark with feedback, by the equations of Whipple\n"), "{text}");
+    let other = ["check", "closed.json", "--feedback", "Tdelta = 10*phi_rate - 3*v*delta"];
+    let run = directory.run(&other);
+    let expected = "\nAll come out as yours if\n  the feedback has the other sign\n";
+    assert!(run.code == Some(1) && run.stdout.ends_with(expected), "{}", run.stdout);
+    let run = directory.run(&["check", "closed.json", "--feedback", "Tdelta = 10*phi_rate + 3*v*delta"]);
+    let expected = "\nAll come out as yours if\n  \"10*phi_rate\" in Tdelta has the other sign\n";
+    assert!(run.code == Some(1) && run.stdout.ends_with(expected), "{}", run.stdout);
+}
+
+#[test]
+fn reports_are_in_the_units_that_are_asked_for() {
+    let directory = Directory::of_this_test();
+    directory.write("mine.toml", "critical_speeds = { weave = 4.3014, capsize = 6.0809 }");
+    let run = directory.run(&["check", "mine.toml", "--units", "km/h,lb"]);
+    // 4.3014 and, of Meijaard et al. (2007), 4.29238253634111 m/s times 3.6; 4.5 and 4 kg by 0.45359237.
+    assert!(run.stdout.contains("  weave speed    km/h  15.485  15.45258  2, differs\n"), "{}", run.stdout);
+    assert!(run.stdout.contains("mH is 9.920801798 lb in the place of 8.818490487"), "{}", run.stdout);
+    let message = "error: --units: JSON and CSV of this command are in units of the SI\n";
+    directory.run(&["check", "mine.toml", "--units", "km/h", "--format", "csv"]).fails(2, message);
+}
+
 /// Of each kind of model: with the positions and rates of two coordinates, of six, and with rates alone.
 #[test]
 fn what_the_program_prints_agrees_with_it() {
