@@ -30,6 +30,9 @@ pub struct Design {
     /// How the file was read, if it is not in the names of the paper.
     #[cfg(feature = "full")]
     pub reading: Option<crate::conventions::Reading>,
+    /// The names of values that options gave in the place of others.
+    #[cfg(feature = "full")]
+    pub set: Vec<String>,
     /// What was read but not used, or taken because it was not given.
     pub notes: Vec<String>,
     /// What the parameters of a real machine would hardly be.
@@ -130,6 +133,8 @@ impl Design {
             equations: self.model.equations(values)?,
             #[cfg(feature = "full")]
             reading: None,
+            #[cfg(feature = "full")]
+            set: self.set.clone(),
             notes: Vec::new(),
             warnings: Vec::new(),
         })

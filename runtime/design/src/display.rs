@@ -59,6 +59,11 @@ impl DisplayUnit {
         value
     }
 
+    /// The value of a number in this unit.
+    pub fn back(&self, shown: f64) -> f64 {
+        shown
+    }
+
     /// Whether values are in the declared unit.
     pub fn is_declared(&self) -> bool {
         true

@@ -4,15 +4,14 @@ use carvallo::ModelInfo;
 use carvallo_design::{Dual, body};
 
 use crate::constraint::{Constraint, Excess};
-use crate::range::Range;
 
 /// The least gap between the wheels, in m.
 const GAP: f64 = 0.02;
 
-/// The constraints on parameters that are varied, of models that have them.
-pub fn constraints(info: &ModelInfo, ranges: &[Range]) -> Vec<Constraint> {
+/// The constraints on parameters that change, of models that have them.
+pub fn constraints(info: &ModelInfo, changing: &[&str]) -> Vec<Constraint> {
     let has = |names: &[&str]| names.iter().all(|name| info.position(name).is_some());
-    let is_varied = |names: &[&str]| ranges.iter().any(|range| names.contains(&range.parameter.name));
+    let is_varied = |names: &[&str]| changing.iter().any(|name| names.contains(name));
     let mut constraints = Vec::new();
     let wheels = ["rR", "rF", "w"];
     if has(&wheels) && is_varied(&wheels) {

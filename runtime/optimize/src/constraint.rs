@@ -1,13 +1,12 @@
 //! What must be kept: an inequality between expressions in the parameters and in measures of the design.
 
 use carvallo::ModelInfo;
-use carvallo_design::input::position;
+use carvallo_design::conventions::Convention;
 use carvallo_design::quantity::{self, Context, Mistake, Reason};
 use carvallo_design::{Dual, Failure, Place};
 
 use crate::goal::Measure;
 use crate::measures::Measures;
-use crate::range::Range;
 
 /// An inequality.
 #[derive(Clone, Debug)]
@@ -19,8 +18,8 @@ pub struct Constraint {
 
 #[derive(Clone, Debug)]
 enum Kind {
-    /// Texts of which the first must be at most the second, and the unit that both are read in.
-    Texts { small: String, large: String, unit: &'static str },
+    /// Texts of which the first must be at most the second, the unit that both are read in, and the convention of what varies.
+    Texts { small: String, large: String, unit: &'static str, beside: Option<&'static Convention> },
     /// A function of the parameters, and of a part of the machine, that must be zero or less.
     Built { function: Excess, part: &'static str },
 }
@@ -30,8 +29,13 @@ pub type Excess = fn(&dyn Fn(&str) -> Dual, &str) -> Dual;
 
 impl Constraint {
     /// Reads `EXPRESSION <= EXPRESSION`, or with `>=`; `<` and `>` mean the same, since the difference is one of rounding. Names
-    /// are those of parameters, and `stable_range`, `weave_speed`, `capsize_speed` and `flutter_speed`.
-    pub(crate) fn parse(written: &str, info: &ModelInfo, values: &[f64]) -> Result<Self, Failure> {
+    /// are those of parameters, of the model or of a convention, and `stable_range`, `weave_speed`, `capsize_speed` and `flutter_speed`.
+    pub(crate) fn parse(
+        written: &str,
+        info: &ModelInfo,
+        values: &[f64],
+        beside: Option<&'static Convention>,
+    ) -> Result<Self, Failure> {
         let fail = |message: String| Failure::at(Place::Option(format!("--keep '{written}'")), message);
         let signs = ["<=", ">=", "≤", "≥", "<", ">"].into_iter();
         let Some((sign, (left, right))) = signs.filter_map(|sign| Some((sign, written.split_once(sign)?))).next()
@@ -40,23 +44,25 @@ impl Constraint {
         };
         let (left, right) = (left.trim(), right.trim());
         // Beside a parameter or a speed alone, numbers may have units.
-        let unit = |text: &str| match position(text, info) {
-            Some(position) => Some(info.parameters[position].unit),
-            None => Measure::of_speeds(text).map(Measure::unit),
-        };
+        let unit = |text: &str| Measure::find(text, info, beside).map(Measure::unit);
         let unit = unit(left).or_else(|| unit(right)).unwrap_or("1");
         for side in [left, right] {
             // Any value does for a speed that the design may not have.
             let names = |name: &str| {
-                let parameter = position(name, info).map(|position| values[position]);
-                parameter.or_else(|| Measure::of_speeds(name).map(|_| 1.0)).map(Ok)
+                let own = |at: usize| Dual::constant(values[at]);
+                Some(match Measure::find(name, info, beside)? {
+                    Measure::Parameter(quantity) => {
+                        quantity.value(info, &own).map(|it| it.value).ok_or_else(|| untold(name))
+                    }
+                    _ => Ok(1.0),
+                })
             };
             evaluate(side, unit, &names).map_err(|message| fail(format!("`{side}` is no value: {message}")))?;
         }
         let (small, large) = if sign.starts_with(['>', '≥']) { (right, left) } else { (left, right) };
         Ok(Self {
             written: written.to_owned(),
-            kind: Kind::Texts { small: small.to_owned(), large: large.to_owned(), unit },
+            kind: Kind::Texts { small: small.to_owned(), large: large.to_owned(), unit, beside },
         })
     }
 
@@ -79,27 +85,23 @@ impl Constraint {
         if size > 0.0 && size.is_finite() { size } else { 1.0 }
     }
 
-    /// The derivatives of the excess by the shares of the ranges, exactly.
+    /// The derivatives of the excess, exactly, by what the parameters have these derivatives by.
     pub(crate) fn gradient(
         &self,
         info: &ModelInfo,
         values: &[f64],
         measures: Option<&Measures>,
-        ranges: &[Range],
+        slopes: &[Vec<f64>],
     ) -> Vec<f64> {
-        let by = |range: &Range| {
-            let width = range.high - range.low;
-            let own = |position: usize| Dual {
-                value: values[position],
-                slope: if position == range.position { width } else { 0.0 },
-            };
+        let by = |slopes: &Vec<f64>| {
+            let own = |position: usize| Dual { value: values[position], slope: slopes[position] };
             let speed = |measure: Measure| {
                 let measured = measures?.take(measure).ok()??;
-                Some(Dual { value: measured.value, slope: measured.gradient[range.position] * width })
+                Some(Dual { value: measured.value, slope: measured.along(slopes) })
             };
             self.sides(info, &own, &speed).map_or(0.0, |(small, large)| (small - large).slope)
         };
-        ranges.iter().map(by).collect()
+        slopes.iter().map(by).collect()
     }
 
     fn sides(
@@ -114,19 +116,23 @@ impl Constraint {
                 let value = |name: &str| info.position(name).map_or(Dual::default(), own);
                 Some((function(&value, part), Dual::default()))
             }
-            Kind::Texts { small, large, unit } => {
-                let names = |name: &str| match position(name, info) {
-                    Some(position) => Some(Ok(own(position))),
-                    None => {
-                        let missing = || format!("there is no {name}");
-                        Some(speed(Measure::of_speeds(name)?).ok_or_else(missing))
-                    }
+            Kind::Texts { small, large, unit, beside } => {
+                let names = |name: &str| {
+                    Some(match Measure::find(name, info, *beside)? {
+                        Measure::Parameter(quantity) => quantity.value(info, own).ok_or_else(|| untold(name)),
+                        measure => speed(measure).ok_or_else(|| format!("there is no {name}")),
+                    })
                 };
                 let side = |text: &str| quantity::differentiated(text, unit, &names).ok();
                 Some((side(small)?, side(large)?))
             }
         }
     }
+}
+
+/// Of a name of which the parameters of the model tell no value.
+fn untold(name: &str) -> String {
+    format!("`{name}` does not follow from the parameters of the model")
 }
 
 fn take(measures: Option<&Measures>, measure: Measure) -> Option<Dual> {

@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use carvallo::{ModelInfo, ParameterInfo};
+use carvallo::ModelInfo;
+use carvallo_design::conventions::{Convention, Quantity};
 use carvallo_design::parameter::find;
 
 /// A measure that is minimized or maximized.
@@ -25,8 +26,8 @@ pub enum Measure {
     CapsizeSpeed,
     /// The lowest speed in m/s at which it becomes unstable by an oscillation: flutter, wobble, or weave.
     FlutterSpeed,
-    /// A parameter, by its position in the model, in its unit.
-    Parameter(usize, &'static ParameterInfo),
+    /// A parameter of the model, or of a convention, in its unit.
+    Parameter(Quantity),
 }
 
 /// The names of what is no parameter, on the command line and in constraints.
@@ -53,21 +54,21 @@ impl Goal {
 
 impl Measure {
     /// The measure called `name`: `stable-range`, `weave-speed`, `capsize-speed`, `divergence-speed`, `flutter-speed` or
-    /// `wobble-speed`, or a parameter of the model.
+    /// `wobble-speed`, or a parameter of the model, or of a convention.
     ///
     /// # Errors
     /// If there is none.
     pub fn called(name: &str, info: &ModelInfo) -> Result<Self, String> {
-        if let Some(measure) = Self::of_speeds(name) {
-            return Ok(measure);
-        }
-        match find(name, info) {
-            Ok(position) => Ok(Self::Parameter(position, &info.parameters[position])),
-            Err(message) => {
-                let names: Vec<&str> = NAMES.iter().map(|(name, _)| *name).collect();
-                Err(format!("{message}; expected a parameter, or one of {}", names.join(", ")))
-            }
-        }
+        Self::find(name, info, None).ok_or_else(|| {
+            let names: Vec<&str> = NAMES.iter().map(|(name, _)| *name).collect();
+            let message = find(name, info).err().unwrap_or_else(|| format!("`{name}` is not known"));
+            format!("{message}; expected a parameter, or one of {}", names.join(", "))
+        })
+    }
+
+    /// The same, if there is one; of names that several conventions have, that of the one beside it is meant.
+    pub(crate) fn find(name: &str, info: &ModelInfo, beside: Option<&'static Convention>) -> Option<Self> {
+        Self::of_speeds(name).or_else(|| Quantity::called(name, info, beside).map(Self::Parameter))
     }
 
     /// The measure of speeds called `name`, with `-` or with `_` in it.
@@ -85,7 +86,7 @@ impl Measure {
 
     /// The unit of it.
     pub fn unit(self) -> &'static str {
-        if let Self::Parameter(_, info) = self { info.unit } else { "m/s" }
+        if let Self::Parameter(quantity) = self { quantity.info.unit } else { "m/s" }
     }
 }
 
@@ -97,7 +98,7 @@ impl fmt::Display for Measure {
             Self::WeaveSpeed => "weave speed",
             Self::CapsizeSpeed => "speed of capsize or divergence",
             Self::FlutterSpeed => "speed of flutter",
-            Self::Parameter(_, info) => info.name,
+            Self::Parameter(quantity) => quantity.info.name,
         })
     }
 }

@@ -1,7 +1,8 @@
 //! The measures of a design at some parameters, with their exact derivatives.
 
 use carvallo::{Change, CriticalDerivative, CriticalKind, CriticalSpeed, Stability};
-use carvallo_design::{Equations, Shipped};
+use carvallo_design::conventions::Quantity;
+use carvallo_design::{Dual, Equations, Shipped};
 
 use crate::goal::Measure;
 
@@ -10,6 +11,13 @@ use crate::goal::Measure;
 pub struct Measured {
     pub value: f64,
     pub gradient: Vec<f64>,
+}
+
+impl Measured {
+    /// Its derivative by what the parameters of the model have these derivatives by.
+    pub fn along(&self, slopes: &[f64]) -> f64 {
+        self.gradient.iter().zip(slopes).map(|(of, by)| of * by).sum()
+    }
 }
 
 /// A design of which measures are taken.
@@ -42,11 +50,7 @@ impl Measures {
         };
         let critical = match measure {
             Measure::StableRange => return self.stable_range(),
-            Measure::Parameter(position, _) => {
-                let mut gradient = vec![0.0; self.values.len()];
-                gradient[position] = 1.0;
-                return Ok(Some(Measured { value: self.values[position], gradient }));
-            }
+            Measure::Parameter(quantity) => return Ok(self.of_quantity(&quantity)),
             Measure::WeaveSpeed => {
                 let is_wanted = of(CriticalKind::Weave, Change::Stabilizes);
                 self.stability.critical_speeds.iter().rev().find(is_wanted)
@@ -55,6 +59,12 @@ impl Measures {
             Measure::FlutterSpeed => first(&of(CriticalKind::Weave, Change::Destabilizes)),
         };
         critical.map(|critical| self.of_critical(critical)).transpose()
+    }
+
+    fn of_quantity(&self, quantity: &Quantity) -> Option<Measured> {
+        let info = self.model.info;
+        let value = quantity.value(info, &|at| Dual::constant(self.values[at]))?.value;
+        Some(Measured { value, gradient: quantity.gradient(info, &self.values)? })
     }
 
     /// The same without derivatives.

@@ -10,6 +10,8 @@ use crate::problem::Problem;
 pub struct Optimum {
     /// All parameters, in the order of the model.
     pub values: Vec<f64>,
+    /// Those with ranges, in their order.
+    pub varied: Vec<f64>,
     /// The measure of the goal, in its unit.
     pub value: f64,
     /// The same of the design that it began with; `None` where it has none.
@@ -50,10 +52,8 @@ impl Optimum {
     /// What it violates of the ranges and the constraints: nothing.
     pub fn violations(&self, problem: &Problem) -> Vec<String> {
         let info = problem.design.info();
-        let outside = problem.ranges.iter().filter(|range| {
-            let value = self.values[range.position];
-            !(range.low..=range.high).contains(&value)
-        });
+        let ranges = problem.ranges.iter().zip(&self.varied);
+        let outside = ranges.filter(|(range, value)| !(range.low..=range.high).contains(value)).map(|(range, _)| range);
         let measures = Measures::new(problem.design.model, self.values.clone(), problem.settings.speeds).ok();
         let missed = problem.constraints.iter().filter(|constraint| {
             !constraint.excess(info, &self.values, measures.as_ref()).is_some_and(|excess| excess <= 0.0)

@@ -1,12 +1,13 @@
 //! What is asked for: a design, what of it may change, what is best, and what must be kept.
 
+use carvallo_design::conventions::Varied;
 use carvallo_design::number::shortest;
 use carvallo_design::{Design, Failure, Place};
 
 use crate::bodies;
 use crate::constraint::Constraint;
 use crate::goal::{Goal, Measure};
-use crate::range::Range;
+use crate::range::{Range, naming};
 
 /// What is asked for.
 #[derive(Debug)]
@@ -21,6 +22,7 @@ pub struct Problem<'a> {
     pub constraints: Vec<Constraint>,
     /// How it is searched.
     pub settings: Settings,
+    varied: Varied,
 }
 
 /// How it is searched.
@@ -44,18 +46,32 @@ impl<'a> Problem<'a> {
     /// A problem with constraints such as `xB >= 0.2`.
     ///
     /// # Errors
-    /// If nothing may change, or a parameter has two ranges; if a constraint cannot be read; or if nothing of the model depends
-    /// on the speed, of which the goal is.
+    /// If nothing may change, or a parameter has two ranges; if the design cannot be expressed by the names of what varies; if a
+    /// constraint cannot be read; or if nothing of the model depends on the speed, of which the goal is.
     pub fn new(design: &'a Design, ranges: Vec<Range>, goal: Goal, keep: &[String]) -> Result<Self, Failure> {
         let info = design.info();
         if ranges.is_empty() {
             return Err(Failure::usage("nothing may change: expected ranges, such as --vary w=0.9:1.2"));
         }
+        let naming = naming(ranges.iter().map(|range| range.written.as_str()), info);
         for (index, range) in ranges.iter().enumerate() {
-            if ranges[..index].iter().any(|other| other.position == range.position) {
-                let place = Place::Option(format!("--vary {}", range.written));
-                return Err(Failure::at(place, format!("`{}` has a range already", range.parameter.name)));
+            let name = range.parameter.name;
+            let mut before = ranges[..index].iter();
+            if let Some(first) = before.find(|other| range.varying.is_in_place_of(&other.varying, &naming)) {
+                let message = match first.varying.is(&range.varying) {
+                    true => format!("`{name}` has a range already"),
+                    false => {
+                        format!("`{name}` stands in the place of `{}`, which has a range, too", first.parameter.name)
+                    }
+                };
+                return Err(Failure::at(Place::Option(format!("--vary {}", range.written)), message));
             }
+        }
+        let columns: Vec<_> = ranges.iter().map(|range| Some(&range.varying)).collect();
+        let varied = Varied::new(design, &naming, &columns)
+            .map_err(|message| Failure::usage(format!("{}: {message}", design.title())))?;
+        if let Some(message) = varied.conflict() {
+            return Err(Failure::usage(message));
         }
         if !matches!(goal.measure, Measure::Parameter(..)) && !design.model.depends_on_speed() {
             let message =
@@ -63,11 +79,11 @@ impl<'a> Problem<'a> {
             return Err(Failure::usage(message));
         }
         let values = design.values();
-        let mut constraints = bodies::constraints(info, &ranges);
+        let mut constraints = bodies::constraints(info, &varied.changing());
         for written in keep {
-            constraints.push(Constraint::parse(written, info, &values)?);
+            constraints.push(Constraint::parse(written, info, &values, naming.convention())?);
         }
-        Ok(Self { design, ranges, goal, constraints, settings: Settings::default() })
+        Ok(Self { design, ranges, goal, constraints, settings: Settings::default(), varied })
     }
 
     /// The same, searched in another way.
@@ -88,12 +104,42 @@ impl<'a> Problem<'a> {
         Ok(Self { settings, ..self })
     }
 
-    /// The parameters at shares of the ranges.
-    pub(crate) fn values(&self, shares: &[f64]) -> Vec<f64> {
-        let mut values = self.design.values();
-        for (range, share) in self.ranges.iter().zip(shares) {
-            values[range.position] = range.at(*share);
+    /// What varies by other names than those of the model, what is kept with it, and what follows.
+    pub fn note(&self) -> Option<String> {
+        self.varied.note()
+    }
+
+    /// The value that the given design has of the parameter of a range, if it is known.
+    pub fn before(&self, range: usize) -> Option<f64> {
+        match self.ranges[range].varying.position() {
+            Some(position) => Some(self.design.parameters[position].value),
+            None => self.varied.start(range),
         }
-        values
+    }
+
+    /// The values of the parameters with ranges at shares of these.
+    pub(crate) fn at(&self, shares: &[f64]) -> Vec<f64> {
+        self.ranges.iter().zip(shares).map(|(range, share)| range.at(*share)).collect()
+    }
+
+    /// All parameters of the model at values of those with ranges.
+    ///
+    /// # Errors
+    /// If there is no such design.
+    pub(crate) fn values(&self, varied: &[f64]) -> Result<Vec<f64>, String> {
+        let mut values = self.design.values();
+        self.varied.put(|range| Some(varied[range]), &mut values)?;
+        Ok(values)
+    }
+
+    /// The derivatives of all parameters of the model by the share of each range; zero where there are none.
+    pub(crate) fn slopes(&self, varied: &[f64]) -> Vec<Vec<f64>> {
+        let count = self.ranges.len();
+        let found = self.varied.derivatives(count, |range| Some(varied[range]));
+        let mut slopes = found.unwrap_or_else(|_| vec![vec![0.0; self.design.parameters.len()]; count]);
+        for (slopes, range) in slopes.iter_mut().zip(&self.ranges) {
+            slopes.iter_mut().for_each(|slope| *slope *= range.high - range.low);
+        }
+        slopes
     }
 }

@@ -1,8 +1,9 @@
 //! The range of a parameter that is varied.
 
 use carvallo::{ModelInfo, ParameterInfo};
+use carvallo_design::conventions::{Naming, Varying};
 use carvallo_design::number::with_unit;
-use carvallo_design::parameter::{check_units, find, number};
+use carvallo_design::parameter::{check_units, number};
 use carvallo_design::{Failure, Place};
 
 /// A parameter that is varied, and between which values.
@@ -10,31 +11,45 @@ use carvallo_design::{Failure, Place};
 pub struct Range {
     /// As it was given.
     pub written: String,
-    /// Where the parameter is among those of the model.
-    pub position: usize,
-    /// What it is.
-    pub parameter: &'static ParameterInfo,
+    /// What it is: one of the model, or of a convention of bicycles.
+    pub parameter: ParameterInfo,
     /// The least value, in the unit of the parameter.
     pub low: f64,
     /// The largest one.
     pub high: f64,
+    pub(crate) varying: Varying,
 }
 
 impl Range {
-    /// Reads `NAME=LOW:HIGH`.
+    /// Reads ranges `NAME=LOW:HIGH`. Names that are not those of the model are all of one convention.
     ///
     /// # Errors
-    /// If it is none, or of no parameter of the model, or if an end is no value that the parameter may have.
-    pub fn parse(written: &str, info: &ModelInfo) -> Result<Self, Failure> {
+    /// Everything that is none, or of no parameter, or an end that is no value which the parameter may have.
+    pub fn parse(written: &[String], info: &'static ModelInfo) -> Result<Vec<Self>, Failure> {
+        let naming = naming(written.iter().map(String::as_str), info);
+        let (mut ranges, mut problems) = (Vec::new(), Vec::new());
+        for written in written {
+            match Self::read(written, &naming) {
+                Ok(range) => ranges.push(range),
+                Err(Failure::Input(found)) => problems.extend(found),
+                Err(failure) => return Err(failure),
+            }
+        }
+        if problems.is_empty() { Ok(ranges) } else { Err(Failure::Input(problems)) }
+    }
+
+    fn read(written: &str, naming: &Naming) -> Result<Self, Failure> {
         let fail = |message: String| Failure::at(Place::Option(format!("--vary {written}")), message);
         let parts = written.split_once('=').and_then(|(name, range)| Some((name.trim(), range.split_once(':')?)));
         let Some((name, (low, high))) = parts.filter(|(_, (_, high))| !high.contains(':')) else {
             return Err(fail("expected NAME=LOW:HIGH, such as w=0.9:1.2".to_owned()));
         };
-        let position = find(name, info).map_err(fail)?;
-        let parameter = &info.parameters[position];
-        check_units(&[low.trim(), high.trim()], parameter).map_err(fail)?;
-        let [low, high] = [low, high].map(|end| number(end.trim(), parameter));
+        let varying = naming.find(name).map_err(fail)?;
+        let parameter = varying.info;
+        let low = varying.in_numbers(low.trim(), naming).map_err(fail)?;
+        let high = varying.in_numbers(high.trim(), naming).map_err(fail)?;
+        check_units(&[&low, &high], &parameter).map_err(fail)?;
+        let [low, high] = [low, high].map(|end| number(&end, &parameter));
         let (low, high) = (low.map_err(fail)?, high.map_err(fail)?);
         if low >= high {
             let [low, high] = [low, high].map(|end| with_unit(end, parameter.unit));
@@ -46,7 +61,7 @@ impl Range {
                 return Err(fail(format!("`{}` is {end}; it must be {}", parameter.name, parameter.domain)));
             }
         }
-        Ok(Self { written: written.to_owned(), position, parameter, low, high })
+        Ok(Self { written: written.to_owned(), parameter, low, high, varying })
     }
 
     /// The value at a share of the range, exactly the ends at 0 and 1.
@@ -62,4 +77,9 @@ impl Range {
     pub(crate) fn share(&self, value: f64) -> f64 {
         ((value - self.low) / (self.high - self.low)).clamp(0.0, 1.0)
     }
+}
+
+/// What the names before the signs of equality mean.
+pub(crate) fn naming<'a>(written: impl Iterator<Item = &'a str>, info: &'static ModelInfo) -> Naming {
+    Naming::new(info, written.map(|text| text.split('=').next().unwrap_or_default().trim()))
 }

@@ -13,6 +13,7 @@ use crate::goal::{Goal, Measure};
 use crate::measures::{Measured, Measures};
 use crate::optimum::{End, Optimum, Progress};
 use crate::problem::Problem;
+use crate::range::Range;
 
 /// So many designs are tried for each start; searches begin at the best of them.
 const TRIED: u32 = 16;
@@ -61,7 +62,10 @@ enum Aim {
 /// What is known of one design.
 struct Point {
     shares: Vec<f64>,
-    values: Vec<f64>,
+    /// Of the parameters with ranges.
+    varied: Vec<f64>,
+    /// Of the model; none where there is no such design.
+    values: Option<Vec<f64>>,
     measures: Option<Measures>,
     measured: Option<Measured>,
     /// Of each constraint, relative to its size.
@@ -111,6 +115,11 @@ impl<'a> Search<'a> {
         }
     }
 
+    /// None where there is no answer.
+    fn measures(&self, values: Vec<f64>) -> Option<Measures> {
+        Measures::new(self.problem.design.model, values, self.problem.settings.speeds).ok()
+    }
+
     /// What there is at shares of the ranges; of those that keep everything the best is remembered.
     fn at(&self, shares: &[f64]) -> Rc<Point> {
         if let Some(last) = self.last.borrow().as_ref().filter(|last| last.shares == shares) {
@@ -118,17 +127,18 @@ impl<'a> Search<'a> {
         }
         self.evaluations.set(self.evaluations.get() + 1);
         let problem = self.problem;
-        let values = problem.values(shares);
-        let measures = Measures::new(problem.design.model, values.clone(), problem.settings.speeds).ok();
+        let varied = problem.at(shares);
+        let values = problem.values(&varied).ok();
+        let measures = values.as_ref().and_then(|values| self.measures(values.clone()));
         let measured = measures.as_ref().and_then(|measures| measures.take(problem.goal.measure).ok().flatten());
         let excess = |(constraint, scale): (&crate::Constraint, &f64)| {
-            let excess = constraint.excess(problem.design.info(), &values, measures.as_ref())?;
+            let excess = constraint.excess(problem.design.info(), values.as_ref()?, measures.as_ref())?;
             Some(excess / scale)
         };
         let excess: Vec<Option<f64>> = problem.constraints.iter().zip(&self.scales).map(excess).collect();
         let holds = excess.iter().map(|excess| excess.is_some_and(|excess| excess <= 0.0));
         self.kept.borrow_mut().iter_mut().zip(holds).for_each(|(kept, holds)| *kept |= holds);
-        let point = Rc::new(Point { shares: shares.to_vec(), values, measures, measured, excess });
+        let point = Rc::new(Point { shares: shares.to_vec(), varied, values, measures, measured, excess });
         if self.is_better(&point) {
             *self.best.borrow_mut() = Some(point.clone());
         }
@@ -146,8 +156,8 @@ impl<'a> Search<'a> {
     fn starts(&self) -> Vec<Vec<f64>> {
         let settings = self.problem.settings;
         let ranges = &self.problem.ranges;
-        let values = self.problem.design.values();
-        let given: Vec<f64> = ranges.iter().map(|range| range.share(values[range.position])).collect();
+        let share = |(at, range): (usize, &Range)| self.problem.before(at).map_or(0.5, |value| range.share(value));
+        let given: Vec<f64> = ranges.iter().enumerate().map(share).collect();
         let mut generator = ChaCha8Rng::seed_from_u64(settings.seed);
         // 53 bits are a double from 0 to 1.
         let mut share = || (generator.next_u64() >> 11) as f64 * 2.0_f64.powi(-53);
@@ -233,8 +243,8 @@ impl<'a> Search<'a> {
         match ends {
             Some(ends) if ends[end].value.is_finite() => {
                 if let Some(slopes) = slopes {
-                    for (slope, range) in slopes.iter_mut().zip(&self.problem.ranges) {
-                        *slope = sign * ends[end].gradient[range.position] * (range.high - range.low) / (high - low);
+                    for (slope, by) in slopes.iter_mut().zip(self.problem.slopes(&point.varied)) {
+                        *slope = sign * ends[end].along(&by) / (high - low);
                     }
                     slopes[own.len() + end] = -sign;
                 }
@@ -258,8 +268,8 @@ impl<'a> Search<'a> {
         match (&point.measured, aim) {
             (Some(measured), Aim::Goal) => {
                 if let Some(gradient) = gradient {
-                    for (slope, range) in gradient.iter_mut().zip(&self.problem.ranges) {
-                        *slope = self.sign * measured.gradient[range.position] * (range.high - range.low);
+                    for (slope, by) in gradient.iter_mut().zip(self.problem.slopes(&point.varied)) {
+                        *slope = self.sign * measured.along(&by);
                     }
                 }
                 self.sign * measured.value
@@ -281,8 +291,8 @@ impl<'a> Search<'a> {
             let mut shares = point.shares.clone();
             let step = if shares[index] > 0.5 { -STEP } else { STEP };
             shares[index] += step;
-            let values = self.problem.values(&shares);
-            let measures = Measures::new(self.problem.design.model, values, self.problem.settings.speeds);
+            let values = self.problem.values(&self.problem.at(&shares)).ok();
+            let measures = values.and_then(|values| self.measures(values));
             *slope = measures.map_or(0.0, |measures| (measures.instability() - instability) / step);
         }
     }
@@ -291,10 +301,12 @@ impl<'a> Search<'a> {
         let point = self.at(shares);
         let (constraint, scale) = (&self.problem.constraints[index], self.scales[index]);
         if let Some(gradient) = gradient {
-            let (info, ranges) = (self.problem.design.info(), &self.problem.ranges);
-            let slopes = constraint.gradient(info, &point.values, point.measures.as_ref(), ranges);
             gradient.fill(0.0);
-            gradient.iter_mut().zip(slopes).for_each(|(entry, slope)| *entry = slope / scale);
+            if let Some(values) = &point.values {
+                let by = self.problem.slopes(&point.varied);
+                let slopes = constraint.gradient(self.problem.design.info(), values, point.measures.as_ref(), &by);
+                gradient.iter_mut().zip(slopes).for_each(|(entry, slope)| *entry = slope / scale);
+            }
         }
         point.excess[index].unwrap_or(1.0) + ROOM
     }
@@ -312,7 +324,8 @@ impl<'a> Search<'a> {
         };
         let given = Measures::new(problem.design.model, problem.design.values(), problem.settings.speeds);
         Ok(Optimum {
-            values: best.values.clone(),
+            values: best.values.clone().unwrap_or_default(),
+            varied: best.varied.clone(),
             value,
             before: given.ok().and_then(|measures| measures.value(problem.goal.measure)),
             ends: best.shares.iter().map(end).collect(),

@@ -78,7 +78,7 @@ impl Designs {
 fn best(design: &Design, search: &Search) -> Result<(String, Vec<f64>), Failure> {
     let Search { vary, measure, maximize, keep, speeds: (low, high), starts, seed } = search;
     let info = design.info();
-    let ranges = vary.iter().map(|written| Range::parse(written, info)).collect::<Result<_, _>>()?;
+    let ranges = Range::parse(vary, info)?;
     let measure = Measure::called(measure, info).map_err(Failure::usage)?;
     let settings = Settings { speeds: [*low, *high], starts: *starts, seed: *seed };
     let problem = Problem::new(design, ranges, Goal { measure, maximize: *maximize }, keep)?.with(settings)?;

@@ -17,7 +17,7 @@ pub fn measure(path: &str) -> PyResult<Loaded> {
 /// Makes a rider from a file of measures: a body in TOML.
 #[pyfunction]
 pub fn rider(path: &str) -> PyResult<String> {
-    Rider::load(path).map(|rider| rider.to_toml()).map_err(raise)
+    Rider::load(path).map(|rider| rider.to_toml(&carvallo_design::DisplayUnit::declared)).map_err(raise)
 }
 
 /// A file to start from: of what is measured of a `rider`, or else of a bicycle.

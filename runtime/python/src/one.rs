@@ -70,6 +70,7 @@ impl Described {
             covariance,
             equations: model.equations(values).map_err(Failure::usage)?,
             reading: None,
+            set: Vec::new(),
             notes: Vec::new(),
             warnings: Vec::new(),
         })

@@ -195,13 +195,12 @@ fn run_along(options: &Options, along: &Along) -> Result<(), Failure> {
     if options.eigenvectors {
         return Err(Failure::at(Place::Option("--eigenvectors".to_owned()), "there are none with --along"));
     }
-    if !options.units.units()?.is_si() {
-        return Err(Failure::at(Place::Option("--units".to_owned()), "with --along all is in units of the SI"));
-    }
+    let units = options.units.units()?;
     if let Some(picture) = &options.plot {
         picture.check(&options.design)?;
     }
-    let analysis = AlongAnalysis::new(options.design.load()?, along, options.speed.map(|Speed(speed)| speed))?;
+    let mut analysis = AlongAnalysis::new(options.design.load()?, along, options.speed.map(|Speed(speed)| speed))?;
+    (analysis.unit, analysis.speed_unit) = (units.of(analysis.parameter.unit), units.of("m/s"));
     if let Some(kept) = analysis.path.note() {
         note(WARNING, "note", &format!("{}: {kept}", analysis.design.name));
     }

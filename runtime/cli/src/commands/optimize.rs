@@ -19,7 +19,7 @@ use super::compare::Pictures;
 use crate::limits::SpeedLimits;
 use crate::options::{DesignOptions, Format, UnitOptions};
 use crate::output::documents;
-use crate::terminal::{deliver, print, write};
+use crate::terminal::{WARNING, deliver, note, print, write};
 
 const HELP: &str = "\
 A MEASURE is stable-range, the width of the widest range of speeds at which it is stable; weave-speed, above which weave is
@@ -30,6 +30,9 @@ wobble-speed, the lowest at which it does by one; or the name of a parameter.
 'xB >= 0.2', 'rR + rF <= 0.7*w', 'weave_speed <= 4'. Beside a parameter or a speed alone, a number may have a unit:
 'w <= 110 cm'. Without being asked, wheels of bicycles stay 2 cm apart, and bodies whose inertias vary stay rigid bodies:
 no principal moment of inertia exceeds the sum of the others.
+
+Names may be those of other conventions, as in `carvallo sweep --vary`: 'head_angle=68 deg:75 deg', trail, d1, … Then everything
+else of that convention is held, as it was set or given, and a note says what is kept and what follows.
 
 The derivatives of speeds are exact. The search is by sequential quadratic programming from several designs, of which all but
 the given one come from a generator with a seed: the same command finds the same design. Where no design that was tried has
@@ -92,6 +95,9 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let units = options.units.in_tables(options.format)?;
     let design = options.design.load()?;
     let problem = problem(options, &design)?;
+    if let Some(kept) = problem.note() {
+        note(WARNING, "note", &format!("{}: {kept}", design.name));
+    }
     let bar = Bar::new();
     let optimum = optimize(&problem, &|progress| bar.tell(progress));
     bar.finish();
@@ -118,7 +124,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 
 fn problem<'a>(options: &Options, design: &'a Design) -> Result<Problem<'a>, Failure> {
     let info = design.info();
-    let ranges = options.vary.iter().map(|written| Range::parse(written, info)).collect::<Result<_, _>>()?;
+    let ranges = Range::parse(&options.vary, info)?;
     let goal = [("--maximize", &options.maximize, true), ("--minimize", &options.minimize, false)];
     let Some((option, name, maximize)) =
         goal.into_iter().find_map(|(option, name, maximize)| Some((option, name.as_ref()?, maximize)))

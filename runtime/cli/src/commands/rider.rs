@@ -4,6 +4,7 @@ use carvallo_design::Failure;
 use carvallo_measure::rider::{EXAMPLE, Rider};
 use clap::Args;
 
+use crate::options::UnitOptions;
 use crate::terminal::print;
 
 const HELP: &str = "\
@@ -30,11 +31,16 @@ pub struct Options {
     /// Prints a file of measures to start from
     #[arg(long, conflicts_with = "file")]
     example: bool,
+    #[command(flatten)]
+    units: UnitOptions,
 }
 
 pub fn run(options: &Options) -> Result<(), Failure> {
     match &options.file {
         None => print(EXAMPLE),
-        Some(file) => print(&Rider::load(file)?.to_toml()),
+        Some(file) => {
+            let units = options.units.shown()?;
+            print(&Rider::load(file)?.to_toml(&units))
+        }
     }
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use carvallo::{Complex, CriticalKind, CriticalValue, ParameterRange, Verdict};
-use carvallo_design::number::{fixed, shortest, unit, with_unit};
+use carvallo_design::number::{fixed, shortest};
 use carvallo_plot::analysis::along::{AlongAnalysis, AtValue};
 
 use super::columns::width;
@@ -12,18 +12,17 @@ use super::{FAINT, GOOD, HEADING};
 
 /// Writing to a string cannot fail, so that the results of `write!` are dropped throughout.
 pub fn render_along(analysis: &AlongAnalysis, rows: &[AtValue]) -> String {
-    let AlongAnalysis { design, parameter, speed, range, stability, .. } = analysis;
-    let (name, in_unit) = (parameter.name, |value: f64| with_unit(value, parameter.unit));
+    let AlongAnalysis { design, parameter, range, stability, .. } = analysis;
+    let (name, in_unit) = (parameter.name, |value: f64| analysis.with_unit(value));
+    let plain = |value: f64| shortest(analysis.shown(value));
     let mut text = String::new();
     write_heading(design, &mut text);
-    let at = speed.map(|speed| format!(", at {} m/s", shortest(speed))).unwrap_or_default();
+    let at = analysis.at_speed(", at ");
     let _ = writeln!(text, "\nAlong {name} from {} to {}{at}", in_unit(range[0]), in_unit(range[1]));
-    let of = match unit(parameter.unit) {
-        unit if unit.is_empty() => String::new(),
-        unit => format!(" ({unit})"),
-    };
+    let title = analysis.heading();
+    let of = title.strip_prefix(name).unwrap_or_default();
     let _ = writeln!(text, "\n{HEADING}Critical values of {name}{HEADING:#}{of}");
-    let values: Vec<String> = stability.critical_values.iter().map(|critical| shortest(critical.value)).collect();
+    let values: Vec<String> = stability.critical_values.iter().map(|critical| plain(critical.value)).collect();
     let columns = width(&values, 20);
     for (critical, value) in stability.critical_values.iter().zip(&values) {
         let at = critical_eigenvalue(critical);
@@ -35,18 +34,17 @@ pub fn render_along(analysis: &AlongAnalysis, rows: &[AtValue]) -> String {
         let _ = writeln!(text, "  none");
     }
     for ParameterRange { from, to } in &stability.undecided {
-        let (from, to) = (shortest(*from), in_unit(*to));
+        let (from, to) = (plain(*from), in_unit(*to));
         let _ = writeln!(text, "  from {from} to {to} one may be missing: rounding decides there");
     }
     for ParameterRange { from, to } in &stability.stable_ranges {
-        let _ = writeln!(text, "  {GOOD}stable from {} to {}{GOOD:#}", shortest(*from), in_unit(*to));
+        let _ = writeln!(text, "  {GOOD}stable from {} to {}{GOOD:#}", plain(*from), in_unit(*to));
     }
     if stability.stable_ranges.is_empty() {
         let _ = writeln!(text, "  stable at no value");
     }
     let _ = writeln!(text, "\n{HEADING}Eigenvalues{HEADING:#} (1/s)");
-    let title = format!("{name}{of}");
-    let values: Vec<String> = rows.iter().map(|row| shortest(row.value)).collect();
+    let values: Vec<String> = rows.iter().map(|row| plain(row.value)).collect();
     let first = width(values.iter().chain([&title]), 9);
     let _ = writeln!(text, "{FAINT}{title:>first$}{FAINT:#}");
     for (row, value) in rows.iter().zip(&values) {

@@ -22,7 +22,8 @@ Designs:
                                      Beside --vary, each combination gets the same samples
   --vary 'fork_offset=30 mm:50 mm:1 mm'
                                      names of other conventions (see `carvallo convert --help`) keep everything else in
-                                     it, here head angle, wheel base and wheels; a note says what is kept
+                                     it, here head angle, wheel base and wheels; a note says what is kept. What --set sets
+                                     is held, as the trail in `--vary 'head_angle=68 deg:74 deg:1 deg' --set 'trail=60 mm'`
   --designs bikes.csv                a row for each design; columns are named like parameters, of any
                                      convention, and may have a unit, as `w [mm]` or `w_mm`; `name`, `id`, `index`
                                      and `bike` are copied. Parameters without a column are those of DESIGN. In CSV, lines before the

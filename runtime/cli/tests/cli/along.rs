@@ -128,3 +128,57 @@ fn parameters_may_be_those_of_others() {
         assert!(found.iter().any(|(_, value, _)| (value - expected).abs() < 1e-11), "{along}: {found:?}");
     }
 }
+
+/// The trail that is set stays while the head angle changes, as along the tilt with the trail of the paper.
+#[test]
+fn what_is_set_is_held() {
+    let directory = Directory::of_this_test();
+    let run = |along: &str, set: &str| {
+        let arguments = ["analyze", "--along", along, "--set", set, "--speed", "4.5", "--format", "json"];
+        let run = directory.run(&arguments);
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+        critical(&serde_json::from_str(&run.stdout).unwrap())
+    };
+    let printed = run("head_angle=60 deg:80 deg", "trail=5 cm");
+    let mut own = run("lam=10 deg:30 deg", "c=5 cm");
+    own.reverse();
+    assert!(!own.is_empty() && own.len() == printed.len(), "{own:?}, {printed:?}");
+    for ((_, lam, _), (_, head, _)) in own.iter().zip(&printed) {
+        assert!((lam + head - std::f64::consts::FRAC_PI_2).abs() < 1e-11, "{own:?}, {printed:?}");
+    }
+}
+
+/// In other units: the same critical values, and rows at round values of the unit that is shown.
+#[test]
+fn units_are_those_that_are_asked_for() {
+    let directory = Directory::new("along-units");
+    let arguments = ["analyze", "--along", "lam=10 deg:30 deg", "--speed", "18 km/h", "--format"];
+    let run = |format: &str, units: &[&str]| directory.run(&[&arguments[..], &[format], units].concat());
+    let own = run("json", &[]).json();
+    let units = ["--units", "deg,km/h"];
+    let shown = run("json", &units).json();
+    assert_eq!((shown["along"]["unit"].as_str(), shown["speed_unit"].as_str()), (Some("deg"), Some("km/h")));
+    assert_eq!((shown["speed"].as_f64(), own["speed"].as_f64()), (Some(18.0), Some(5.0)));
+    assert!(own["speed_unit"].is_null());
+    assert_eq!(shown["range"], serde_json::json!([10.0, 30.0]));
+    let (own, shown) = (critical(&own), critical(&shown));
+    assert!(!own.is_empty() && own.len() == shown.len());
+    for ((_, radians, _), (_, degrees, _)) in own.iter().zip(&shown) {
+        assert!((radians.to_degrees() - degrees).abs() < 1e-12, "{radians}, {degrees}");
+    }
+    let csv = run("csv", &units).ok();
+    assert!(
+        csv.starts_with("lam (deg),eigenvalue 1 re (1/s),") && csv.lines().nth(2).unwrap().starts_with("10.2,"),
+        "{csv}"
+    );
+    let table = run("table", &units).ok();
+    assert!(
+        table.contains("Along lam from 10 deg to 30 deg, at 18 km/h") && table.contains("\n         12  "),
+        "{table}"
+    );
+    let markdown = run("markdown", &units).ok();
+    assert!(markdown.contains("| lam (deg) |"), "{markdown}");
+    directory.run(&[&arguments[..5], &["--plot", "along.svg"], &units].concat());
+    let picture = std::fs::read_to_string(directory.0.join("along.svg")).unwrap();
+    assert!(picture.contains("lam (deg)") && picture.contains("at 18 km/h"), "{picture}");
+}

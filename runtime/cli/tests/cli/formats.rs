@@ -173,3 +173,44 @@ fn a_wrong_ending_is_no_mistake() {
         assert_eq!((run.code, run.stdout.as_str()), (Some(0), expected.as_str()), "{name}: {}", run.stderr);
     }
 }
+
+/// The ending of a name may be another's: tables of TOML in `.json`, also in one line or in several, and JSON behind comments in
+/// `.toml`.
+#[test]
+fn what_is_in_a_file_counts_more_than_its_ending() {
+    let directory = Directory::new("formats-endings");
+    let toml = directory.run(&["show", "benchmark"]).ok();
+    let plain: Vec<&str> = toml.lines().skip_while(|line| !line.starts_with("[parameters]")).skip(1).collect();
+    let values = plain.iter().filter(|line| line.contains('=')).map(|line| line.split('#').next().unwrap().trim());
+    let members = values.map(|line| format!("    {line},\n")).collect::<String>();
+    let json = directory.run(&["analyze", "--format", "json"]).ok();
+    let deviation = plain.join("\n").replace("mB = 85 ", "mB = { value = 85, std = 5 } ");
+    assert!(deviation.contains("std"));
+    for (name, text) in [
+        ("tables.json", toml.clone()),
+        ("comment.json", format!("# a bicycle {{\n{toml}")),
+        ("values.json", plain.join("\n")),
+        ("inline.json", deviation),
+        ("lines.json", format!("parameters = {{\n{members}}}\n")),
+        ("lines.toml", format!("parameters = {{\n{members}}}\n")),
+        ("object.toml", json.clone()),
+        ("slashes.toml", format!("// of an analysis\n/* in\nJSON */ {json}")),
+        ("slashes.json", format!("// w = 1\n{json}")),
+    ] {
+        directory.write(name, text);
+        let found = directory.run(&["analyze", name, "--format", "json"]);
+        assert_eq!(found.code, Some(0), "{name}: {}", found.stderr);
+        assert_eq!(
+            found.json()["critical_speeds"],
+            directory.run(&["analyze", "--format", "json"]).json()["critical_speeds"]
+        );
+    }
+    for (name, text) in [
+        ("matrices.json", "M = [[1, 0], [0, 1]]\nK0 = [[1, 0], [0, 1]]\n"),
+        ("grouped.json", "[matrices]\nM = [[1, 0], [0, 1]]\nK0 = [[1, 0], [0, 1]]\n"),
+        ("matrices.toml", "{\"M\": [[1, 0], [0, 1]], \"K0\": [[1, 0], [0, 1]]}"),
+    ] {
+        directory.write(name, text);
+        directory.run(&["analyze", name, "--gravity", "9.81"]).ok();
+    }
+}

@@ -154,6 +154,43 @@ fn other_models_have_their_speeds() {
     assert_eq!(found["varied"]["mT"]["at"], "low");
 }
 
+/// The same ranges by other names have the same optimum: those of the printed geometry, where the tilt is 90 degrees less the head
+/// angle, and what is set is held.
+#[test]
+fn parameters_may_be_those_of_others() {
+    let own = optimum(&["--vary", "lam=10 deg:30 deg", "--vary", "c=0.02:0.12", "--minimize", "weave-speed"]);
+    let printed =
+        optimum(&["--vary", "head_angle=60 deg:80 deg", "--vary", "trail=2 cm:12 cm", "--minimize", "weave-speed"]);
+    let after = |found: &Value| number(&found["goal"]["after"]);
+    assert!((after(&own) - after(&printed)).abs() < 1e-10, "{own}, {printed}");
+    let [lam, head] = [&own["varied"]["lam"], &printed["varied"]["head_angle"]].map(|varied| number(&varied["after"]));
+    assert!((lam + head - std::f64::consts::FRAC_PI_2).abs() < 1e-4, "{lam}, {head}");
+    assert_eq!(number(&printed["varied"]["trail"]["after"]), 0.02);
+    assert_eq!(printed["varied"]["trail"]["at"], "low");
+    assert!((number(&printed["varied"]["head_angle"]["before"]) - 72_f64.to_radians()).abs() < 1e-15);
+    let own = optimum(&["--set", "c=6 cm", "--vary", "lam=10 deg:30 deg", "--minimize", "weave-speed"]);
+    let printed = optimum(&["--set", "trail=6 cm", "--vary", "head_angle=60 deg:80 deg", "--minimize", "weave-speed"]);
+    assert!((after(&own) - after(&printed)).abs() < 1e-10, "{own}, {printed}");
+    // A goal and what is kept may be by other names, too.
+    let vary = ["--vary", "head_angle=65 deg:80 deg", "--vary", "fork_offset=0:8 cm"];
+    let keep = ["--keep", "weave_speed <= 4", "--keep", "c >= 3 cm"];
+    let found = optimum(&[&vary[..], &keep[..], &["--maximize", "trail"]].concat());
+    let [c, lam] = ["c", "lam"].map(|name| number(&found["parameters"][name]));
+    assert!(after(&found) == c && number(&found["critical_speeds"][1]["speed"]) <= 4.0, "{found}");
+    let offset = number(&found["varied"]["fork_offset"]["after"]);
+    assert!((c - (0.35 * lam.sin() - offset) / lam.cos()).abs() < 1e-15, "{found}");
+}
+
+/// Against the grid of the same ranges.
+#[test]
+fn moores_names_have_their_optimum() {
+    let found = optimum(&["pista", "--vary", "d1=0.85:1", "--vary", "d3=0.01:0.06", "--minimize", "weave-speed"]);
+    let grid = sweep(&["pista", "--vary", "d1=0.85:1:0.0025", "--vary", "d3=0.01:0.06:0.001"]);
+    let best = number(&found["goal"]["after"]);
+    let least = grid.iter().filter_map(|row| row.get("weave_1")).copied().fold(f64::INFINITY, f64::min);
+    assert!(best <= least && least - best < 1e-3, "{best}, {least}");
+}
+
 #[test]
 fn mistakes_are_told() {
     let directory = Directory::of_this_test();
@@ -175,6 +212,20 @@ fn mistakes_are_told() {
         &[&["--vary", "w=0.9:1", "--vary", "w=0.9:1.1"], &goal[..]].concat(),
         2,
         "error: --vary w=0.9:1.1: `w` has a range already\n",
+    );
+    fails(
+        &[&["--vary", "fork_offset=0:0.1", "--vary", "trail=0:0.1"], &goal[..]].concat(),
+        2,
+        "error: --vary trail=0:0.1: `trail` stands in the place of `fork_offset`, which has a range, too\n",
+    );
+    fails(
+        &[&["--vary", "fork_offset=0:0.1", "--vary", "d1=0.9:1"], &goal[..]].concat(),
+        2,
+        "error: 2 problems\n\
+         --vary fork_offset=0:0.1: `fork_offset` is a name of pydy (the names of PyDy's bicycle) and geometry (the geometry that \
+         manufacturers print), and `d1` of others; all must be of one convention\n\
+         --vary d1=0.9:1: `d1` is a name of moore (the names of Moore (2012)), and `fork_offset` of others; all must be of one \
+         convention\n",
     );
     fails(
         &[&["--vary", "w=0.9:1", "--keep", "xB"], &goal[..]].concat(),

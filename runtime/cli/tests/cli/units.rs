@@ -273,3 +273,32 @@ fn comparisons_and_optima_have_units_in_tables() {
     assert!(best.contains(" in\""), "{best}");
     directory.run(&["analyze", "best.toml"]).ok();
 }
+
+/// What is written in pounds and inches is the same rider.
+#[test]
+fn riders_may_be_in_other_units() {
+    let directory = Directory::new("units-rider");
+    let measures = directory.run(&["rider", "--example"]).ok();
+    let with_deviation = measures.replace("mass = 72", "mass = \"72+/-1\"");
+    assert_ne!(with_deviation, measures);
+    directory.write("me.toml", with_deviation);
+    let mass = |units: &[&str]| {
+        let rider = directory.run(&[&["rider", "me.toml"], units].concat()).ok();
+        directory.write("rider.toml", &rider);
+        let design = directory.run(&["show", "browser", "--add", "rider.toml"]).ok();
+        let value = |name: &str| design.lines().find(|line| line.starts_with(name)).unwrap().to_owned();
+        (rider, ["mB = ", "xB = ", "zB = ", "IBxx = ", "IBxz = "].map(value))
+    };
+    let (rider, shown) = mass(&["--units", "imperial"]);
+    assert!(rider.contains(" lb\"") && rider.contains("# lb*in²") || rider.contains("# lb in²"), "{rider}");
+    let (own, expected) = mass(&[]);
+    assert!(own.contains("# kg m²") && !own.contains("lb"), "{own}");
+    let number = |line: &str| -> f64 {
+        let digits = line.split_once('=').unwrap().1.split('#').next().unwrap().replace(['{', '}', '"'], "");
+        digits.trim().trim_start_matches("value = ").split(',').next().unwrap().trim().parse().unwrap()
+    };
+    for (found, expected) in shown.iter().zip(&expected) {
+        let (found, expected) = (number(found), number(expected));
+        assert!((found - expected).abs() < 1e-13 * expected.abs().max(1.0), "{found}, {expected}");
+    }
+}

@@ -11,16 +11,32 @@ pub const GEOMETRY: Convention = Convention {
     title: "the geometry that manufacturers print",
     names: NAMES,
     alternatives: &[
-        &["wheelbase", "chainstay"],
-        &["head_angle", "lam"],
-        &["fork_offset", "trail"],
-        &["rear_wheel_diameter", "rR", "wheel_diameter", "rear_wheel_circumference", "wheel_circumference"],
-        &["front_wheel_diameter", "rF", "wheel_diameter", "front_wheel_circumference", "wheel_circumference"],
+        &[&["wheelbase"], &BOTTOM_BRACKET],
+        &[&["head_angle"], &["lam"]],
+        &[&["fork_offset"], &["trail"]],
+        &[
+            &["rear_wheel_diameter"],
+            &["rR"],
+            &["wheel_diameter"],
+            &["rear_wheel_circumference"],
+            &["wheel_circumference"],
+        ],
+        &[
+            &["front_wheel_diameter"],
+            &["rF"],
+            &["wheel_diameter"],
+            &["front_wheel_circumference"],
+            &["wheel_circumference"],
+        ],
     ],
     prepare: super::wheels::measure,
     to_paper,
     from_paper,
+    complete,
 };
+
+/// What the wheel base follows from.
+const BOTTOM_BRACKET: [&str; 3] = ["chainstay", "front_center", "bb_drop"];
 
 const DRAWN: Need = Need::Ignored("the equations of motion do not depend on it");
 
@@ -97,24 +113,20 @@ const SAME: [&str; 21] = [
     "IHzz", "IHxz", "mF", "IFxx", "IFyy",
 ];
 
-/// Printed trails are whole millimetres, of tyres that may differ by some.
-const TRAIL_TOLERANCE: f64 = 5e-3;
+/// Printed lengths are whole millimetres, of tyres that may differ by some.
+const TOLERANCE: f64 = 5e-3;
 
-/// The radius of a wheel by whatever is given of it.
+/// The radius of a wheel by whatever is given of it, or else of both.
 fn radius(given: &Values, which: &str, own: &str) -> Result<Dual, String> {
     let names = [format!("{which}_wheel_diameter"), format!("{which}_wheel_circumference")];
     let turn = Dual::constant(std::f64::consts::TAU);
     let diameter = |name: &str| given.get(name).map(|diameter| 0.5 * diameter);
     let circumference = |name: &str| given.get(name).map(|length| length / turn);
-    let found = [
-        given.get(own),
-        diameter(&names[0]),
-        circumference(&names[1]),
-        diameter("wheel_diameter"),
-        circumference("wheel_circumference"),
-    ];
+    let own = [given.get(own), diameter(&names[0]), circumference(&names[1])];
+    let both = [diameter("wheel_diameter"), circumference("wheel_circumference")];
+    let found = if own.iter().any(Option::is_some) { &own[..] } else { &both };
     match found.iter().flatten().count() {
-        0 | 1 => Ok(found.into_iter().flatten().next().unwrap_or_default()),
+        0 | 1 => Ok(found.iter().flatten().next().copied().unwrap_or_default()),
         _ => Err(format!("the {which} wheel is given twice")),
     }
 }
@@ -123,18 +135,35 @@ fn radius(given: &Values, which: &str, own: &str) -> Result<Dual, String> {
 fn by_bottom_bracket(given: &Values, [rear, front]: [Dual; 2]) -> Option<Dual> {
     let [chainstay, front_centre] = [given.get("chainstay")?, given.get("front_center")?];
     let drop = given.get("bb_drop")?;
-    let rise = front - rear + drop;
-    let leg = |length: Dual, height: Dual| (length.square() - height.square()).sqrt();
-    Some(leg(chainstay, drop) + leg(front_centre, rise))
+    Some(leg(chainstay, drop) + leg(front_centre, front - rear + drop))
+}
+
+/// How far an axle is from the bottom bracket, horizontally.
+fn leg(length: Dual, height: Dual) -> Dual {
+    (length.square() - height.square()).sqrt()
 }
 
 fn to_paper(given: &Values) -> Result<Values, String> {
     let [rear, front] = [radius(given, "rear", "rR")?, radius(given, "front", "rF")?];
-    let w = given.get("wheelbase").or_else(|| by_bottom_bracket(given, [rear, front]));
-    let w = w.ok_or("`wheelbase` follows from `chainstay` only with `front_center` and `bb_drop`")?;
-    if !w.value.is_finite() {
-        return Err("`chainstay` and `front_center` are too short to reach the axles".to_owned());
-    }
+    let w = match (given.get("wheelbase"), by_bottom_bracket(given, [rear, front])) {
+        (_, Some(found)) if !found.value.is_finite() => {
+            return Err("`chainstay` and `front_center` are too short to reach the axles".to_owned());
+        }
+        (Some(w), Some(found)) if (found.value - w.value).abs() > TOLERANCE => {
+            let [found, w] = [found, w].map(|w| crate::number::fixed(1e3 * w.value, 1));
+            return Err(format!(
+                "`wheelbase` is {w} mm, but {found} mm with the bottom bracket; leave it or `chainstay` out"
+            ));
+        }
+        (Some(w), _) | (None, Some(w)) => w,
+        (None, None) => {
+            let missing: Vec<&str> = BOTTOM_BRACKET.into_iter().filter(|name| given.get(name).is_none()).collect();
+            return Err(format!(
+                "`wheelbase` follows from the bottom bracket only with {}",
+                super::read::list(&missing)
+            ));
+        }
+    };
     let lam = match (given.get("head_angle"), given.get("lam")) {
         (Some(_), Some(_)) => {
             return Err("both `head_angle` and `lam` are given; one follows from the other".to_owned());
@@ -145,7 +174,7 @@ fn to_paper(given: &Values) -> Result<Values, String> {
     let (sin, cos) = lam.sin_cos();
     let by_offset = given.get("fork_offset").map(|offset| (front * sin - offset) / cos);
     let c = match (by_offset, given.get("trail")) {
-        (Some(found), Some(trail)) if (found.value - trail.value).abs() > TRAIL_TOLERANCE => {
+        (Some(found), Some(trail)) if (found.value - trail.value).abs() > TOLERANCE => {
             let [found, trail] = [found, trail].map(|c| crate::number::fixed(1e3 * c.value, 1));
             return Err(format!("`trail` is {trail} mm, but {found} mm with the fork offset; leave one of them out"));
         }
@@ -167,4 +196,27 @@ fn from_paper(given: &Values) -> Result<Values, String> {
     result.extend(["rear_wheel_diameter", "front_wheel_diameter"], [2.0 * rear, 2.0 * front]);
     result.keep(given, &SAME);
     Ok(result)
+}
+
+/// In other words, and of the bottom bracket by what is given, with the wheel base in the place of one of its lengths.
+fn complete(paper: &Values, given: &Values) -> Values {
+    let [w, c, lam, rear, front] = paper.all(["w", "c", "lam", "rR", "rF"]);
+    let turn = Dual::constant(std::f64::consts::TAU);
+    let mut result = Values::default();
+    result.extend(["trail", "lam", "rR", "rF"], [c, lam, rear, front]);
+    result.extend(["rear_wheel_diameter", "front_wheel_diameter"], [2.0 * rear, 2.0 * front]);
+    result.extend(["rear_wheel_circumference", "front_wheel_circumference"], [turn * rear, turn * front]);
+    if rear.value == front.value {
+        result.extend(["wheel_diameter", "wheel_circumference"], [2.0 * rear, turn * rear]);
+    }
+    result.keep(given, &BOTTOM_BRACKET);
+    if let Some(drop) = given.get("bb_drop") {
+        let rise = front - rear + drop;
+        match (given.get("chainstay"), given.get("front_center")) {
+            (Some(chainstay), None) => result.push("front_center", (w - leg(chainstay, drop)).hypot(rise)),
+            (None, Some(front_centre)) => result.push("chainstay", (w - leg(front_centre, rise)).hypot(drop)),
+            _ => {}
+        }
+    }
+    result
 }

@@ -19,6 +19,7 @@ pub const GYROSTATS: Convention = Convention {
     prepare: |_, _| {},
     to_paper,
     from_paper,
+    complete: super::nothing,
 };
 
 /// What a file of gyrostats need not have, and what four bodies cannot be told from them without.

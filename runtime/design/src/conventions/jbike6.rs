@@ -15,10 +15,11 @@ pub const JBIKE6: Convention = Convention {
     others: &["JBike6"],
     title: "the names of JBike6",
     names: NAMES,
-    alternatives: &[&["head_angle", "lambda"]],
+    alternatives: &[&[&["head_angle"], &["lambda"]]],
     prepare: super::arrays::spread,
     to_paper,
     from_paper,
+    complete: super::nothing,
 };
 
 /// What a moment of inertia and a list of three are called in a script: `Irider = [I11rider I22rider Izzrider]`.

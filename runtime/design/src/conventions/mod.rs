@@ -18,12 +18,14 @@ mod convert;
 mod express;
 mod geometry;
 mod gyrostats;
+mod held;
 mod jbike6;
 mod moore;
 mod name;
 mod naming;
 mod principal;
 mod pydy;
+mod quantity;
 mod read;
 mod recognise;
 mod source;
@@ -38,6 +40,7 @@ mod write;
 pub use self::convert::{Converted, Parameter, convert};
 pub use self::name::{Name, Need};
 pub use self::naming::{Naming, Varying, folded, spelled};
+pub use self::quantity::Quantity;
 pub use self::read::Reading;
 pub(crate) use self::read::read;
 pub use self::varied::Varied;
@@ -58,14 +61,25 @@ pub struct Convention {
     pub title: &'static str,
     /// Its parameters, and what files carry along with them.
     pub names: &'static [Name],
-    /// Names beside the required ones of which at least one must be there.
-    alternatives: &'static [&'static [&'static str]],
+    /// Beside the required ones: of each, names of which one must be there, or several together.
+    alternatives: &'static [Alternatives],
     /// Brings entries into a form in which each is a number.
     prepare: fn(&mut Vec<Entry>, &mut Vec<Problem>),
     /// The parameters of the paper, from values of all that are required.
     to_paper: fn(&Values) -> Result<Values, String>,
     /// From all parameters of the paper; the names are among those that are required or optional.
     from_paper: fn(&Values) -> Result<Values, String>,
+    /// What else can be told by its names, from the parameters of the paper and from those of its own that are given: what stands
+    /// in the place of others.
+    complete: fn(&Values, &Values) -> Values,
+}
+
+/// Names that stand in each other's place: each by itself, or with those that it needs beside it.
+type Alternatives = &'static [&'static [&'static str]];
+
+/// Of conventions that say everything in one way.
+fn nothing(_: &Values, _: &Values) -> Values {
+    Values::default()
 }
 
 /// The parameters of the paper by Meijaard, Papadopoulos, Ruina and Schwab (2007), which all commands compute with.
@@ -78,6 +92,7 @@ pub const PAPER: &Convention = &Convention {
     prepare: |_, _| {},
     to_paper: |values| Ok(values.clone()),
     from_paper: |values| Ok(values.clone()),
+    complete: nothing,
 };
 
 /// All others.
@@ -134,7 +149,8 @@ impl Convention {
     /// Names of which one must be there, each by itself or with those that do in its place.
     fn needed(&self) -> Vec<Vec<&'static str>> {
         let required = self.names.iter().filter(|name| name.need == Need::Required);
-        required.map(|name| vec![name.name]).chain(self.alternatives.iter().map(|names| names.to_vec())).collect()
+        let first = |group: &Alternatives| group.iter().filter_map(|names| names.first().copied()).collect();
+        required.map(|name| vec![name.name]).chain(self.alternatives.iter().map(first)).collect()
     }
 }
 

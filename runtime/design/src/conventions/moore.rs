@@ -18,6 +18,7 @@ pub const MOORE: Convention = Convention {
     prepare: |_, _| {},
     to_paper,
     from_paper,
+    complete: super::nothing,
 };
 
 const NAMES: &[Name] = &[

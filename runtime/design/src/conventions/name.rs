@@ -140,11 +140,6 @@ impl Values {
         self.0[position].1 = value.into();
     }
 
-    /// Leaves out what is not to be kept.
-    pub fn retain(&mut self, is_kept: impl Fn(&str) -> bool) {
-        self.0.retain(|(name, _)| is_kept(name));
-    }
-
     /// In the order in which they were pushed.
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, Dual)> {
         self.0.iter().copied()

@@ -75,15 +75,13 @@ impl Naming {
                 None => Err(self.unknown(name)),
             };
         };
-        let mut entry = entry(name);
-        (convention.prepare)(&mut entry, &mut Vec::new());
-        let prepared = entry.first().map_or(name, |entry| &entry.name);
+        let prepared = &prepared(name, convention);
         match (convention.known(prepared), own) {
             // What the convention has takes part in it.
             (Some(known), own) if known.is_parameter() => Ok(Varying {
                 info: own.map_or_else(|| parameter(known), |at| self.info.parameters[at]),
                 at: At::Convention(known),
-                sizes: (prepared != name).then(|| name.to_owned()),
+                sizes: (prepared.as_str() != name).then(|| name.to_owned()),
             }),
             (_, Some(at)) => Ok(Varying::of_model(self.info, at)),
             (Some(known), None) => Err(fixed(name, known).unwrap_or_else(|| self.unknown(name))),
@@ -190,8 +188,7 @@ impl Varying {
         let Some([one, other]) = names(&self.at).zip(names(&other.at)).map(|(one, other)| [one, other]) else {
             return self.at == other.at;
         };
-        let groups = naming.convention.map_or(&[][..], |convention| convention.alternatives);
-        one == other || groups.iter().any(|group| [one, other].iter().all(|name| group.contains(name)))
+        one == other || naming.convention.is_some_and(|convention| convention.are_alternatives(one, other))
     }
 
     /// Whether its values are written as the sizes of tyres.
@@ -237,6 +234,13 @@ pub fn folded(name: &str, info: &ModelInfo) -> Option<&'static str> {
     let short = |name: &str| name.replace('_', "").to_lowercase();
     let mut found = info.parameters.iter().filter(|parameter| short(parameter.name) == short(name));
     found.next().filter(|_| found.next().is_none()).map(|parameter| parameter.name)
+}
+
+/// A name as a convention has it once its values are numbers: `wheel_diameter` of `wheel`.
+pub(super) fn prepared(name: &str, convention: &Convention) -> String {
+    let mut entry = entry(name);
+    (convention.prepare)(&mut entry, &mut Vec::new());
+    entry.pop().map_or_else(|| name.to_owned(), |entry| entry.name)
 }
 
 fn entry(name: &str) -> Vec<Entry> {

@@ -20,6 +20,7 @@ pub const PRINCIPAL: Convention = Convention {
     prepare: |_, _| {},
     to_paper,
     from_paper,
+    complete: super::nothing,
 };
 
 const DRAWN: Need = Need::Ignored("only pictures of the person have it");

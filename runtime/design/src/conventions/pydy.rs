@@ -19,6 +19,7 @@ pub const PYDY: Convention = Convention {
     prepare: |_, _| {},
     to_paper,
     from_paper,
+    complete: super::nothing,
 };
 
 const NAMES: &[Name] = &[

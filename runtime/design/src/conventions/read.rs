@@ -5,12 +5,14 @@ use std::collections::HashMap;
 use carvallo::{Covariance, ModelInfo};
 
 use super::express::express;
+use super::held::Ranks;
+use super::name::Values;
 use super::recognise::recognise;
-use super::source::{Paper, Source};
+use super::source::{Paper, Source, parameter};
 use super::{Convention, PAPER};
-use crate::failure::Problem;
-use crate::input::{Document, Entry, Scope, position};
-use crate::number::with_unit;
+use crate::failure::{Place, Problem};
+use crate::input::{Document, Entry, Scope, position, value_of};
+use crate::number::{shortest, with_unit};
 
 /// How a file was read that is not in the names of the paper.
 #[derive(Clone, Debug)]
@@ -19,6 +21,8 @@ pub struct Reading {
     pub convention: &'static Convention,
     /// The parameters of the paper that it does not tell, and that no motion depends on.
     pub assumed: Vec<&'static str>,
+    /// What of it was given, by the file or by settings.
+    pub(crate) given: Values,
     /// How the parameters of the model vary together, in its order, if any do.
     pub(crate) covariance: Option<Covariance>,
 }
@@ -55,19 +59,13 @@ pub fn read(
     let (mine, left): (Vec<Entry>, Vec<Entry>) =
         std::mem::take(settings).into_iter().partition(|entry| convention.known(&entry.name).is_some());
     *settings = left;
-    // Of what stands in each other's place, that of the settings counts.
-    for group in convention.alternatives {
-        let is_of_group =
-            |entry: &Entry| convention.parameter(&entry.name).is_some_and(|own| group.contains(&own.name));
-        if mine.iter().any(is_of_group) {
-            own.retain(|entry| !is_of_group(entry));
-        }
-    }
+    document.notes.extend(settle(convention, &mut own, &mine, label));
     let problems = document.problems.len();
     let scope = Scope::new(own.iter().chain(&others), HashMap::new(), crate::model::WHIPPLE.info);
     let source = Source { convention, label, own: &own, settings: &mine, scope: &scope };
     let result = source.translate(info, document);
-    let Some(Paper { entries: paper, assumed, covariance }) = result.filter(|_| document.problems.len() == problems)
+    let Some(Paper { entries: paper, given, assumed, covariance }) =
+        result.filter(|_| document.problems.len() == problems)
     else {
         // What is wrong is told; nothing is said of what would be missing.
         document.entries = Vec::new();
@@ -89,7 +87,52 @@ pub fn read(
     let is_left = |entry: &Entry| position(&entry.name, info).is_none() && !scope.is_used(entry);
     let left: Vec<Entry> = others.iter().filter(|entry| is_left(entry)).cloned().collect();
     document.entries = paper.into_iter().chain(left).collect();
-    Some(Reading { convention, assumed, covariance })
+    Some(Reading { convention, assumed, given, covariance })
+}
+
+/// Leaves out what settings stand in the place of. What they need beside them, and follows from the rest, comes in; what is said
+/// of settings that need something which is not known.
+fn settle(convention: &'static Convention, own: &mut Vec<Entry>, settings: &[Entry], label: &str) -> Option<String> {
+    let names = |entries: &[Entry]| -> Vec<&'static str> {
+        entries.iter().filter_map(|entry| Some(convention.parameter(&entry.name)?.name)).collect()
+    };
+    let (mut set, given) = (names(settings), names(own));
+    set.retain(|name| convention.has_alternatives(name));
+    if set.is_empty() {
+        return None;
+    }
+    let held = convention.held(Ranks { varied: &[], set: &set, given: &given });
+    let is_new = |name: &&'static str| !given.contains(name) && !set.contains(name);
+    let others = held.iter().any(&is_new).then(|| completed(convention, own)).flatten().unwrap_or_default();
+    let missing: Vec<&str> = held.iter().copied().filter(|name| is_new(name) && others.get(name).is_none()).collect();
+    let needs_missing = |name: &str| missing.iter().any(|missing| convention.needs(name, missing));
+    // These change nothing, unless what they need varies.
+    let (idle, set): (Vec<&str>, Vec<&str>) = set.iter().partition(|name| needs_missing(name));
+    let gives_way = |name: &str| set.iter().any(|set| convention.are_alternatives(name, set));
+    own.retain(|entry| {
+        let name = convention.parameter(&entry.name).map(|own| own.name);
+        name.is_none_or(|name| held.contains(&name) || !gives_way(name))
+    });
+    for name in held.iter().filter(|name| !given.contains(name) && !set.contains(name)) {
+        if let Some(value) = others.get(name) {
+            own.push(Entry::from_text(name, Place::File(label.to_owned()), &shortest(value.value)));
+        }
+    }
+    let first = idle.first().and_then(|name| convention.in_place_of(name))?;
+    let (are, them) = if idle.len() == 1 { ("is", "it") } else { ("are", "them") };
+    let (idle, missing) = (list(&idle), list(&missing));
+    Some(format!("{label}: {idle} {are} set, and `{first}` follows from {them} only with {missing}"))
+}
+
+/// What else can be told from entries; nothing where one of them is wrong, which is told elsewhere.
+fn completed(convention: &Convention, own: &[Entry]) -> Option<Values> {
+    let scope = Scope::new(own, HashMap::new(), crate::model::WHIPPLE.info);
+    let mut values = Values::default();
+    for entry in own {
+        let Some(name) = convention.parameter(&entry.name) else { continue };
+        values.push(name.name, value_of(entry, &parameter(name), &|name: &str| scope.value(name)).ok()?.into());
+    }
+    Some((convention.complete)(&(convention.to_paper)(&values).ok()?, &values))
 }
 
 /// Whether a model has the parameters of the paper.

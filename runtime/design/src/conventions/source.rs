@@ -19,6 +19,8 @@ use crate::number::{shortest, with_unit};
 pub struct Paper {
     /// As if a file had them.
     pub entries: Vec<Entry>,
+    /// What it follows from.
+    pub given: Values,
     /// Those that are not told, and that no motion depends on.
     pub assumed: Vec<&'static str>,
     /// How the parameters of the model vary together, in its order, if any do.
@@ -81,6 +83,7 @@ impl Source<'_> {
             entry
         };
         Some(Paper {
+            given: values,
             entries: paper.iter().filter(|(name, _)| info.position(name).is_some()).map(entry).collect(),
             assumed: SPLIT.into_iter().filter(|name| convention.name == GYROSTATS.name && !is_given(name)).collect(),
             covariance: carried.covariance(info.parameters.iter().map(|parameter| parameter.name)),

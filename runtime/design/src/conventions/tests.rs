@@ -4,7 +4,7 @@ use carvallo::Covariance;
 
 use super::carried::Carried;
 use super::name::Values;
-use super::{Convention, OTHERS};
+use super::{Convention, Naming, OTHERS, Varied};
 use crate::model::WHIPPLE;
 
 /// How far a value may be off, in parts of the largest of its kind.
@@ -148,6 +148,40 @@ fn deviations_are_carried_to_first_order() {
                     );
                 }
             }
+        }
+    }
+}
+
+/// Derivatives of the parameters of the model by those of each convention, against differences of what a sweep puts in.
+#[test]
+fn what_varies_has_exact_derivatives() {
+    let design = crate::input::load(&crate::input::Request::default()).unwrap();
+    for (name, value) in [
+        ("d1", 0.95),
+        ("ic11", 7.0),
+        ("fork_offset", 0.04),
+        ("head_angle", 1.2),
+        ("trail", 0.05),
+        ("wheel_diameter", 0.6),
+        ("lr", 0.9),
+    ] {
+        let naming = Naming::new(design.info(), [name, "mB"]);
+        let columns = [name, "mB"].map(|name| naming.find(name).unwrap_or_else(|error| panic!("{name}: {error}")));
+        let varied = Varied::new(&design, &naming, &columns.each_ref().map(Some)).unwrap();
+        let put = |step: f64| {
+            let mut values = design.values();
+            varied.put(|column| Some([value + step, 85.0][column]), &mut values).unwrap();
+            values
+        };
+        let found = varied.derivatives(2, |column| Some([value, 85.0][column])).unwrap();
+        let step = 1e-5;
+        for (at, (up, down)) in put(step).into_iter().zip(put(-step)).enumerate() {
+            let (expected, found) = ((up - down) / (2.0 * step), found[0][at]);
+            let name_of = design.info().parameters[at].name;
+            assert!(
+                (found - expected).abs() < 1e-7 * expected.abs().max(1.0),
+                "{name_of} by {name}: {found}, {expected}"
+            );
         }
     }
 }

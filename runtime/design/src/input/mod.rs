@@ -329,11 +329,11 @@ enum Form {
 impl Form {
     fn of(file: File) -> Self {
         let ending = Path::new(file.label).extension().and_then(|ending| ending.to_str()).map(str::to_lowercase);
-        let begins = file.text.trim_start();
+        let begins = without_comments(file.text);
         match ending.as_deref() {
             // Neither TOML nor a YAML of lines begins so, and no JSON assigns: such a file has the wrong ending.
             Some("toml" | "yml" | "yaml") if begins.starts_with('{') => Self::Json,
-            Some("json") if !begins.starts_with(['{', '/']) && is_assigning(begins) => Self::by_content(file),
+            Some("json") if !begins.starts_with('{') && is_assigning(begins) => Self::by_content(file),
             Some("toml") => Self::Toml,
             Some("json") => Self::Json,
             Some("yml" | "yaml") => Self::Lines(':'),
@@ -361,10 +361,21 @@ impl Form {
             Self::Toml
         } else if first.split_once(':').is_some_and(|(name, _)| !name.contains('=')) {
             Self::Lines(':')
+        } else if text.contains('{') && toml::is_whole(file) {
+            // A table in one line, or in several.
+            Self::Toml
         } else {
             Self::Lines('=')
         }
     }
+}
+
+/// What follows the comments that a file in JSON begins with.
+fn without_comments(text: &str) -> &str {
+    let text = text.trim_start();
+    let rest = text.strip_prefix("//").map(|rest| rest.split_once('\n').map_or("", |(_, rest)| rest));
+    let rest = rest.or_else(|| text.strip_prefix("/*").map(|rest| rest.split_once("*/").map_or("", |(_, rest)| rest)));
+    rest.map_or(text, without_comments)
 }
 
 /// A script of MATLAB in Latin-1, as older programs write them, for the sake of comments such as `% ©`.

@@ -38,6 +38,8 @@ pub fn resolve(
     changes: Changes,
 ) -> Result<Design, Vec<Problem>> {
     let Changes { mut overrides, laws, .. } = changes;
+    #[cfg(feature = "full")]
+    let set = overrides.iter().map(|entry| entry.name.clone()).collect();
     let info = model.info;
     #[cfg(feature = "full")]
     let reading = crate::conventions::read(&mut document, label, info, &mut overrides);
@@ -163,6 +165,8 @@ pub fn resolve(
         equations,
         #[cfg(feature = "full")]
         reading,
+        #[cfg(feature = "full")]
+        set,
         notes,
         warnings,
     })

@@ -18,6 +18,11 @@ pub fn read(file: File) -> Document {
     document
 }
 
+/// Whether all of a file is in TOML.
+pub fn is_whole(file: File) -> bool {
+    DeTable::parse(file.text).is_ok()
+}
+
 /// What is in the file, whatever it is.
 pub fn members(file: File, problems: &mut Vec<Problem>) -> Vec<Named> {
     let (table, errors) = DeTable::parse_recoverable(file.text);

@@ -5,8 +5,9 @@ mod measures;
 mod segments;
 
 use carvallo::Sources;
-use carvallo_design::Failure;
 use carvallo_design::input::{Raw, load_raw, read_raw};
+use carvallo_design::number::shortest;
+use carvallo_design::{DisplayUnit, Failure};
 
 use self::measures::Measures;
 
@@ -56,30 +57,40 @@ impl Rider {
         })
     }
 
-    /// As a body in TOML, which can be joined to a frame.
-    pub fn to_toml(&self) -> String {
-        let number = |[value, deviation]: [f64; 2]| match deviation {
-            0.0 => format!("{value:?}"),
-            deviation => format!("{{ value = {value:?}, std = {deviation:?} }}"),
+    /// As a body in TOML, which can be joined to a frame, with numbers in what their units are shown in.
+    pub fn to_toml(&self, unit_of: &dyn Fn(&str) -> DisplayUnit) -> String {
+        let number = |[value, deviation]: [f64; 2], unit: &DisplayUnit| {
+            let written = |value: f64| match unit.is_declared() {
+                true => format!("{value:?}"),
+                false => format!("\"{} {}\"", shortest(unit.value(value)), unit.written),
+            };
+            match deviation {
+                0.0 => written(value),
+                deviation => format!("{{ value = {}, std = {} }}", written(value), written(deviation)),
+            }
         };
         let name = self.name.replace(['"', '\\'], "'");
         let mut text = format!("name = \"{name}\"\nto = \"rear\"\n");
         let [x, z] = self.at;
         let [xx, yy, zz, xz] = self.moments;
         let lines = [
-            ("mass", self.mass, "kg"),
-            ("x", x, "m      centre of mass, forward of the rear contact"),
-            ("z", z, "m      centre of mass, downward"),
-            ("Ixx", xx, "kg m²  about the centre of mass, in roll"),
-            ("Iyy", yy, "kg m²  in pitch"),
-            ("Izz", zz, "kg m²  in yaw"),
-            ("Ixz", xz, "kg m²"),
+            ("mass", self.mass, "kg", ""),
+            ("x", x, "m", "centre of mass, forward of the rear contact"),
+            ("z", z, "m", "centre of mass, downward"),
+            ("Ixx", xx, "kg*m^2", "about the centre of mass, in roll"),
+            ("Iyy", yy, "kg*m^2", "in pitch"),
+            ("Izz", zz, "kg*m^2", "in yaw"),
+            ("Ixz", xz, "kg*m^2", ""),
         ];
-        let entries: Vec<String> =
-            lines.iter().map(|(name, value, _)| format!("{name} = {}", number(*value))).collect();
-        let width = entries.iter().map(String::len).max().unwrap_or(0);
-        for (entry, (.., unit)) in entries.iter().zip(lines) {
-            text.push_str(&format!("{entry:width$}  # {unit}\n"));
+        let lines = lines.map(|(name, value, unit, docs)| {
+            let unit = unit_of(unit);
+            (format!("{name} = {}", number(value, &unit)), unit.unit(), docs)
+        });
+        let width = lines.iter().map(|(entry, ..)| entry.len()).max().unwrap_or(0);
+        let units = lines.iter().map(|(_, unit, _)| unit.chars().count()).max().unwrap_or(0);
+        for (entry, unit, docs) in lines {
+            text.push_str(format!("{entry:width$}  # {unit:units$}  {docs}").trim_end());
+            text.push('\n');
         }
         text
     }

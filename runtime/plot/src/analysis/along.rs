@@ -6,7 +6,7 @@ use carvallo::{Complex, CriticalSpeed, CriticalValue, ParameterInfo, ParameterSt
 use carvallo_design::matrices::{NAME, NO_PARAMETERS};
 use carvallo_design::number::{shortest, with_unit};
 use carvallo_design::parameter::{check_units, number};
-use carvallo_design::{Design, Failure, Path, Place, Problem};
+use carvallo_design::{Design, DisplayUnit, Failure, Path, Place, Problem};
 
 use crate::analysis::{self, extremes};
 
@@ -51,6 +51,10 @@ pub struct AlongAnalysis {
     pub range: [f64; 2],
     /// Its critical values and stable ranges.
     pub stability: ParameterStability,
+    /// What values of the parameter are shown in.
+    pub unit: DisplayUnit,
+    /// What the speed is shown in.
+    pub speed_unit: DisplayUnit,
 }
 
 /// The eigenvalues at a value, sorted by real part, then by imaginary part.
@@ -102,7 +106,34 @@ impl AlongAnalysis {
         let stability = stability.map_err(|error| {
             Failure::Run(format!("{} along {}: {error}{}", design.title(), parameter.name, extremes(&design)))
         })?;
-        Ok(Self { design, parameter, path, speed, range: [low, high], stability })
+        let [unit, speed_unit] = [parameter.unit, "m/s"].map(DisplayUnit::declared);
+        Ok(Self { design, parameter, path, speed, range: [low, high], stability, unit, speed_unit })
+    }
+
+    /// A value of the parameter as it is shown, without its unit: 30 deg and not 29.999999999999996, which are the same angle but
+    /// for the rounding of conversions.
+    pub fn shown(&self, value: f64) -> f64 {
+        let shown = self.unit.value(value);
+        let short = format!("{shown:.13e}").parse().unwrap_or(shown);
+        let is_same = (self.unit.back(short) - value).abs() <= 2.0 * f64::EPSILON * value.abs();
+        if !self.unit.is_declared() && is_same { short } else { shown }
+    }
+
+    /// A value of the parameter as it is shown, with its unit.
+    pub fn with_unit(&self, value: f64) -> String {
+        with_unit(self.shown(value), &self.unit.written)
+    }
+
+    /// The parameter with the unit that its values are shown in, if they have one.
+    pub fn heading(&self) -> String {
+        let unit = self.unit.unit();
+        if unit.is_empty() { self.parameter.name.to_owned() } else { format!("{} ({unit})", self.parameter.name) }
+    }
+
+    /// The speed with its unit, after `before`; nothing where none counts.
+    pub fn at_speed(&self, before: &str) -> String {
+        let shown = |speed| format!("{before}{} {}", shortest(self.speed_unit.value(speed)), self.speed_unit.unit());
+        self.speed.map(shown).unwrap_or_default()
     }
 
     /// What happens at a critical value, in the words of the field.
@@ -118,10 +149,15 @@ impl AlongAnalysis {
     /// If they cannot be computed at one of them.
     pub fn rows(&self, count: u32) -> Result<Vec<AtValue>, Failure> {
         let [low, high] = self.range;
+        // Values between are round in the unit that they are shown in.
+        let [first, last] = self.range.map(|end| self.shown(end));
         let value = |k: u32| match k {
             0 => low,
             _ if k + 1 == count => high,
-            _ => rounded(low + (high - low) * f64::from(k) / f64::from(count - 1), high - low),
+            _ => {
+                let share = f64::from(k) / f64::from(count - 1);
+                self.unit.back(rounded(first + (last - first) * share, last - first)).clamp(low, high)
+            }
         };
         (0..count).map(|k| self.row(value(k))).collect()
     }

@@ -1,7 +1,6 @@
 //! Eigenvalues against a parameter: real parts above, frequencies below.
 
 use carvallo_design::Failure;
-use carvallo_design::number::{shortest, unit};
 
 use super::critical::Event;
 use super::curves::samples;
@@ -18,29 +17,30 @@ use crate::analysis::traced::Traced;
 /// # Errors
 /// If eigenvalues cannot be computed at one of the values.
 pub fn draw_along(analysis: &AlongAnalysis, y: Option<(f64, f64)>) -> Result<Scene, Failure> {
-    let AlongAnalysis { design, parameter, speed, range: [low, high], stability, .. } = analysis;
+    let AlongAnalysis { design, parameter, range: [low, high], stability, unit, .. } = analysis;
     let traced = Traced::new(analysis)?;
     let x = (*low, *high);
     let turns = stability.critical_values.iter().map(|critical| critical.value).chain(traced.meetings());
-    let rows = Rows::Branches(traced.rows(&samples(x, turns))?);
-    let at = speed.map(|speed| format!(" at {} m/s", shortest(speed))).unwrap_or_default();
-    let unit = match unit(parameter.unit) {
-        unit if unit.is_empty() => unit,
-        unit => format!(" {unit}"),
-    };
-    let across =
-        if unit.is_empty() { parameter.name.to_owned() } else { format!("{} ({})", parameter.name, unit.trim()) };
+    let mut rows = traced.rows(&samples(x, turns))?;
+    rows.iter_mut().for_each(|row| row.speed = unit.value(row.speed));
+    let rows = Rows::Branches(rows);
+    let at = analysis.at_speed(" at ");
+    let behind = Some(unit.unit()).filter(|unit| !unit.is_empty()).map(|unit| format!(" {unit}")).unwrap_or_default();
     Ok(draw(&Shown {
         title: format!("Eigenvalues of {} against {}{at}", design.title(), parameter.name),
-        x,
-        across,
-        unit: &unit,
+        x: (unit.value(*low), unit.value(*high)),
+        across: analysis.heading(),
+        unit: &behind,
         panels: panels(&rows, y),
         critical: stability
             .critical_values
             .iter()
-            .map(|critical| Event { at: critical.value, kind: critical.kind, name: analysis.name(critical) })
+            .map(|critical| Event {
+                at: unit.value(critical.value),
+                kind: critical.kind,
+                name: analysis.name(critical),
+            })
             .collect(),
-        stable: stability.stable_ranges.iter().map(|range| (range.from, range.to)).collect(),
+        stable: stability.stable_ranges.iter().map(|range| (unit.value(range.from), unit.value(range.to))).collect(),
     }))
 }

@@ -96,6 +96,10 @@ impl Plan {
         let parameters: Vec<Option<&Varying>> = parameters.iter().map(Option::as_ref).collect();
         let fail = |message: String| Failure::usage(format!("{}: {message}", design.title()));
         let varied = Varied::new(design, &naming, &parameters).map_err(fail)?;
+        // Rows of a file may well have both, if they agree.
+        if let (Source::Generated(_), Some(message)) = (&source, varied.conflict()) {
+            return Err(Failure::usage(message));
+        }
         let task = Task { model: design.model, base: design.values(), varied, layout };
         headings.extend(task.layout.headings());
         headings.push(Heading::text("error"));

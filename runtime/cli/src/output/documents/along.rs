@@ -1,7 +1,7 @@
 //! Stability along a parameter, in tables.
 
 use carvallo::ParameterRange;
-use carvallo_design::number::{shortest, unit, with_unit};
+use carvallo_design::number::shortest;
 use carvallo_plot::analysis::along::{AlongAnalysis, AtValue};
 
 use crate::output::along::{critical_eigenvalue, entry};
@@ -10,27 +10,25 @@ use crate::output::typeset::{Cell, Column, Document, Table};
 
 /// Critical values, and eigenvalues at some values.
 pub fn of_along(analysis: &AlongAnalysis, rows: &[AtValue]) -> Document {
-    let AlongAnalysis { design, parameter, speed, range, stability, .. } = analysis;
+    let AlongAnalysis { design, parameter, range, stability, .. } = analysis;
     let name = parameter.name;
-    let in_unit = |value: f64| with_unit(value, parameter.unit);
-    let at = speed.map(|speed| format!(", at {} m/s", shortest(speed))).unwrap_or_default();
-    let heading = match unit(parameter.unit) {
-        unit if unit.is_empty() => name.to_owned(),
-        unit => format!("{name} ({unit})"),
-    };
+    let in_unit = |value: f64| analysis.with_unit(value);
+    let plain = |value: f64| shortest(analysis.shown(value));
+    let at = analysis.at_speed(", at ");
+    let heading = analysis.heading();
     let mut notes = vec![format!("from {} to {}{at}", in_unit(range[0]), in_unit(range[1]))];
     notes.extend(stability.undecided.iter().map(|ParameterRange { from, to }| {
-        format!("from {} to {} one may be missing: rounding decides there", shortest(*from), in_unit(*to))
+        format!("from {} to {} one may be missing: rounding decides there", plain(*from), in_unit(*to))
     }));
     let stable = stability.stable_ranges.iter();
-    notes.extend(stable.map(|range| format!("stable from {} to {}", shortest(range.from), in_unit(range.to))));
+    notes.extend(stable.map(|range| format!("stable from {} to {}", plain(range.from), in_unit(range.to))));
     if stability.stable_ranges.is_empty() {
         notes.push("stable at no value".to_owned());
     }
     let critical = stability.critical_values.iter().map(|critical| {
         vec![
             Cell::words(analysis.name(critical).replace('_', " ")),
-            Cell::number(shortest(critical.value)),
+            Cell::number(plain(critical.value)),
             Cell::number(critical_eigenvalue(critical)),
             Cell::words(effect(critical.change, stability.verdicts_around(critical))),
         ]
@@ -49,7 +47,7 @@ pub fn of_along(analysis: &AlongAnalysis, rows: &[AtValue]) -> Document {
     let lines = rows.iter().map(|row| {
         let entries = row.eigenvalues.iter().filter(|value| value.im <= 0.0).map(entry);
         let entries = Cell::number(entries.collect::<Vec<_>>().join(", "));
-        vec![Cell::number(shortest(row.value)), Cell::words(row.verdict.to_string()), entries]
+        vec![Cell::number(plain(row.value)), Cell::words(row.verdict.to_string()), entries]
     });
     let eigenvalues = Table {
         title: "Eigenvalues (1/s)".to_owned(),

@@ -45,7 +45,7 @@ fn goal(problem: &Problem, optimum: &Optimum, units: &Units) -> Table {
 }
 
 fn parameters(problem: &Problem, optimum: &Optimum, units: &Units) -> Table {
-    let row = |(range, end): (&carvallo_optimize::Range, &Option<End>)| {
+    let row = |(index, (range, end)): (usize, (&carvallo_optimize::Range, &Option<End>))| {
         let at = match end {
             Some(End::Low) => "at the low end",
             Some(End::High) => "at the high end",
@@ -54,10 +54,10 @@ fn parameters(problem: &Problem, optimum: &Optimum, units: &Units) -> Table {
         let unit = units.of(range.parameter.unit);
         let value = |value: f64| Cell::number(shortest(unit.value(value)));
         vec![
-            Cell::parameter(range.parameter),
+            Cell::parameter(&range.parameter),
             Cell::words(unit.unit()),
-            value(problem.design.parameters[range.position].value),
-            value(optimum.values[range.position]),
+            problem.before(index).map_or_else(|| Cell::words(String::new()), &value),
+            value(optimum.varied[index]),
             Cell::words(format!("{} to {}", rounded(unit.value(range.low)), rounded(unit.value(range.high)))),
             Cell::words(at),
         ]
@@ -77,7 +77,7 @@ fn parameters(problem: &Problem, optimum: &Optimum, units: &Units) -> Table {
             Column::left("range"),
             Column::left(""),
         ],
-        rows: problem.ranges.iter().zip(&optimum.ends).map(row).collect(),
+        rows: problem.ranges.iter().zip(&optimum.ends).enumerate().map(row).collect(),
         notes,
     }
 }

@@ -88,6 +88,105 @@ fn angles_and_wheels_vary_as_they_are_printed() {
     assert_eq!(sizes.column("wheel_diameter"), [0.678, 0.698]);
 }
 
+/// What is set stays, and what follows from it follows: the trail beside another head angle, by whichever name it was set; and of
+/// the file, what it has.
+#[test]
+fn what_is_set_is_held() {
+    let directory = Directory::new("what-is-set");
+    let expected = sweep(&["--vary", "lam=20 deg, 18 deg", "--set", "c=60 mm"]).column("weave_1");
+    let printed = directory.run(&["convert", "benchmark", "--to", "geometry"]).ok();
+    let offset = printed.lines().find(|line| line.starts_with("fork_offset")).unwrap();
+    directory.write("trail.toml", printed.replace(offset, "trail = '60 mm'"));
+    for arguments in [&["--set", "trail=60 mm"][..], &["--set", "c=60 mm"], &["trail.toml"]] {
+        let run = directory.run(&[&["sweep", "--vary", "head_angle=70 deg, 72 deg"], arguments].concat());
+        let note = "note: `head_angle` varies in the geometry that manufacturers print: `wheelbase`, \
+                    `rear_wheel_diameter`, `front_wheel_diameter`, `trail` and all else of it stay as they are, and `lam` \
+                    follows\n";
+        assert!(run.stderr.contains(note), "{arguments:?}: {}", run.stderr);
+        for (found, expected) in table(run).column("weave_1").iter().zip(&expected) {
+            assert!((found - expected).abs() < 1e-12, "{arguments:?}: {found}, expected {expected}");
+        }
+    }
+    // What varies is held rather than what is set.
+    for (arguments, told) in [
+        (
+            ["--vary", "fork_offset=40 mm, 50 mm", "--set", "trail=60 mm"],
+            "`c` follows; `trail`, which is set, does not stay",
+        ),
+        (["--vary", "d1=0.9, 1", "--set", "w=1.1"], "follow; `w`, which is set, does not stay"),
+        (["--vary", "d1=0.9, 1", "--set", "mB=90"], "those of the paper follow\n"),
+        (["--vary", "d3=0.03, 0.04", "--set", "wheel=28-622"], "those of the paper follow\n"),
+    ] {
+        let run = directory.run(&[&["sweep"], &arguments[..]].concat());
+        assert!(run.code == Some(0) && run.stderr.contains(told), "{arguments:?}: {}", run.stderr);
+    }
+    let both = ["sweep", "--vary", "d1=0.9, 1", "--vary", "w=1, 1.1"];
+    directory.run(&both).fails(2, "error: `w` follows from `d1`, which varies, too; both cannot be held\n");
+}
+
+/// The wheel base by way of the bottom bracket: the legs of two right triangles.
+#[test]
+fn chainstays_vary_with_the_rest_of_the_frame() {
+    let directory = Directory::new("chainstays");
+    let (drop, stays) = (0.07_f64, [0.4_f64, 0.45]);
+    let w = |front: f64| stays.map(|stay| (stay * stay - drop * drop).sqrt() + front).map(|w| w.to_string()).join(", ");
+    // The axle in front is 0.35 m - 0.3 m higher.
+    let front = (0.6_f64.powi(2) - (drop + 0.05).powi(2)).sqrt();
+    let vary = ["--vary", "chainstay=400 mm, 450 mm"];
+    let found = sweep(&[&vary[..], &["--set", "front_center=600 mm", "--set", "bb_drop=70 mm"]].concat());
+    let expected = sweep(&["--vary", &format!("w={}", w(front))]);
+    for (found, expected) in found.column("weave_1").iter().zip(expected.column("weave_1")) {
+        assert!((found - expected).abs() < 1e-12, "{found}, expected {expected}");
+    }
+    // What is printed beside the wheel base tells how far the front axle is.
+    let printed = directory.run(&["convert", "benchmark", "--to", "geometry"]).ok();
+    let more = printed.replace("[parameters]\n", "[parameters]\nchainstay = '430 mm'\nbb_drop = '70 mm'\n");
+    directory.write("printed.toml", more);
+    let expected = sweep(&["--vary", &format!("w={}", w(1.02 - (0.43_f64.powi(2) - drop * drop).sqrt()))]);
+    let expected = expected.column("weave_1");
+    let run = directory.run(&[&["sweep", "printed.toml"], &vary[..]].concat());
+    assert!(
+        run.stderr.contains("`front_center`, `bb_drop` and all else of it stay as they are, and `w` follows"),
+        "{}",
+        run.stderr
+    );
+    let varied = table(run).column("weave_1");
+    let set = directory.run(&["analyze", "printed.toml", "--set", "chainstay=450 mm", "--format", "json"]).stdout;
+    let set: serde_json::Value = serde_json::from_str(&set).unwrap();
+    let set = set["critical_speeds"].as_array().unwrap().iter().find(|event| event["kind"] == "weave").unwrap();
+    for (found, expected) in
+        [(varied[0], expected[0]), (varied[1], expected[1]), (set["speed"].as_f64().unwrap(), expected[1])]
+    {
+        assert!((found - expected).abs() < 1e-12, "{found}, expected {expected}");
+    }
+    let run = directory.run(&[&["sweep"], &vary[..], &["--set", "front_center=0.6"]].concat());
+    let message = "error: benchmark: `bb_drop` must be known beside `chainstay`: give what is missing by --set\n";
+    assert!(run.code == Some(2) && run.stderr.ends_with(message), "{}", run.stderr);
+    let run = directory.run(&["analyze", "--set", "front_center=0.6", "--speeds", "5"]);
+    let note = "`front_center` is set, and `wheelbase` follows from it only with `chainstay`, `bb_drop`\n";
+    assert!(run.code == Some(0) && run.stderr.contains(note), "{}", run.stderr);
+}
+
+/// One wheel of two that are printed as one size.
+#[test]
+fn a_wheel_varies_alone() {
+    let directory = Directory::new("one-wheel");
+    let printed = directory.run(&["convert", "benchmark", "--to", "geometry"]).ok();
+    let lines = printed.lines().filter(|line| !line.starts_with("front_wheel"));
+    let lines = lines.map(|line| if line.starts_with("rear_wheel") { "wheel = '28-622'" } else { line });
+    directory.write("wheels.toml", lines.collect::<Vec<_>>().join("\n"));
+    let run = directory.run(&["sweep", "wheels.toml", "--vary", "front_wheel=28-622, 40-622", "--output", "found.csv"]);
+    assert!(run.stderr.contains("`rear_wheel_diameter` and all else of it"), "{}", run.stderr);
+    let set = directory.run(&["convert", "wheels.toml", "--set", "front_wheel=40-622", "--to", "paper"]).stdout;
+    assert!(set.contains("rR = 0.339 ") && set.contains("rF = 0.351 "), "{set}");
+    let found = std::fs::read_to_string(directory.0.join("found.csv")).unwrap();
+    directory.write("set.toml", set);
+    let expected = directory.run(&["analyze", "set.toml", "--format", "json"]).json();
+    let weave = found.lines().nth(2).unwrap().split(',').nth(2).unwrap().parse::<f64>().unwrap();
+    let events = expected["critical_speeds"].as_array().unwrap();
+    assert!(events.iter().any(|event| (event["speed"].as_f64().unwrap() - weave).abs() < 1e-12), "{weave}: {events:?}");
+}
+
 /// What is drawn for a parameter depends on nothing that varies beside it, also in another convention.
 #[test]
 fn samples_are_the_same_beside_other_names() {

@@ -10,13 +10,15 @@ use crate::data::cells::{exact, write_rows};
 /// # Errors
 /// If it cannot be written.
 pub fn write_csv(analysis: &AlongAnalysis, rows: &[AtValue], output: &mut dyn Write) -> Result<()> {
-    let info = analysis.parameter;
     let numbers = 1..=rows.first().map_or(0, |row| row.eigenvalues.len());
     let names = numbers.flat_map(|k| [format!("eigenvalue {k} re (1/s)"), format!("eigenvalue {k} im (1/s)")]);
-    let header = [format!("{} ({})", info.name, info.unit)].into_iter().chain(names).chain(["verdict".to_owned()]);
+    let header = [format!("{} ({})", analysis.parameter.name, analysis.unit.written)]
+        .into_iter()
+        .chain(names)
+        .chain(["verdict".to_owned()]);
     let lines = rows.iter().map(|row| {
         let values = row.eigenvalues.iter().flat_map(|value| [exact(value.re), exact(value.im)]);
-        [exact(row.value)].into_iter().chain(values).chain([row.verdict.to_string()]).collect()
+        [exact(analysis.shown(row.value))].into_iter().chain(values).chain([row.verdict.to_string()]).collect()
     });
     write_rows([header.collect()].into_iter().chain(lines), output)
 }

@@ -14,7 +14,9 @@ struct Document<'a> {
     #[serde(flatten)]
     head: Head<'a>,
     parameters: Members<Line<f64>>,
-    along: Line<Parameter>,
+    along: Line<Parameter<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    speed_unit: Option<&'a str>,
     speed: Option<f64>,
     range: Line<[f64; 2]>,
     critical_values: Vec<Line<Event>>,
@@ -24,9 +26,9 @@ struct Document<'a> {
 }
 
 #[derive(Serialize)]
-struct Parameter {
+struct Parameter<'a> {
     name: &'static str,
-    unit: &'static str,
+    unit: &'a str,
 }
 
 /// A critical value.
@@ -51,29 +53,31 @@ struct Row {
 /// # Errors
 /// If it cannot be written.
 pub fn write_json(analysis: &AlongAnalysis, rows: &[AtValue], output: &mut dyn Write) -> Result<()> {
-    let AlongAnalysis { design, parameter, speed, range, stability, .. } = analysis;
+    let AlongAnalysis { design, parameter, speed, range, stability, unit, speed_unit, .. } = analysis;
     let parameters = design.info().parameters.iter().zip(&design.parameters);
-    let ranges =
-        |ranges: &[ParameterRange]| ranges.iter().map(|ParameterRange { from, to }| Line([*from, *to])).collect();
+    let ranges = |ranges: &[ParameterRange]| {
+        ranges.iter().map(|ParameterRange { from, to }| Line([*from, *to].map(|end| analysis.shown(end)))).collect()
+    };
     let events = stability.critical_values.iter().map(|critical| Event {
         kind: analysis.name(critical),
-        value: critical.value,
-        error: critical.error,
+        value: analysis.shown(critical.value),
+        error: unit.value(critical.error),
         eigenvalue: critical.eigenvalue.into(),
         change: critical.change.to_string(),
         verdicts: stability.verdicts_around(critical).map(|verdict| verdict.to_string()),
     });
     let rows = rows.iter().map(|row| Row {
-        value: row.value,
+        value: analysis.shown(row.value),
         verdict: row.verdict.to_string(),
         values: row.eigenvalues.iter().copied().map(Parts::from).collect(),
     });
     let document = Document {
         head: Head::of(design),
         parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
-        along: Line(Parameter { name: parameter.name, unit: parameter.unit }),
-        speed: *speed,
-        range: Line(*range),
+        along: Line(Parameter { name: parameter.name, unit: &unit.written }),
+        speed_unit: (!speed_unit.is_declared()).then_some(speed_unit.written.as_str()),
+        speed: speed.map(|speed| speed_unit.value(speed)),
+        range: Line(range.map(|end| analysis.shown(end))),
         critical_values: events.map(Line).collect(),
         stable_ranges: ranges(&stability.stable_ranges),
         undecided_ranges: ranges(&stability.undecided),

@@ -14,12 +14,12 @@ use crate::data::cells::{exact, write_rows};
 /// If it cannot be written.
 pub fn write_csv(problem: &Problem, optimum: &Optimum, output: &mut dyn Write) -> Result<()> {
     let header = ["parameter", "unit", "before", "after", "low", "high", "at"].map(str::to_owned).to_vec();
-    let rows = problem.ranges.iter().zip(&optimum.ends).map(|(range, at)| {
+    let rows = problem.ranges.iter().zip(&optimum.ends).enumerate().map(|(index, (range, at))| {
         vec![
             range.parameter.name.to_owned(),
             range.parameter.unit.to_owned(),
-            exact(problem.design.parameters[range.position].value),
-            exact(optimum.values[range.position]),
+            problem.before(index).map(exact).unwrap_or_default(),
+            exact(optimum.varied[index]),
             exact(range.low),
             exact(range.high),
             end(*at).unwrap_or_default().to_owned(),

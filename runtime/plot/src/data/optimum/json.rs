@@ -33,7 +33,7 @@ struct Aim {
 
 #[derive(Serialize)]
 struct Varied {
-    before: f64,
+    before: Option<f64>,
     after: f64,
     low: f64,
     high: f64,
@@ -72,9 +72,9 @@ pub fn end(end: Option<End>) -> Option<&'static str> {
 pub fn write_json(problem: &Problem, optimum: &Optimum, best: &Analysis, output: &mut dyn Write) -> Result<()> {
     let (design, Goal { measure, maximize }) = (&best.design, problem.goal);
     let parameters = design.info().parameters.iter().zip(&design.parameters);
-    let varied = problem.ranges.iter().zip(&optimum.ends).map(|(range, at)| {
-        let before = problem.design.parameters[range.position].value;
-        let after = optimum.values[range.position];
+    let varied = problem.ranges.iter().zip(&optimum.ends).enumerate().map(|(index, (range, at))| {
+        let before = problem.before(index);
+        let after = optimum.varied[index];
         (range.parameter.name, Line(Varied { before, after, low: range.low, high: range.high, at: end(*at) }))
     });
     let constraints = problem.constraints.iter().zip(&optimum.is_tight);
