@@ -1,16 +1,16 @@
-//! What `carvallo check` makes of every slip in the formulas of the Whipple bicycle: somebody has it, and has numbers of the
-//! benchmark bicycle that come from it.
+//! What `carvallo check` makes of every slip in the formulas of the Whipple bicycle, and of two of them at once: somebody has them,
+//! and has numbers of the benchmark bicycle that come from them.
 
 use std::collections::BTreeMap;
 use std::fmt;
 
 use carvallo::{Coefficients, CriticalKind, MatrixName, Stability};
-use carvallo_check::explain::Cause;
+use carvallo_check::explain::{Cause, DoubleSlip};
 use carvallo_check::given::{CriticalSpeed, Eigenvalues, Given, Reading};
-use carvallo_check::machine::{FormulaSlip, Machine};
-use carvallo_check::slips::slips;
-use carvallo_check::{check_machine, words};
+use carvallo_check::machine::Machine;
+use carvallo_check::{Explanation, check_machine, words};
 use carvallo_models::Whipple;
+use carvallo_slips::{FormulaSlip, Kind, Slip, slips};
 
 /// What somebody has of the bicycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -146,22 +146,47 @@ pub fn benchmark() -> Machine {
 
 /// How many slips there are, those among them that are no formulas.
 pub fn count(machine: &Machine) -> usize {
-    machine.formulas.formulas.iter().map(|formula| slips(formula.text, &machine.formulas.names).len()).sum()
+    let of = |text: &str| slips(text, &machine.formulas.names).into_iter().filter(is_plain).count();
+    machine.formulas.formulas.iter().map(|formula| of(formula.text)).sum()
+}
+
+fn is_plain(slip: &Slip) -> bool {
+    Kind::PLAIN.contains(&slip.kind)
 }
 
 /// What comes of every so many of the slips, each in one formula, on all processors.
 pub fn measure(machine: &Machine, evidence: Evidence, every: usize) -> Tally {
-    let slips: Vec<&FormulaSlip> =
-        machine.slips().iter().filter(|slip| slip.formulas.len() == 1).step_by(every).collect();
+    let slips: Vec<&FormulaSlip> = plain(machine).step_by(every).collect();
+    on_all_processors(&slips, &|slip| judge(machine, evidence, slip))
+}
+
+fn plain(machine: &Machine) -> impl Iterator<Item = &FormulaSlip> {
+    machine.slips().iter().filter(|own| own.formulas.len() == 1 && is_plain(&own.slip))
+}
+
+/// What comes of so many random pairs of slips, the same on every run: of all slips, or of those that make sense by their units.
+pub fn measure_pairs(machine: &Machine, evidence: Evidence, count: usize, has_sense: bool) -> Tally {
+    let slips: Vec<&FormulaSlip> = plain(machine).filter(|own| own.makes_sense || !has_sense).collect();
+    // Knuth's generator (MMIX), the upper bits of which are random enough.
+    let mut state = 1899_u64;
+    let mut next = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        slips[(state >> 33) as usize % slips.len()]
+    };
+    let pairs: Vec<[&FormulaSlip; 2]> = (0..count).map(|_| [next(), next()]).collect();
+    on_all_processors(&pairs, &|pair| judge_pair(machine, evidence, *pair))
+}
+
+fn on_all_processors<T: Copy + Sync>(all: &[T], judge: &(dyn Fn(T) -> (Outcome, usize) + Sync)) -> Tally {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let mut tally = Tally::default();
     std::thread::scope(|scope| {
         let part = |first: usize| {
-            let own = slips.iter().skip(first).step_by(threads).copied().collect::<Vec<_>>();
+            let own = all.iter().skip(first).step_by(threads).copied().collect::<Vec<_>>();
             scope.spawn(move || {
                 let mut tally = Tally::default();
-                for slip in own {
-                    let (outcome, size) = judge(machine, evidence, slip);
+                for one in own {
+                    let (outcome, size) = judge(one);
                     tally.add(outcome, size);
                 }
                 tally
@@ -178,8 +203,53 @@ pub fn measure(machine: &Machine, evidence: Evidence, every: usize) -> Tally {
 /// What comes of a slip, and of how many explanations the report is that names it.
 pub fn judge(machine: &Machine, evidence: Evidence, slip: &FormulaSlip) -> (Outcome, usize) {
     let mut values = machine.values.clone();
-    let is_any = machine.slip(slip, &machine.parameters, &machine.values, &mut values);
+    let is_any = slip.apply(&machine.formulas, &machine.parameters, &machine.values, &mut values);
     let given = if is_any { given(evidence, &values.entries) } else { None };
+    outcome(machine, given, &[words(machine, &Cause::Slip(slip))])
+}
+
+/// The same of two slips at once. Those that stand in each other's place, need each other, or are not seen alone make none.
+pub fn judge_pair(machine: &Machine, evidence: Evidence, [a, b]: [&FormulaSlip; 2]) -> (Outcome, usize) {
+    let formulas = &machine.formulas;
+    let sees = |slip: &FormulaSlip| {
+        let mut values = machine.values.clone();
+        let is_any = slip.apply(formulas, &machine.parameters, &machine.values, &mut values);
+        let given = if is_any { given(evidence, &values.entries) } else { None };
+        given.and_then(|given| check_machine(&given, machine).ok()).is_some_and(|report| !report.agrees)
+    };
+    let mut values = machine.values.clone();
+    let causes;
+    if a.formulas == b.formulas {
+        let [first, second] = if a.slip.place.start <= b.slip.place.start { [a, b] } else { [b, a] };
+        if first.slip.place.end > second.slip.place.start {
+            return (Outcome::NoNumbers, 0);
+        }
+        let slips = [first.slip.clone(), second.slip.clone()];
+        let double = DoubleSlip { formulas: a.formulas.clone(), slips };
+        let changed = formulas.parse(&double.apply(formulas.formulas[a.formulas[0]].text));
+        let Some(changed) = changed.filter(|changed| !formulas.is_circular(&a.formulas, changed)) else {
+            return (Outcome::NoNumbers, 0);
+        };
+        formulas.change(&a.formulas, &changed, &machine.parameters, &mut values);
+        causes = vec![words(machine, &Cause::Slips(double))];
+    } else {
+        let uses = |slip: &FormulaSlip, other: &FormulaSlip| formulas.uses(&slip.changed, other.formulas[0]);
+        if a.is_circular || b.is_circular || (uses(a, b) && uses(b, a)) {
+            return (Outcome::NoNumbers, 0);
+        }
+        let affected = formulas.affected([a.formulas[0], b.formulas[0]]);
+        let both = [(&a.formulas[..], &a.changed), (&b.formulas[..], &b.changed)];
+        formulas.change_both(both, &affected, &machine.parameters, &mut values);
+        causes = [a, b].map(|slip| words(machine, &Cause::Slip(slip))).to_vec();
+    }
+    if !(sees(a) && sees(b)) {
+        return (Outcome::Silent, 0);
+    }
+    outcome(machine, given(evidence, &values.entries), &causes)
+}
+
+/// What comes of numbers that somebody has by these causes, in any order.
+fn outcome(machine: &Machine, given: Option<Given>, causes: &[String]) -> (Outcome, usize) {
     let Some(report) = given.and_then(|given| check_machine(&given, machine).ok()) else {
         return (Outcome::NoNumbers, 0);
     };
@@ -189,8 +259,8 @@ pub fn judge(machine: &Machine, evidence: Evidence, slip: &FormulaSlip) -> (Outc
     if report.explanations.is_empty() {
         return (Outcome::Nothing, 0);
     }
-    let own = [words(machine, &Cause::Slip(slip))];
-    let found = report.explanations.iter().position(|group| group.explanations.iter().any(|it| it.causes == own));
+    let is_own = |it: &Explanation| it.causes.len() == causes.len() && causes.iter().all(|own| it.causes.contains(own));
+    let found = report.explanations.iter().position(|group| group.explanations.iter().any(is_own));
     let Some(found) = found else { return (Outcome::Wrong, 0) };
     let group = &report.explanations[found].explanations;
     let size = report.explanations.iter().map(|group| group.explanations.len()).sum();

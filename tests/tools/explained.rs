@@ -1,18 +1,19 @@
 //! Prints how many slips in the formulas of the Whipple bicycle `carvallo check` names, from what somebody has of the benchmark
-//! bicycle who made them.
+//! bicycle who made them, one at a time and two at once.
 //!
 //! ```text
-//! cargo run --release -p carvallo-tools --no-default-features --bin explained [EVERY]
+//! cargo run --release -p carvallo-tools --no-default-features --bin explained [EVERY [PAIRS]]
 //! ```
 //!
-//! With a number only every so many of them.
+//! With a number only every so many of them, with 0 none; and so many random pairs, 500 unless it is said.
 
 use std::time::Instant;
 
-use carvallo_tests::explained::{Evidence, Outcome, benchmark, count, measure};
+use carvallo_tests::explained::{Evidence, FULL, Outcome, Tally, benchmark, count, measure, measure_pairs};
 
 fn main() {
     let every = std::env::args().nth(1).map_or(1, |every| every.parse().expect("a number: every so many slips"));
+    let pairs = std::env::args().nth(2).map_or(500, |pairs| pairs.parse().expect("a number of pairs"));
     let machine = benchmark();
     println!("{} slips in {} formulas.\n", count(&machine), machine.formulas.formulas.len());
     println!(
@@ -20,14 +21,24 @@ fn main() {
          | another named | none named | named, of those not silent | explanations: 1, 2, 3 to 5, 6 to 20, more | a check |"
     );
     println!("|{}", " ---: |".repeat(13));
-    for evidence in Evidence::ALL {
-        let start = Instant::now();
-        let tally = measure(&machine, evidence, every);
-        let all: usize = tally.outcomes.values().sum();
-        let each = start.elapsed().as_secs_f64() * 1e3 / all as f64;
-        let counts = Outcome::ALL.map(|outcome| tally.count(outcome).to_string()).join(" | ");
-        let [named, of] = tally.named();
-        let sizes = [1..=1, 2..=2, 3..=5, 6..=20, 21..=usize::MAX].map(|own| tally.of_size(own).to_string()).join(", ");
-        println!("| {evidence} | {counts} | {:.2} % | {sizes} | {each:.1} ms |", 100.0 * named as f64 / of as f64);
+    for evidence in Evidence::ALL.into_iter().filter(|_| every > 0) {
+        row(&evidence.to_string(), &|| measure(&machine, evidence, every));
     }
+    for (of, has_sense) in [("that make sense by their units", true), ("of all", false)] {
+        for evidence in [Evidence::Matrices(FULL), Evidence::Matrices(4)] {
+            let what = format!("{pairs} pairs {of}: {evidence}");
+            row(&what, &|| measure_pairs(&machine, evidence, pairs, has_sense));
+        }
+    }
+}
+
+fn row(what: &str, measure: &dyn Fn() -> Tally) {
+    let start = Instant::now();
+    let tally = measure();
+    let all: usize = tally.outcomes.values().sum();
+    let each = start.elapsed().as_secs_f64() * 1e3 / all as f64;
+    let counts = Outcome::ALL.map(|outcome| tally.count(outcome).to_string()).join(" | ");
+    let [named, of] = tally.named();
+    let sizes = [1..=1, 2..=2, 3..=5, 6..=20, 21..=usize::MAX].map(|own| tally.of_size(own).to_string()).join(", ");
+    println!("| {what} | {counts} | {:.2} % | {sizes} | {each:.1} ms |", 100.0 * named as f64 / of as f64);
 }

@@ -2,13 +2,12 @@
 
 pub mod conventions;
 pub mod explain;
-pub mod formulas;
 pub mod given;
 pub mod machine;
+mod motion;
 pub mod predict;
 pub mod read;
 mod report;
-pub mod slips;
 mod states;
 
 use carvallo_design::Design;
@@ -46,6 +45,10 @@ pub fn check_in(given: &Given, design: &Design, units: Units) -> Result<Report, 
 /// As there.
 pub fn check_machine(given: &Given, machine: &Machine) -> Result<Report, String> {
     given.fits(machine.info)?;
+    let is_nonlinear = |own: &given::Accelerations| own.equations == Some(given::Kind::Nonlinear);
+    if machine.motion.is_none() && given.accelerations.iter().any(is_nonlinear) {
+        return Err(format!("the model {} has no nonlinear equations for accelerations", machine.info.name));
+    }
     let rounded = Predictor::new(given, machine);
     let here = rounded.predict(&machine.world());
     if rounded.agreeing(&here) == here.len() {

@@ -2,16 +2,16 @@
 
 use std::sync::OnceLock;
 
-use carvallo::{Expression, ModelInfo};
+use carvallo::ModelInfo;
 use carvallo_design::Design;
 use carvallo_design::feedback::{Gain, Law};
 use carvallo_design::units::Units;
+use carvallo_slips::{FormulaSlip, Formulas, Values};
 
 use crate::conventions::{self, Convention};
 use crate::explain::Cause;
-use crate::formulas::{Formulas, Subject, Values};
+use crate::motion::Nonlinear;
 use crate::predict::World;
-use crate::slips::{Slip, slips};
 
 /// A design, its formulas with their values, and all slips and conventions.
 #[derive(Debug)]
@@ -26,6 +26,8 @@ pub struct Machine {
     pub feedback: Vec<Law>,
     /// What reports show values in.
     pub units: Units,
+    /// Its nonlinear equations, where it has any in the same coordinates.
+    pub motion: Option<Nonlinear>,
     /// The values of the formulas.
     pub values: Values,
     /// What may be otherwise on purpose, by a convention: with a slip, or with another convention.
@@ -44,19 +46,6 @@ struct Worlds {
     conventions: Vec<World>,
     /// Of the slips; `None` where one makes none.
     slips: Vec<Option<World>>,
-}
-
-/// A slip in a formula of a model, or in one that several entries share.
-#[derive(Clone, Debug)]
-pub struct FormulaSlip {
-    /// The formulas that have it: the same text in several places of a matrix.
-    pub formulas: Vec<usize>,
-    /// The slip.
-    pub slip: Slip,
-    /// The formula with the slip.
-    pub changed: Expression,
-    /// Whether it uses itself so, and has no value.
-    pub is_circular: bool,
 }
 
 impl Machine {
@@ -89,34 +78,14 @@ impl Machine {
         single.extend(conventions::gains(info, feedback));
         let (parameters, feedback) = (parameters.to_vec(), feedback.to_vec());
         let (slips, worlds, others) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
-        let units = Units::default();
-        Ok(Self { info, formulas, parameters, feedback, units, values, usual, single, slips, worlds, others })
+        let (units, motion) = (Units::default(), Nonlinear::new(info));
+        Ok(Self { info, formulas, parameters, feedback, units, motion, values, usual, single, slips, worlds, others })
     }
 
     /// Every slip of every formula, in their order; those of a formula that several entries share in all of them, and in
     /// each alone. They are made when they are first asked for.
     pub fn slips(&self) -> &[FormulaSlip] {
-        self.slips.get_or_init(|| self.all_slips())
-    }
-
-    fn all_slips(&self) -> Vec<FormulaSlip> {
-        let mut found = Vec::new();
-        for (at, formula) in self.formulas.formulas.iter().enumerate() {
-            let is_shared = formula.shared.len() > 1;
-            for slip in slips(formula.text, &self.formulas.names) {
-                // What is no formula any more is nobody's.
-                let Some(changed) = self.formulas.parse(&slip.apply(formula.text)) else { continue };
-                let mut push = |formulas: Vec<usize>, slip: Slip, changed: Expression| {
-                    let is_circular = self.formulas.is_circular(&formulas, &changed);
-                    found.push(FormulaSlip { formulas, slip, changed, is_circular });
-                };
-                if is_shared && formula.shared[0] == at {
-                    push(formula.shared.clone(), slip.clone(), changed.clone());
-                }
-                push(vec![at], slip, changed);
-            }
-        }
-        found
+        self.slips.get_or_init(|| self.formulas.slips())
     }
 
     /// Tells every single cause that is no other value of something, with the matrices that it makes.
@@ -132,7 +101,7 @@ impl Machine {
     fn all_worlds(&self) -> Worlds {
         let mut own = self.values.clone();
         let mut world = |slip: &FormulaSlip| {
-            let is_any = self.slip(slip, &self.parameters, &self.values, &mut own);
+            let is_any = slip.apply(&self.formulas, &self.parameters, &self.values, &mut own);
             is_any.then(|| self.world_from(own.entries.clone(), &self.parameters))
         };
         Worlds {
@@ -178,7 +147,8 @@ impl Machine {
 
     /// With these entries, for parameters that have the gravitational field strength among them.
     pub fn world_from(&self, entries: Vec<f64>, parameters: &[f64]) -> World {
-        World { entries, gravity: self.gravity(parameters), gains: self.gains().map(|gain| gain.value).collect() }
+        let gains = self.gains().map(|gain| gain.value).collect();
+        World { entries, gravity: self.gravity(parameters), gains, parameters: parameters.to_vec() }
     }
 
     /// The matrices with a convention.
@@ -189,29 +159,5 @@ impl Machine {
         let mut own = World::default();
         convention.change_matrices(&old, &mut own, self.formulas.count);
         own
-    }
-
-    /// Makes the matrices those with a slip, for parameters of which the formulas have these values; whether there are any.
-    pub fn slip(&self, slip: &FormulaSlip, parameters: &[f64], base: &Values, own: &mut Values) -> bool {
-        if !slip.is_circular {
-            own.clone_from(base);
-            self.formulas.change(&slip.formulas, &slip.changed, parameters, own);
-        }
-        !slip.is_circular
-    }
-
-    /// What a formula is of: `IAzz`, `M_12`, or `M_12 and M_21`.
-    pub fn subject(&self, formulas: &[usize]) -> String {
-        let names = formulas.iter().map(|&at| self.formulas.formulas[at].subject.to_string());
-        names.collect::<Vec<_>>().join(" and ")
-    }
-}
-
-impl std::fmt::Display for Subject {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match *self {
-            Self::Definition(name) => f.write_str(name),
-            Self::Entry(matrix, row, column) => f.write_str(&crate::given::entry_name(matrix, row, column)),
-        }
     }
 }

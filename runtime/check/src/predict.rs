@@ -3,13 +3,15 @@
 use std::cmp::Ordering;
 
 use carvallo::{Complex, CriticalKind, MatrixName, ModelInfo};
+use carvallo_design::feedback::Law;
 use carvallo_design::matrices::{self, Coordinate, Form};
 use carvallo_design::{Equations, Shipped};
 
-use crate::formulas::index;
-use crate::given::{Accelerations, Eigenvalues, Given, Quantity, Reading, StateMatrix, SystemMatrix};
+use crate::given::{Accelerations, Eigenvalues, Given, Kind, Quantity, Reading, StateMatrix, SystemMatrix};
 use crate::machine::Machine;
+use crate::motion::Nonlinear;
 use crate::states::{order, states};
+use carvallo_slips::index;
 
 /// What makes numbers of matrices.
 #[derive(Debug)]
@@ -25,6 +27,17 @@ pub struct Predictor<'a> {
     orders: Vec<Vec<usize>>,
     /// Of each gain of the feedback the entry that it is taken from.
     closing: Vec<usize>,
+    /// For each state of motion that has its accelerations by them, the nonlinear equations.
+    nonlinear: Vec<Option<Exact<'a>>>,
+    feedback: &'a [Law],
+}
+
+/// Nonlinear equations, and what they make of the parameters as they are.
+#[derive(Debug)]
+struct Exact<'a> {
+    motion: &'a Nonlinear,
+    parameters: &'a [f64],
+    accelerations: Option<Vec<f64>>,
 }
 
 /// Matrices of the open loop, all eight row by row, the gravitational field strength in N/kg, and what closes the loop.
@@ -36,6 +49,8 @@ pub struct World {
     pub gravity: f64,
     /// The values of the gains of the feedback, in the order of [`Machine::gains`].
     pub gains: Vec<f64>,
+    /// The parameters, of which the nonlinear equations are: no slip in a formula is in them.
+    pub parameters: Vec<f64>,
 }
 
 /// What rounding may do to a number, relative to the largest of its kind: an entry, an eigenvalue, a critical speed. Other
@@ -44,7 +59,7 @@ const ROUNDING: [f64; 3] = [1e-12, 1e-9, 1e-9];
 
 impl<'a> Predictor<'a> {
     /// For the numbers that were given of a machine.
-    pub fn new(given: &'a Given, machine: &Machine) -> Self {
+    pub fn new(given: &'a Given, machine: &'a Machine) -> Self {
         let info = machine.info;
         let coordinates = info.coordinates.iter();
         let coordinates = coordinates.map(|own| Coordinate { name: own.name.to_owned(), states: own.states });
@@ -53,9 +68,50 @@ impl<'a> Predictor<'a> {
         let orders = given.state_matrices.iter().map(|matrix| order(matrix, info)).collect();
         let closing = machine.gains().map(|gain| index(gain.matrix, gain.row, gain.column, info.coordinates.len()));
         let (closing, system) = (closing.collect(), matrices::model(&form));
-        let mut made = Self { given, numbers, tolerances: Vec::new(), info, system, orders, closing };
+        let (nonlinear, feedback) = (Vec::new(), &machine.feedback[..]);
+        let none = Vec::new();
+        let mut made = Self { given, numbers, tolerances: none, info, system, orders, closing, nonlinear, feedback };
+        made.nonlinear = made.meant(machine);
         made.tolerances = tolerances(&made.numbers, &made.predict(&machine.world()));
         made
+    }
+
+    /// By which equations accelerations are: by those that were said, or else by those that come nearer.
+    fn meant(&self, machine: &'a Machine) -> Vec<Option<Exact<'a>>> {
+        let world = machine.world();
+        let meant = |given: &Accelerations| {
+            let motion = machine.motion.as_ref()?;
+            let accelerations = motion.accelerations(given, &world.parameters, self.feedback);
+            let exact = Exact { motion, parameters: &machine.parameters, accelerations };
+            if let Some(said) = given.equations {
+                return (said == Kind::Nonlinear).then_some(exact);
+            }
+            let mut linear = None;
+            let visited = self.visit(&world, &mut |equations| {
+                linear = self.accelerations(given, equations, world.gravity);
+            });
+            // How many are off, and how far the farthest.
+            let off = |found: &Option<Vec<f64>>| {
+                let of = |found: &Vec<f64>| {
+                    let values = given.values.iter().zip(found);
+                    let off =
+                        values.filter_map(|(value, own)| Some((value.as_ref()?, (value.as_ref()?.value - own).abs())));
+                    let far = off.filter(|(value, off)| *off > value.tolerance.max(ROUNDING[2] * value.value.abs()));
+                    far.fold((0, 0.0), |(count, most), (_, off)| (count + 1, f64::max(most, off)))
+                };
+                found.as_ref().map_or((usize::MAX, f64::INFINITY), of)
+            };
+            (off(&exact.accelerations) < off(&linear) || visited.is_err()).then_some(exact)
+        };
+        self.given.accelerations.iter().map(meant).collect()
+    }
+
+    /// What a number is called.
+    pub fn name(&self, at: usize) -> String {
+        let quantity = self.numbers[at].0;
+        let is_nonlinear = matches!(quantity, Quantity::Acceleration(state, _) if self.nonlinear[state].is_some());
+        let name = self.given.name(quantity, self.info);
+        if is_nonlinear { format!("{name} by the nonlinear equations") } else { name }
     }
 
     /// What was given.
@@ -135,26 +191,32 @@ impl<'a> Predictor<'a> {
     fn others(&self, world: &World, tell: &mut dyn FnMut(usize, f64) -> bool) {
         let is_entry = |(quantity, _): &(Quantity, _)| matches!(quantity, Quantity::Entry(..));
         let Some(first) = self.numbers.iter().position(|number| !is_entry(number)) else { return };
-        let mut parameters = Vec::with_capacity(world.entries.len() + 1);
-        parameters.extend_from_slice(&world.entries);
-        self.closing.iter().zip(&world.gains).for_each(|(entry, value)| parameters[*entry] -= value);
-        parameters.push(world.gravity);
         let mut place = first;
         let mut next = |value: f64| {
             place += 1;
             tell(place - 1, value)
         };
-        let visited = self.system.visit(&parameters, &mut |equations| {
-            self.each_other(equations, world.gravity, &mut next);
-            Ok(())
-        });
+        let visited = self.visit(world, &mut |equations| self.each_other(equations, world, &mut next));
         if visited.is_err() {
             (first..self.numbers.len()).all(|_| next(f64::NAN));
         }
     }
 
+    /// Hands the equations of the closed loop to a visitor.
+    fn visit(&self, world: &World, visitor: &mut dyn FnMut(&dyn Equations)) -> Result<(), String> {
+        let mut parameters = Vec::with_capacity(world.entries.len() + 1);
+        parameters.extend_from_slice(&world.entries);
+        self.closing.iter().zip(&world.gains).for_each(|(entry, value)| parameters[*entry] -= value);
+        parameters.push(world.gravity);
+        self.system.visit(&parameters, &mut |equations| {
+            visitor(equations);
+            Ok(())
+        })
+    }
+
     /// The same in the order of [`Given::numbers`].
-    fn each_other(&self, equations: &dyn Equations, gravity: f64, tell: &mut dyn FnMut(f64) -> bool) {
+    fn each_other(&self, equations: &dyn Equations, world: &World, tell: &mut dyn FnMut(f64) -> bool) {
+        let gravity = world.gravity;
         let Given { matrices: _, system_matrices, state_matrices, eigenvalues, critical_speeds, accelerations } =
             self.given;
         for SystemMatrix { speed, is_stiffness, rows } in system_matrices {
@@ -201,8 +263,12 @@ impl<'a> Predictor<'a> {
                 }
             }
         }
-        for given in accelerations {
-            let found = self.accelerations(given, equations, gravity);
+        for (given, nonlinear) in accelerations.iter().zip(&self.nonlinear) {
+            let found = match nonlinear {
+                Some(exact) if exact.parameters == world.parameters => exact.accelerations.clone(),
+                Some(exact) => exact.motion.accelerations(given, &world.parameters, self.feedback),
+                None => self.accelerations(given, equations, gravity),
+            };
             for (of, _) in given.values.iter().enumerate().filter(|(_, value)| value.is_some()) {
                 if !tell(found.as_ref().map_or(f64::NAN, |found| found[of])) {
                     return;

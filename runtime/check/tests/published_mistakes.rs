@@ -157,3 +157,53 @@ fn the_matrices_behind_a_state_matrix() {
     assert_eq!(behind.parts[0].numbers, ["K_12 at 5 m/s"]);
     assert_eq!(behind.parts[0].causes[1], "K0_12 has the other sign");
 }
+
+/// Basu-Mandal, Chatterjee & Papadopoulos (2007), Table 1: lean and steer, their rates and the spin of the rear wheel, 8.912989661489
+/// rad/s, in a state far from upright, and the accelerations of lean and steer. Lean is pi/2 - psi there, steer is -psif.
+const BASU_MANDAL: &str = "accelerations = { speed = \"8.9129896614890*0.3\", state = { phi = \"pi/2 - 0.9501292851472\", \
+    phi_rate = -0.6068425835418, delta = -0.2311385135743, delta_rate = -0.4859824687093 }, \
+    values = { phi = PHI, delta = DELTA } }";
+
+#[test]
+fn accelerations_are_checked_by_the_nonlinear_equations() {
+    let of = |phi: &str, delta: &str| BASU_MANDAL.replace("PHI", phi).replace("DELTA", delta);
+    let report = checked(&of("7.8555281128244", "4.6198904039403"));
+    assert!(report.agrees, "{report}");
+    let names = report.numbers.iter().map(|number| number.name.split(" at ").next().unwrap_or_default());
+    assert_eq!(names.collect::<Vec<_>>(), ["phi'' in state 1", "delta'' in state 1"]);
+    assert!(report.numbers[0].name.ends_with(" m/s by the nonlinear equations"), "{report}");
+    let causes = explained(&of("7.8555281128244", "-4.6198904039403"));
+    assert!(causes[0].starts_with("delta'' in state 1 at 2.67389689844"), "{causes:?}");
+    assert!(causes[0].ends_with(" by the nonlinear equations has the other sign"), "{causes:?}");
+    // At 5 m/s and 0.01 rad by the matrix A of the printed matrices.
+    let linear = "accelerations = { speed = 5, equations = \"linear\", state = { phi = 0.01 }, values = { phi = 0.0948977, delta = 0.117195 } }";
+    assert!(checked(linear).agrees);
+}
+
+/// Of the double pendulum, from Lagrange's equations in absolute angles by hand in Python: at 0.7 and -1.1 rad, 0.3 and 2 rad/s, and
+/// with m2 = 2 kg in the place of 1.
+#[test]
+fn another_parameter_makes_nonlinear_accelerations() {
+    let of = |values: &str| {
+        format!(
+            "model = \"DoublePendulum\"\naccelerations = {{ speed = 0, state = {{ theta1 = 0.7, theta2 = -1.1, \
+             theta1_rate = 0.3, theta2_rate = 2 }}, values = {{ {values} }} }}"
+        )
+    };
+    assert!(checked(&of("theta1 = 7.1201022843, theta2 = -17.5745563682")).agrees);
+    let causes = explained(&of("theta1 = 7.0650298850, theta2 = -18.9701534780"));
+    assert!(
+        causes.iter().any(|cause| cause.starts_with("m2 is ") && cause.contains("(m2 = 2 kg)")
+            || cause.starts_with("m2 is 2 kg in the place of 1")),
+        "{causes:?}"
+    );
+}
+
+#[test]
+fn a_model_without_nonlinear_equations_says_so() {
+    let text = "model = \"CantileveredPipe\"\naccelerations = { speed = 0, equations = \"nonlinear\", values = { first = 1 } }";
+    let file = read::read("mine.toml", text.into()).expect("a file that can be read");
+    let design = file.design(&Request::default()).expect("a design");
+    let message = check(&file.given(&design).expect("numbers"), &design).expect_err("no such equations");
+    assert_eq!(message, "the model CantileveredPipe has no nonlinear equations for accelerations");
+}

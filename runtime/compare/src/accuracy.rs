@@ -84,8 +84,7 @@ impl Errors {
 
     /// What they come to; `formula` tells the formula of an entry.
     pub fn accuracy(self, n: usize, formula: impl Fn(usize) -> String) -> Accuracy {
-        // Rounding in single precision may be more than a billionth.
-        let same = SAME.max(1e3 * self.epsilon);
+        let same = same(self.epsilon);
         let found = |(index, error): (usize, &Option<Error>)| {
             let Error { ulps, relative, computed, exact, design } = error.clone()?;
             let worst = Worst { entry: entry_name(n, index), formula: formula(index), ulps, computed, exact, design };
@@ -97,6 +96,12 @@ impl Errors {
         let ulps = worst.as_ref().map_or(0.0, |worst| worst.ulps);
         Accuracy { ulps, ulps_of_matrix: self.ulps_of_matrix, worst, differences }
     }
+}
+
+/// Of its terms, how much an entry may differ in numbers with an epsilon and still be the same formula: rounding in single
+/// precision may be more than a billionth.
+pub fn same(epsilon: f64) -> f64 {
+    SAME.max(1e3 * epsilon)
 }
 
 /// The error in units of the last place of the size of the terms, and in parts of that size.

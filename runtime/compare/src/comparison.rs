@@ -5,10 +5,10 @@ use std::time::Duration;
 
 use carvallo::{Coefficients, Model, ParameterError};
 
-use crate::accuracy::{Accuracy, Errors};
+use crate::accuracy::{self, Accuracy, Errors};
 use crate::assembly::{Assembly, AssemblyError};
 use crate::designs::{Design, designs, regular_designs};
-use crate::explain::{AtDesign, Evidence, explain};
+use crate::explain::{AtDesign, Evidence, Explanation, explain};
 use crate::number::{Counted, Exact, Operations};
 use crate::reference::Reference;
 use crate::report::{Report, SideReport};
@@ -154,21 +154,29 @@ impl<M: Model<N, Scalar = f64> + 'static, const N: usize> Comparison<M, N> {
     pub fn report(&self) -> Result<Report, ParameterError> {
         let designs = self.all_designs()?;
         let reference = Reference::of::<N, M>();
-        let accuracies = |code: fn(&Side) -> Option<&Code>, epsilon, rounded: fn(f64) -> f64| {
-            self.accuracies(&designs, &reference, code, epsilon, rounded)
+        let accuracies = |code: fn(&Side) -> Option<&Code>, precision: Precision| {
+            self.accuracies(&designs, &reference, code, precision)
         };
-        let double = accuracies(|side| Some(&side.double), f64::EPSILON, |value| value);
-        let single = accuracies(|side| side.single.as_ref(), f32::EPSILON.into(), |value| f64::from(value as f32));
+        let double = accuracies(|side| Some(&side.double), Precision::DOUBLE);
+        let single = accuracies(|side| side.single.as_ref(), Precision::SINGLE);
         let mut sides = Vec::new();
         for (side, (double, single)) in self.sides.iter().zip(double.into_iter().zip(single)) {
             let double = double.expect("every side has a function in `f64`");
-            let (explanations, unexplained) = if double.differences.is_empty() {
-                Default::default()
-            } else {
-                explain(&self.evidence(side, &reference)?)
+            let (explanations, unexplained) = self.explain(&reference, (&side.double, &double), Precision::DOUBLE)?;
+            let in_single = match side.single.as_ref().zip(single.as_ref()) {
+                Some(own) => self.explain(&reference, own, Precision::SINGLE)?,
+                None => Explained::default(),
             };
-            let operations = side.operations.as_ref().map(|operations| most(operations, &designs));
-            sides.push(SideReport { name: side.name.clone(), operations, double, single, explanations, unexplained });
+            sides.push(SideReport {
+                name: side.name.clone(),
+                operations: side.operations.as_ref().map(|operations| most(operations, &designs)),
+                double,
+                single,
+                explanations,
+                unexplained,
+                explanations_in_single: in_single.0,
+                unexplained_in_single: in_single.1,
+            });
         }
         let times = match self.time {
             Some(time) => self.tasks()?.into_iter().map(|task| (task.name.clone(), task.race(time)).into()).collect(),
@@ -192,8 +200,7 @@ impl<M: Model<N, Scalar = f64> + 'static, const N: usize> Comparison<M, N> {
         designs: &[Design],
         reference: &Reference,
         code: fn(&Side) -> Option<&Code>,
-        epsilon: f64,
-        rounded: fn(f64) -> f64,
+        Precision { epsilon, rounded }: Precision,
     ) -> Vec<Option<Accuracy>> {
         let mut all: Vec<_> = self.sides.iter().map(|side| Some((code(side)?, Errors::new(epsilon)))).collect();
         if all.iter().any(Option::is_some) {
@@ -209,17 +216,44 @@ impl<M: Model<N, Scalar = f64> + 'static, const N: usize> Comparison<M, N> {
         all.into_iter().map(accuracy).collect()
     }
 
-    fn evidence<'a>(&self, side: &Side, reference: &'a Reference) -> Result<Evidence<'a>, ParameterError> {
+    /// What explains the differences of a side in a number type, if there are any.
+    fn explain(
+        &self,
+        reference: &Reference,
+        (code, accuracy): (&Code, &Accuracy),
+        Precision { epsilon, rounded }: Precision,
+    ) -> Result<Explained, ParameterError> {
+        if accuracy.differences.is_empty() {
+            return Ok(Explained::default());
+        }
         let at = |parameters: Vec<f64>| {
+            let parameters: Vec<f64> = parameters.into_iter().map(rounded).collect();
             let exact: Vec<Exact> = reference.entries(&parameters);
-            let by_hand = (side.double.entries)(&parameters);
+            let by_hand = (code.entries)(&parameters);
             let (exact, sizes) = exact.iter().map(|exact| (exact.value.to_f64(), exact.size)).unzip();
-            AtDesign { parameters, exact, sizes, by_hand }
+            let values = reference.formulas().map(|formulas| formulas.values(&parameters)).unwrap_or_default();
+            AtDesign { parameters, values, exact, sizes, by_hand }
         };
         let designs = regular_designs::<N, M>(EVIDENCE, self.seed)?.into_iter().map(at).collect();
-        Ok(Evidence { info: M::INFO, equations: reference.equations(), designs })
+        let same = accuracy::same(epsilon);
+        Ok(explain(&Evidence { info: M::INFO, formulas: reference.formulas(), designs, same }))
     }
 }
+
+/// A number type: its epsilon, and the number of it that is nearest to another.
+#[derive(Clone, Copy)]
+struct Precision {
+    epsilon: f64,
+    rounded: fn(f64) -> f64,
+}
+
+impl Precision {
+    const DOUBLE: Self = Self { epsilon: f64::EPSILON, rounded: |value| value };
+    const SINGLE: Self = Self { epsilon: f32::EPSILON as f64, rounded: |value| f64::from(value as f32) };
+}
+
+/// What explains some entries that differ, and those that nothing explains.
+type Explained = (Vec<Explanation>, Vec<String>);
 
 /// The most operations at any of some designs: a function may have branches.
 fn most(operations: &dyn Fn(&[f64]) -> Operations, designs: &[Design]) -> Operations {

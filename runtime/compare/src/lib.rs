@@ -5,7 +5,6 @@ mod assembly;
 mod comparison;
 mod designs;
 mod explain;
-mod formula;
 mod macros;
 mod number;
 mod reference;

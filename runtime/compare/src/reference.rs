@@ -1,14 +1,14 @@
 //! What all sides are held against.
 
 use carvallo::{Evaluator, Formula, Model};
+use carvallo_slips::{Formulas, Subject, place};
 use serde::Serialize;
 
-use crate::formula::Equations;
 use crate::number::Exact;
 
 /// What gives the exact entries of a model.
 pub struct Reference {
-    equations: Option<Equations>,
+    formulas: Option<Formulas>,
     program: fn(&[f64]) -> Vec<Exact>,
 }
 
@@ -24,37 +24,41 @@ pub enum ReferenceKind {
 
 impl Reference {
     pub fn of<const N: usize, M: Model<N, Scalar = f64>>() -> Self {
-        Self { equations: Equations::of(M::INFO), program: program::<N, M> }
+        Self { formulas: Formulas::new(M::INFO).ok(), program: program::<N, M> }
     }
 
     pub fn kind(&self) -> ReferenceKind {
-        if self.equations.is_some() { ReferenceKind::Formulas } else { ReferenceKind::Program }
+        if self.formulas.is_some() { ReferenceKind::Formulas } else { ReferenceKind::Program }
     }
 
-    pub fn equations(&self) -> Option<&Equations> {
-        self.equations.as_ref()
+    pub fn formulas(&self) -> Option<&Formulas> {
+        self.formulas.as_ref()
     }
 
     /// The entries of all matrices, with 320 bits.
     pub fn entries(&self, parameters: &[f64]) -> Vec<Exact> {
         let exact: Vec<Exact> = parameters.iter().copied().map(Exact::from).collect();
         // A valid design has a value in every formula.
-        let entries = self.equations.as_ref().and_then(|equations| equations.entries(&exact));
-        entries.unwrap_or_else(|| (self.program)(parameters))
+        let values = self.formulas.as_ref().and_then(|formulas| formulas.values_of(&exact));
+        values.map_or_else(|| (self.program)(parameters), |values| values.entries)
     }
 
     /// The formula of an entry, as the model tells it, with the definitions that it names; `0` where it tells none.
     pub fn formula(&self, entry: usize) -> String {
-        let Some(equations) = &self.equations else { return String::new() };
-        let Some(equation) = equations.equation_of(entry) else { return "0".to_owned() };
+        let Some(formulas) = &self.formulas else { return String::new() };
+        let (matrix, row, column) = place(entry, formulas.count);
+        let Some(own) = formulas.entry(matrix, row, column) else { return "0".to_owned() };
+        let text = formulas.formulas[own].text;
+        let parsed = Formula::parse(text);
         let mut names = Vec::new();
-        collect_names(&equation.formula, &mut names);
-        let named = equations.all.iter().filter(|other| other.definition.is_some_and(|name| names.contains(&name)));
-        let definitions: Vec<String> = named
-            .map(|definition| format!("{} = {}", definition.definition.unwrap_or_default(), definition.formula))
-            .collect();
+        parsed.iter().for_each(|formula| collect_names(formula, &mut names));
+        let named = formulas.formulas.iter().filter_map(|other| match other.subject {
+            Subject::Definition(name) if names.contains(&name) => Some(format!("{name} = {}", other.text)),
+            _ => None,
+        });
+        let definitions: Vec<String> = named.collect();
         let with = if definitions.is_empty() { "" } else { ", where " };
-        format!("{}{with}{}", equation.formula, definitions.join(", "))
+        format!("{text}{with}{}", definitions.join(", "))
     }
 }
 

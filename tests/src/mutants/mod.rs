@@ -11,8 +11,8 @@ mod verdict;
 
 use std::fmt;
 
-/// The kinds of slips, and a declaration with one of them: the slips that `carvallo check` knows.
-pub use carvallo_check::slips::{Kind, Slip as Mutant};
+/// The kinds of slips, and a declaration with one of them: the slips that `carvallo check` knows too.
+pub use carvallo_slips::{Kind, Slip as Mutant};
 pub use slips::all;
 pub use tally::Tally;
 pub use verdict::{Check, Original, Verdict};

@@ -3,8 +3,8 @@
 use carvallo::{MatrixName, ModelInfo};
 
 use super::{Assignment, Convention};
-use crate::formulas::index;
-use crate::given::entry_name;
+use carvallo_slips::entry_name;
+use carvallo_slips::index;
 
 /// All of them, for matrices with these entries.
 pub fn entries(info: &ModelInfo, entries: &[f64]) -> Vec<Convention> {

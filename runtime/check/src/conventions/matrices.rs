@@ -3,7 +3,7 @@
 use carvallo::{MatrixName, ModelInfo};
 
 use super::{Assignment, Convention, Effect};
-use crate::formulas::index;
+use carvallo_slips::index;
 
 /// All of them, for matrices with these entries.
 pub fn matrices(info: &ModelInfo, entries: &[f64], gravity: f64) -> Vec<Convention> {

@@ -2,6 +2,7 @@
 
 mod double;
 mod pairs;
+mod slips;
 mod solve;
 mod unknown;
 mod written;
@@ -10,8 +11,9 @@ use std::cell::OnceCell;
 
 use self::unknown::Unknown;
 use crate::conventions::Convention;
-use crate::machine::{FormulaSlip, Machine};
+use crate::machine::Machine;
 use crate::predict::{Predictor, World};
+use carvallo_slips::FormulaSlip;
 
 pub use self::double::DoubleSlip;
 pub use self::solve::{digits, relation};
@@ -50,6 +52,17 @@ pub enum Cause<'a> {
     Written(String),
 }
 
+impl Cause<'_> {
+    /// How unlikely it is, of slips; 0 for others.
+    fn rank_of_slips(&self) -> u32 {
+        match self {
+            Self::Slip(own) => own.rank(),
+            Self::Slips(double) => double.rank(),
+            _ => 0,
+        }
+    }
+}
+
 /// The search for explanations of numbers of a machine. They may be read in several ways, as rounded or as cut off: most of the
 /// search is for what fits in any of them, and done once.
 pub struct Search<'a, 'b> {
@@ -61,6 +74,7 @@ pub struct Search<'a, 'b> {
     singles: OnceCell<Vec<Found<'a>>>,
     conventions: OnceCell<Vec<&'a Convention>>,
     pairs: OnceCell<Vec<Found<'a>>>,
+    slips: OnceCell<Vec<Found<'a>>>,
     /// What other values may explain the numbers in any way of reading: of parameters and speeds, of parameters beside a
     /// convention, and of definitions.
     values: [OnceCell<Vec<Unknown<'a>>>; 3],
@@ -71,8 +85,9 @@ impl<'a, 'b> Search<'a, 'b> {
     pub fn new(machine: &'a Machine, rounded: &'b Predictor<'b>, any: &'b Predictor<'b>) -> Self {
         let here = rounded.predict(&machine.world());
         let values = [const { OnceCell::new() }; 3];
-        let (singles, conventions, pairs) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
-        Self { machine, here, rounded, any, singles, conventions, pairs, values }
+        let (singles, conventions) = (OnceCell::new(), OnceCell::new());
+        let (pairs, slips) = (OnceCell::new(), OnceCell::new());
+        Self { machine, here, rounded, any, singles, conventions, pairs, slips, values }
     }
 
     /// Whether a slip or a convention alone reproduces all numbers, read in one way.
@@ -80,8 +95,8 @@ impl<'a, 'b> Search<'a, 'b> {
         self.singles().iter().any(|found| predictor.fits(&found.world))
     }
 
-    /// Everything that reproduces all numbers, read in one way, to the given digits, by the fewest causes: one; or else two, of
-    /// which one is a convention; or else another value of one definition, with two slips in its formula that make it.
+    /// Everything that reproduces all numbers, read in one way, to the given digits, by the fewest causes: one; or else two
+    /// conventions, slips, or one of each; or else another value of one definition, with two slips in its formula that make it.
     pub fn explain(&self, predictor: &Predictor) -> Vec<Found<'a>> {
         let fitting = |all: &[Found<'a>]| -> Vec<Found<'a>> {
             all.iter().filter(|found| predictor.fits(&found.world)).cloned().collect()
@@ -100,6 +115,7 @@ impl<'a, 'b> Search<'a, 'b> {
         }
         if found.is_empty() {
             found = fitting(self.pairs());
+            found.extend(fitting(self.slips()));
         }
         if found.is_empty() {
             found.extend(self.solved(predictor, self.parameters_with_conventions()));
@@ -115,7 +131,7 @@ impl<'a, 'b> Search<'a, 'b> {
 
     /// All numbers that do not agree, of which there are so many at most, written wrongly.
     fn written(&self, predictor: &Predictor, most: usize) -> Vec<Found<'a>> {
-        let slips = written(self.machine, predictor, &self.here);
+        let slips = written(predictor, &self.here);
         let wrong = self.here.len() - predictor.agreeing(&self.here);
         let explained: Vec<usize> = slips.iter().flat_map(|slip| slip.numbers.iter().copied()).collect();
         let is_all = (0..self.here.len()).all(|at| predictor.agrees(at, self.here[at]) || explained.contains(&at));
@@ -161,6 +177,10 @@ impl<'a, 'b> Search<'a, 'b> {
         self.pairs.get_or_init(|| pairs::find(self.machine, self.any, self.conventions()))
     }
 
+    fn slips(&self) -> &[Found<'a>] {
+        self.slips.get_or_init(|| slips::find(self.machine, self.any))
+    }
+
     /// The parameters of which another value fits, and speeds, where something else than matrices was given.
     fn parameters(&self) -> &[Unknown<'a>] {
         let has_speeds = self.any.given().matrices.is_empty() && self.machine.info.depends_on_speed();
@@ -197,7 +217,7 @@ impl<'a, 'b> Search<'a, 'b> {
         let mut found = Vec::new();
         for value in self.solved(predictor, self.definitions()) {
             let doubles = match value.causes[..] {
-                [Cause::Definition(at, x)] => double::find(self.machine, predictor, at, x),
+                [Cause::Definition(at, x)] => double::find(self.machine, predictor, &[at], (x, 1e-2 * x.abs())),
                 _ => Vec::new(),
             };
             match doubles.is_empty() {

@@ -2,10 +2,10 @@
 
 use super::{Cause, Found};
 use crate::conventions::{Convention, Effect};
-use crate::formulas::Formulas;
 use crate::given::Quantity;
-use crate::machine::{FormulaSlip, Machine};
+use crate::machine::Machine;
 use crate::predict::{Predictor, World};
+use carvallo_slips::{FormulaSlip, Formulas};
 
 /// All pairs of one of these conventions with another of them, or with a slip, with which everything fits.
 pub fn find<'a>(machine: &'a Machine, predictor: &Predictor, conventions: &[&'a Convention]) -> Vec<Found<'a>> {
@@ -69,7 +69,7 @@ fn of_parameters_and_slips<'a>(
     };
     let mut found = Vec::new();
     for slip in machine.slips().iter().filter(|slip| may_mend(slip)) {
-        if machine.slip(slip, &parameters, &base, &mut own) {
+        if slip.apply(formulas, &parameters, &base, &mut own) {
             std::mem::swap(&mut world.entries, &mut own.entries);
             if predictor.fits(&world) {
                 let causes = vec![Cause::Convention(convention), Cause::Slip(slip)];

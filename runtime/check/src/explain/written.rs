@@ -3,7 +3,6 @@
 
 use super::relation;
 use crate::given::{Quantity, Reading};
-use crate::machine::Machine;
 use crate::predict::Predictor;
 
 /// How one number was written wrongly, or two that were exchanged.
@@ -16,8 +15,8 @@ pub struct Written {
 }
 
 /// All of them among numbers that should be these: those that were exchanged first.
-pub fn written(machine: &Machine, predictor: &Predictor, here: &[f64]) -> Vec<Written> {
-    let name = |at: usize| predictor.given().name(predictor.numbers()[at].0, machine.info);
+pub fn written(predictor: &Predictor, here: &[f64]) -> Vec<Written> {
+    let name = |at: usize| predictor.name(at);
     let wrong: Vec<usize> = (0..here.len()).filter(|&at| !predictor.agrees(at, here[at])).collect();
     let mut found = Vec::new();
     for (index, &one) in wrong.iter().enumerate() {

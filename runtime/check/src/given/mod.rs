@@ -3,6 +3,7 @@
 mod reading;
 
 use carvallo::{MatrixName, ModelInfo};
+use carvallo_slips::{entry_name, indices};
 
 pub use self::reading::{Reading, level};
 
@@ -66,9 +67,20 @@ pub struct CriticalSpeed {
     pub speed: Reading,
 }
 
-/// Accelerations of coordinates in a state of motion, by the linear equations.
+/// Equations that accelerations come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Those of first order about straight motion.
+    Linear,
+    /// The exact ones of the mechanism.
+    Nonlinear,
+}
+
+/// Accelerations of coordinates in a state of motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Accelerations {
+    /// By which equations; `None` where those are meant that come nearer.
+    pub equations: Option<Kind>,
     /// In m/s.
     pub speed: f64,
     /// Of each coordinate, in its unit.
@@ -179,10 +191,10 @@ impl Given {
             Quantity::System(at, row, column) => {
                 let own = &self.system_matrices[at];
                 let letter = if own.is_stiffness { "K" } else { "C" };
-                format!("{letter}{} at {} m/s", place(row, column), own.speed)
+                format!("{letter}{} at {} m/s", indices(row, column), own.speed)
             }
             Quantity::State(at, row, column) => {
-                format!("A{} at {} m/s", place(row, column), self.state_matrices[at].speed)
+                format!("A{} at {} m/s", indices(row, column), self.state_matrices[at].speed)
             }
             Quantity::RealPart(at, index) => part("Re", at, index),
             Quantity::ImaginaryPart(at, index) => part("Im", at, index),
@@ -193,16 +205,6 @@ impl Given {
             }
         }
     }
-}
-
-/// `M_12`, with row and column from one; they come from zero.
-pub fn entry_name(matrix: MatrixName, row: usize, column: usize) -> String {
-    format!("{matrix}{}", place(row, column))
-}
-
-fn place(row: usize, column: usize) -> String {
-    let comma = if row.max(column) > 8 { "," } else { "" };
-    format!("_{}{comma}{}", row + 1, column + 1)
 }
 
 fn entries(rows: &Rows) -> impl Iterator<Item = (usize, usize, &Reading)> {

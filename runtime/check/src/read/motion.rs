@@ -5,7 +5,7 @@ use carvallo_design::Problem;
 use carvallo_design::input::{Named, Node, Value};
 
 use super::numbers::{problem, reading, speed};
-use crate::given::Accelerations;
+use crate::given::{Accelerations, Kind};
 
 /// Each a table `{ speed = 5, state = { phi = 0.1, phi_rate = 0 }, forces = { delta = 1 }, values = { phi = 2.3, delta = … } }`.
 ///
@@ -20,6 +20,7 @@ pub fn accelerations(node: &Node, info: &ModelInfo) -> Result<Vec<Accelerations>
     let mut found = Vec::new();
     for node in nodes {
         let mut own = Accelerations {
+            equations: None,
             speed: f64::NAN,
             positions: vec![0.0; info.coordinates.len()],
             rates: vec![0.0; info.coordinates.len()],
@@ -34,6 +35,20 @@ pub fn accelerations(node: &Node, info: &ModelInfo) -> Result<Vec<Accelerations>
         for Named { name, node } in members {
             let done = match (name.as_str(), &node.value) {
                 ("speed" | "v", _) => speed(node).map(|speed| own.speed = speed).map_err(|found| vec![found]),
+                ("equations", Value::Text(text)) => match text.as_str() {
+                    "linear" => {
+                        own.equations = Some(Kind::Linear);
+                        Ok(())
+                    }
+                    "nonlinear" => {
+                        own.equations = Some(Kind::Nonlinear);
+                        Ok(())
+                    }
+                    other => {
+                        let message = format!("`equations` is `{other}`; expected linear or nonlinear");
+                        Err(vec![problem(&node.place, message)])
+                    }
+                },
                 ("state", Value::Table(members)) => each(members, info, &mut |at, suffix, node, what| {
                     let value = reading(node, what)?.map_or(0.0, |reading| reading.value);
                     match suffix {
@@ -52,8 +67,9 @@ pub fn accelerations(node: &Node, info: &ModelInfo) -> Result<Vec<Accelerations>
                     Ok(())
                 }),
                 (other, _) => {
-                    let message =
-                        format!("`{other}` is not expected here; expected `speed`, `state`, `forces`, `values`");
+                    let message = format!(
+                        "`{other}` is not expected here; expected `speed`, `state`, `forces`, `values`, `equations`"
+                    );
                     Err(vec![problem(&node.place, message)])
                 }
             };

@@ -3,11 +3,11 @@
 use carvallo::MatrixName;
 use carvallo_design::number::shortest;
 
-use crate::formulas::index;
 use crate::given::{Given, Quantity, Reading, Rows, SystemMatrix};
 use crate::machine::Machine;
 use crate::predict::Predictor;
 use crate::states::states;
+use carvallo_slips::index;
 
 /// C and K at the speeds of the state matrices that are given, `C = -M A` of the accelerations by rates and `K = -M A` of those
 /// by positions, as near as the digits of A tell them; `None` where there is no such matrix.

@@ -1,16 +1,16 @@
 //! Explanations that make the same numbers, and what would tell the others apart.
 
-use carvallo::MatrixName;
+use carvallo::{Expression, MatrixName};
 use carvallo_design::number::shortest;
 
 use super::words::words;
 use super::{Explanation, Group};
 use crate::conventions::{Convention, Effect};
 use crate::explain::{Cause, Found, digits, relation};
-use crate::given::{Quantity, entry_name};
+use crate::given::Quantity;
 use crate::machine::Machine;
 use crate::predict::{Predictor, World};
-use crate::slips::Kind;
+use carvallo_slips::entry_name;
 
 /// The same numbers, but for rounding, relative to the largest of their matrix.
 const SAME: f64 = 1e-11;
@@ -61,17 +61,8 @@ pub fn groups(machine: &Machine, predictor: &Predictor, mut found: Vec<Found>) -
 pub fn rank(machine: &Machine, cause: &Cause) -> u32 {
     match cause {
         Cause::Convention(own) => u32::from(own.rank),
-        Cause::Slip(own) => match own.slip.kind {
-            Kind::SignOfTerm | Kind::Minus | Kind::SimilarName | Kind::Factor | Kind::Function => 2,
-            Kind::Term | Kind::Exponent => 2,
-            Kind::Number | Kind::ProductOrQuotient => 3,
-            Kind::OtherName => 5,
-            Kind::SumOrProduct => 6,
-        },
-        Cause::Slips(double) => {
-            let unlikely = |kind: Kind| matches!(kind, Kind::OtherName | Kind::SumOrProduct);
-            double.slips.iter().map(|slip| if unlikely(slip.kind) { 5 } else { 2 }).sum()
-        }
+        Cause::Slip(own) => own.rank(),
+        Cause::Slips(double) => double.rank(),
         Cause::Parameter(at, value) => match relation(machine.parameters[*at], *value) {
             Some(_) => 1,
             // A value of few digits may be what stood there.
@@ -127,7 +118,7 @@ fn short(value: f64) -> String {
 fn world(other: &Machine, machine: &Machine, found: &Found) -> Option<World> {
     let mut parameters = other.parameters.clone();
     let mut of_matrices: Option<&Convention> = None;
-    let mut slip = None;
+    let mut slips: Vec<(Vec<usize>, Expression)> = Vec::new();
     for cause in &found.causes {
         match cause {
             Cause::Convention(own) => {
@@ -143,17 +134,22 @@ fn world(other: &Machine, machine: &Machine, found: &Found) -> Option<World> {
                     of_matrices = Some(own);
                 }
             }
-            Cause::Slip(own) => slip = Some((own.formulas.clone(), own.changed.clone())),
+            Cause::Slip(own) => slips.push((own.formulas.clone(), own.changed.clone())),
             Cause::Slips(double) => {
-                let text = double.apply(machine.formulas.formulas[double.formula].text);
-                slip = Some((vec![double.formula], machine.formulas.parse(&text)?));
+                let text = double.apply(machine.formulas.formulas[double.formulas[0]].text);
+                slips.push((double.formulas.clone(), machine.formulas.parse(&text)?));
             }
             Cause::Parameter(..) | Cause::Definition(..) | Cause::Speed(_) | Cause::Written(_) => return None,
         }
     }
     let mut values = other.formulas.values(&parameters);
-    if let Some((formulas, changed)) = slip {
-        other.formulas.change(&formulas, &changed, &parameters, &mut values);
+    match &slips[..] {
+        [] => {}
+        [(formulas, changed)] => other.formulas.change(formulas, changed, &parameters, &mut values),
+        [(first, a), (second, b), ..] => {
+            let affected = other.formulas.affected(first.iter().chain(second).copied());
+            other.formulas.change_both([(first, a), (second, b)], &affected, &parameters, &mut values);
+        }
     }
     let old = other.world_from(values.entries, &parameters);
     let Some(convention) = of_matrices else { return Some(old) };

@@ -95,7 +95,7 @@ impl Report {
                 let shown = machine.units.of(unit(quantity, machine.info));
                 let is_cut_off = !predictor.agrees(at, ours) && meant.agrees(at, ours);
                 Comparison {
-                    name: predictor.given().name(quantity, machine.info),
+                    name: predictor.name(at),
                     yours: in_unit(reading, &reading.written, reading.value, &shown),
                     ours: ours.is_finite().then_some(shown.value(ours) + 0.0),
                     digits: match predictor.agrees(at, ours) {

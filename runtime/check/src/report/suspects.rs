@@ -48,7 +48,7 @@ const TOLD: usize = 4;
 
 impl Suspects {
     pub(super) fn new(machine: &Machine, predictor: &Predictor, here: &[f64]) -> Self {
-        let name = |at: usize| predictor.given().name(predictor.numbers()[at].0, machine.info);
+        let name = |at: usize| predictor.name(at);
         let wrong: Vec<usize> = (0..here.len()).filter(|&at| !predictor.agrees(at, here[at])).collect();
         Self {
             wrong: wrong.iter().map(|&at| name(at)).collect(),
@@ -65,7 +65,7 @@ impl Behind {
         let given = behind::state_matrices(machine, predictor)?;
         let predictor = Predictor::new(&given, machine);
         let here = predictor.predict(&machine.world());
-        let name = |at: usize| given.name(predictor.numbers()[at].0, machine.info);
+        let name = |at: usize| predictor.name(at);
         let wrong: Vec<usize> = (0..here.len()).filter(|&at| !predictor.agrees(at, here[at])).collect();
         let told = |&at: &usize| {
             let [yours, ours] = [predictor.numbers()[at].1.value, here[at]].map(behind::shown);
@@ -118,7 +118,7 @@ fn parts(
             }
         }
     });
-    for slip in written(machine, predictor, here) {
+    for slip in written(predictor, here) {
         let cause = Cause::Written(slip.what);
         candidates.push((slip.numbers, super::groups::rank(machine, &cause), cause));
     }

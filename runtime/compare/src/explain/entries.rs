@@ -1,8 +1,9 @@
 //! Guesses at what was done to single entries.
 
+use carvallo_slips::place;
+
 use super::factor::{Factor, factors};
-use super::{Evidence, Guess, Place, entry_name};
-use crate::formula::{place, position};
+use super::{Evidence, Guess, Place, entry_name, position};
 
 pub fn guesses(evidence: &Evidence<'_>, wrong: &[usize]) -> Vec<Guess<'static>> {
     let all = wrong.iter().flat_map(|entry| of_entry(evidence, *entry, wrong));
@@ -13,11 +14,11 @@ pub fn guesses(evidence: &Evidence<'_>, wrong: &[usize]) -> Vec<Guess<'static>> 
 /// Exchanged with another wrong entry of its matrix, a factor, or another entry in its place.
 fn of_entry(evidence: &Evidence<'_>, entry: usize, wrong: &[usize]) -> Vec<Guess<'static>> {
     let (info, n) = (evidence.info, evidence.n());
-    let (here, name) = (place(n, entry), entry_name(n, entry));
+    let (here, name) = (place(entry, n), entry_name(n, entry));
     let instead = move |from: Place| move |to: Place| (to == here).then_some(from);
     let mut all = Vec::new();
-    for other in wrong.iter().filter(|other| **other > entry && place(n, **other).0 == here.0) {
-        let there = place(n, *other);
+    for other in wrong.iter().filter(|other| **other > entry && place(**other, n).0 == here.0) {
+        let there = place(*other, n);
         let both = move |to: Place| match to {
             _ if to == here => Some(there),
             _ if to == there => Some(here),
@@ -41,6 +42,7 @@ fn of_entry(evidence: &Evidence<'_>, entry: usize, wrong: &[usize]) -> Vec<Guess
 fn ratio(evidence: &Evidence<'_>, entry: usize) -> Option<Factor> {
     let at = evidence.designs.iter().find(|at| at.exact[entry] != 0.0)?;
     // No more digits than differences are told by.
-    let ratio = (at.by_hand[entry] / at.exact[entry] * 1e8).round() / 1e8;
+    let digits = 10_f64.powf((0.1 / evidence.same).log10().round());
+    let ratio = (at.by_hand[entry] / at.exact[entry] * digits).round() / digits;
     (ratio.is_finite() && ratio != 0.0).then_some(Factor::Number(ratio))
 }

@@ -3,8 +3,7 @@
 use carvallo::MatrixName;
 
 use super::factor::{Factor, factors};
-use super::{AtDesign, Evidence, Guess, Place};
-use crate::formula::position;
+use super::{AtDesign, Evidence, Guess, Place, position};
 
 /// Those of the matrices that have wrong entries: only they can be it.
 pub fn guesses(evidence: &Evidence<'_>, wrong: &[MatrixName]) -> Vec<Guess<'static>> {

@@ -12,10 +12,10 @@ mod parameters;
 mod terms;
 
 use carvallo::{MatrixName, ModelInfo};
+use carvallo_slips::{Formulas, Values, index, place};
 use serde::Serialize;
 
 use self::factor::Factor;
-use crate::formula::{self, Equations, place, position};
 
 /// A matrix, a row and a column.
 type Place = (MatrixName, usize, usize);
@@ -38,22 +38,26 @@ pub struct Explanation {
 pub struct Evidence<'a> {
     pub info: &'static ModelInfo,
     /// The formulas of the model, if they can be evaluated.
-    pub equations: Option<&'a Equations>,
+    pub formulas: Option<&'a Formulas>,
     pub designs: Vec<AtDesign>,
+    /// Of its terms, how much an entry may differ and still be the same.
+    pub same: f64,
 }
 
 /// Parameters, and for each entry of the matrices its value, the size of its terms, and what is by hand.
 pub struct AtDesign {
     pub parameters: Vec<f64>,
+    /// The values of the formulas, if they can be evaluated.
+    pub values: Values,
     pub exact: Vec<f64>,
     pub sizes: Vec<f64>,
     pub by_hand: Vec<f64>,
 }
 
 impl AtDesign {
-    /// Whether a value for an entry is what is by hand.
-    fn is_by_hand(&self, entry: usize, value: f64) -> bool {
-        (self.by_hand[entry] - value).abs() <= SAME * (self.sizes[entry] + value.abs())
+    /// Whether a value for an entry is what is by hand, but for so much of its terms.
+    fn is_by_hand(&self, entry: usize, value: f64, same: f64) -> bool {
+        (self.by_hand[entry] - value).abs() <= same * (self.sizes[entry] + value.abs())
     }
 }
 
@@ -80,7 +84,7 @@ impl Guess<'_> {
         from: impl Fn(Place) -> Option<Place> + 'static,
     ) -> Guess<'static> {
         let entries = move |at: &AtDesign| {
-            let entry = |index: usize| match from(place(n, index)) {
+            let entry = |index: usize| match from(place(index, n)) {
                 Some(from) => factor.at(at) * at.exact[position(n, from)],
                 None => at.exact[index],
             };
@@ -103,7 +107,7 @@ struct Right {
 /// The entries that differ and what explains them, and those that nothing explains.
 pub fn explain(evidence: &Evidence<'_>) -> (Vec<Explanation>, Vec<String>) {
     let mut wrong = evidence.wrong();
-    let mut matrices: Vec<MatrixName> = wrong.iter().map(|entry| place(evidence.n(), *entry).0).collect();
+    let mut matrices: Vec<MatrixName> = wrong.iter().map(|entry| place(*entry, evidence.n()).0).collect();
     matrices.dedup();
     // From the plainest on.
     let mut guesses: Vec<Guess<'_>> = matrices::guesses(evidence, &matrices);
@@ -152,8 +156,8 @@ impl Evidence<'_> {
 
     /// The entries that differ.
     fn wrong(&self) -> Vec<usize> {
-        let differs = |entry: &usize| self.designs.iter().any(|at| !at.is_by_hand(*entry, at.exact[*entry]));
-        (0..formula::count(self.n())).filter(differs).collect()
+        let differs = |entry: &usize| self.designs.iter().any(|at| !at.is_by_hand(*entry, at.exact[*entry], self.same));
+        (0..MatrixName::ALL.len() * self.n() * self.n()).filter(differs).collect()
     }
 
     fn judge(&self, guess: &Guess<'_>, wrong: &[usize], rank: usize) -> Option<Right> {
@@ -161,11 +165,11 @@ impl Evidence<'_> {
         let mut broken: Vec<usize> = Vec::new();
         for at in &self.designs {
             let entries = (guess.entries)(at)?;
-            explained.retain(|entry| at.is_by_hand(*entry, entries[*entry]));
+            explained.retain(|entry| at.is_by_hand(*entry, entries[*entry], self.same));
             if explained.is_empty() {
                 return None;
             }
-            let breaks = |entry: &usize| !wrong.contains(entry) && !at.is_by_hand(*entry, entries[*entry]);
+            let breaks = |entry: &usize| !wrong.contains(entry) && !at.is_by_hand(*entry, entries[*entry], self.same);
             broken.extend((0..entries.len()).filter(breaks));
         }
         broken.sort_unstable();
@@ -184,7 +188,10 @@ impl Evidence<'_> {
 
 /// Reads `C1_12`.
 pub fn entry_name(n: usize, position: usize) -> String {
-    let (matrix, row, column) = place(n, position);
-    let comma = if row.max(column) > 8 { "," } else { "" };
-    format!("{matrix}_{}{comma}{}", row + 1, column + 1)
+    let (matrix, row, column) = place(position, n);
+    carvallo_slips::entry_name(matrix, row, column)
+}
+
+fn position(n: usize, (matrix, row, column): Place) -> usize {
+    index(matrix, row, column, n)
 }

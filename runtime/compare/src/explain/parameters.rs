@@ -1,7 +1,8 @@
 //! Guesses at what was done to a parameter wherever it stands.
 
+use carvallo_slips::Formulas;
+
 use super::{AtDesign, Evidence, Guess};
-use crate::formula::Equations;
 
 type Change = Box<dyn Fn(&mut [f64])>;
 
@@ -9,8 +10,8 @@ type Change = Box<dyn Fn(&mut [f64])>;
 pub fn guesses<'a>(evidence: &'a Evidence<'_>) -> impl Iterator<Item = Guess<'a>> + use<'a> {
     let used = |index: &usize| evidence.info.parameters[*index].used;
     let parameters: Vec<usize> = (0..evidence.info.parameters.len()).filter(used).collect();
-    evidence.equations.into_iter().flat_map(move |equations| {
-        changes(evidence, &parameters).into_iter().map(|(what, change)| guess(equations, what, change))
+    evidence.formulas.into_iter().flat_map(move |formulas| {
+        changes(evidence, &parameters).into_iter().map(|(what, change)| guess(formulas, what, change))
     })
 }
 
@@ -43,11 +44,11 @@ fn changes(evidence: &Evidence<'_>, parameters: &[usize]) -> Vec<(String, Change
     all
 }
 
-fn guess(equations: &Equations, what: String, change: Change) -> Guess<'_> {
+fn guess(formulas: &Formulas, what: String, change: Change) -> Guess<'_> {
     let entries = move |at: &AtDesign| {
         let mut parameters = at.parameters.clone();
         change(&mut parameters);
-        equations.entries(&parameters)
+        Some(formulas.values(&parameters).entries)
     };
     Guess { what, of_entries: true, is_another: true, entries: Box::new(entries) }
 }

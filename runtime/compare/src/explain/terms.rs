@@ -1,23 +1,21 @@
 //! Guesses at one slip in one formula.
 
-use super::{AtDesign, Evidence, Guess, entry_name};
-use crate::formula::slips;
+use carvallo_slips::{FormulaSlip, slip_words};
 
-/// Every single slip of every formula.
+use super::{AtDesign, Evidence, Guess};
+
+/// Every single slip of every formula, the likeliest first.
 pub fn guesses<'a>(evidence: &'a Evidence<'_>) -> impl Iterator<Item = Guess<'a>> + use<'a> {
-    let n = evidence.n();
-    evidence.equations.into_iter().flat_map(move |equations| {
-        slips(equations).map(move |slip| {
-            let equation = &equations.all[slip.equation];
-            let of = match equation.definition {
-                Some(name) => name.to_owned(),
-                None => {
-                    let names: Vec<String> = equation.positions.iter().map(|entry| entry_name(n, *entry)).collect();
-                    names.join(" = ")
-                }
+    evidence.formulas.into_iter().flat_map(move |formulas| {
+        let mut slips = formulas.slips();
+        slips.sort_by_key(FormulaSlip::rank);
+        slips.into_iter().map(move |slip| {
+            let text = formulas.formulas[slip.formulas[0]].text;
+            let what = slip_words(&formulas.subject(&slip.formulas), text, &slip.slip);
+            let entries = move |at: &AtDesign| {
+                let mut values = at.values.clone();
+                slip.apply(formulas, &at.parameters, &at.values, &mut values).then_some(values.entries)
             };
-            let what = format!("in `{of} = {}` {}: `{}`", equation.formula, slip.what, slip.formula);
-            let entries = move |at: &AtDesign| equations.entries_with(&at.parameters, &slip);
             Guess { what, of_entries: true, is_another: true, entries: Box::new(entries) }
         })
     })

@@ -51,6 +51,11 @@ impl Report {
                 broken.push(format!("`{name}` differs in {}", entries.join(", ")));
                 continue;
             }
+            if let Some(single) = side.single.as_ref().filter(|single| !single.differences.is_empty()) {
+                let entries: Vec<&str> = single.differences.iter().map(|worst| worst.entry.as_str()).collect();
+                broken.push(format!("`{name}` differs in f32 in {}", entries.join(", ")));
+                continue;
+            }
             for (scalar, accuracy) in [("f64", Some(&side.double)), ("f32", side.single.as_ref())] {
                 if let Some(worst) = accuracy.and_then(|accuracy| accuracy.worst.as_ref()).filter(|it| it.ulps > most) {
                     broken.push(format!(

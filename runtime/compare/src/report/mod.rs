@@ -51,6 +51,10 @@ pub struct SideReport {
     pub explanations: Vec<Explanation>,
     /// The entries that differ and that nothing explains.
     pub unexplained: Vec<String>,
+    /// What explains its differences in `f32`, as that function may be another one.
+    pub explanations_in_single: Vec<Explanation>,
+    /// The entries that differ in `f32` and that nothing explains.
+    pub unexplained_in_single: Vec<String>,
 }
 
 /// What a task took.

@@ -7,6 +7,7 @@ use carvallo::ModelInfo;
 use super::{Report, SideReport, TaskReport};
 use crate::accuracy::{Accuracy, Worst};
 use crate::designs::Design;
+use crate::explain::Explanation;
 use crate::reference::ReferenceKind;
 
 /// The width of names of rows.
@@ -38,8 +39,18 @@ impl fmt::Display for Report {
         for side in &self.sides {
             self.worst(f, side)?;
         }
-        for side in self.sides.iter().filter(|side| !side.double.differences.is_empty()) {
-            side.differences(f, self.model)?;
+        for side in &self.sides {
+            let SideReport { explanations, unexplained, explanations_in_single, unexplained_in_single, .. } = side;
+            if !side.double.differences.is_empty() {
+                side.differences(f, self.model, (&side.double, ""))?;
+                told(f, explanations, unexplained)?;
+            }
+            let Some(single) = side.single.as_ref().filter(|single| !single.differences.is_empty()) else { continue };
+            // Once where it is the same function.
+            if (explanations, unexplained) != (explanations_in_single, unexplained_in_single) {
+                side.differences(f, self.model, (single, " in f32"))?;
+                told(f, explanations_in_single, unexplained_in_single)?;
+            }
         }
         if !self.times.is_empty() {
             let note = if self.optimized { "" } else { ", which mean nothing without optimization (--release)" };
@@ -103,10 +114,16 @@ impl SideReport {
         self.single.as_ref()
     }
 
-    fn differences(&self, f: &mut fmt::Formatter<'_>, model: &ModelInfo) -> fmt::Result {
-        let (name, differences) = (&self.name, &self.double.differences);
+    /// Where a side differs in a number type, with how that is said.
+    fn differences(
+        &self,
+        f: &mut fmt::Formatter<'_>,
+        model: &ModelInfo,
+        (Accuracy { differences, .. }, scalar): (&Accuracy, &str),
+    ) -> fmt::Result {
+        let name = &self.name;
         let entries = if differences.len() == 1 { "one entry" } else { &*format!("{} entries", differences.len()) };
-        writeln!(f, "\n`{name}` differs in {entries}; where each is farthest off:")?;
+        writeln!(f, "\n`{name}` differs{scalar} in {entries}; where each is farthest off:")?;
         for Worst { entry, formula, computed, exact, design, .. } in differences {
             let (computed, exact) = (number(*computed), number(*exact));
             let equals = if formula.is_empty() { "" } else { " = " };
@@ -114,18 +131,22 @@ impl SideReport {
             writeln!(f, "    is {computed} and should be {exact}")?;
             writeln!(f, "    at {}{}", design.name, parameters(model, design))?;
         }
-        writeln!(f, "what was done:")?;
-        for explanation in &self.explanations {
-            let of = explanation.entries.join(", ");
-            let (first, others) = explanation.causes.split_first().expect("a cause");
-            writeln!(f, "  {first} ({of})")?;
-            others.iter().try_for_each(|other| writeln!(f, "    or {other}"))?;
-        }
-        if !self.unexplained.is_empty() {
-            writeln!(f, "  no single slip explains {}", self.unexplained.join(", "))?;
-        }
         Ok(())
     }
+}
+
+/// What was done.
+fn told(f: &mut fmt::Formatter<'_>, explanations: &[Explanation], unexplained: &[String]) -> fmt::Result {
+    writeln!(f, "what was done:")?;
+    for Explanation { entries, causes } in explanations {
+        let (first, others) = causes.split_first().expect("a cause");
+        writeln!(f, "  {first} ({})", entries.join(", "))?;
+        others.iter().try_for_each(|other| writeln!(f, "    or {other}"))?;
+    }
+    if !unexplained.is_empty() {
+        writeln!(f, "  no slip explains {}", unexplained.join(", "))?;
+    }
+    Ok(())
 }
 
 /// The parameters of a design, if they are few: `: r = 0.5, m = 2`.

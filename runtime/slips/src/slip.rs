@@ -1,14 +1,7 @@
-//! Slips in formulas: the change of one sign, operator, exponent, name, function or number, or the loss of one term or
-//! factor.
-
-mod all;
-mod token;
+//! A slip in a formula, and its kinds.
 
 use std::fmt;
 use std::ops::Range;
-
-pub use self::all::slips;
-pub use self::token::{Token, TokenKind, tokens};
 
 /// One slip in the text of a formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -62,11 +55,21 @@ pub enum Kind {
     Function,
     /// A number larger or smaller by one.
     Number,
+    /// A term, or what stands for itself, twice or half as large.
+    FactorOfTwo,
+    /// A first term that is subtracted.
+    Negative,
+    /// A name squared.
+    Square,
+    /// A product with the exponent in the place of the power: `l*2` for `l^2`.
+    PowerAsProduct,
+    /// A tangent for a sine or cosine or one of these for it, or the argument without the function.
+    OtherFunction,
 }
 
 impl Kind {
-    /// All of them.
-    pub const ALL: [Self; 11] = [
+    /// The changes of one token, and what is lost: what the checks of the compiler and of the command line are measured on.
+    pub const PLAIN: [Self; 11] = [
         Self::SignOfTerm,
         Self::ProductOrQuotient,
         Self::SumOrProduct,
@@ -79,6 +82,25 @@ impl Kind {
         Self::Function,
         Self::Number,
     ];
+
+    /// How unlikely it is, of a slip that makes sense by its units.
+    pub fn rank(self) -> u32 {
+        match self {
+            Self::SignOfTerm | Self::Minus | Self::SimilarName | Self::Factor | Self::Function => 2,
+            Self::Term | Self::Exponent | Self::FactorOfTwo | Self::Negative => 2,
+            Self::Number | Self::ProductOrQuotient | Self::PowerAsProduct | Self::OtherFunction | Self::Square => 3,
+            Self::OtherName => 5,
+            Self::SumOrProduct => 6,
+        }
+    }
+
+    /// How much unlikelier it is where it makes none: who forgets a factor changes the unit, too, but takes no mass for a length.
+    pub fn rank_without_sense(self) -> u32 {
+        match self {
+            Self::OtherName | Self::SimilarName | Self::SumOrProduct => self.rank() + 6,
+            _ => self.rank() + 1,
+        }
+    }
 }
 
 impl fmt::Display for Kind {
@@ -95,6 +117,11 @@ impl fmt::Display for Kind {
             Self::Term => "term lost",
             Self::Function => "sine or cosine",
             Self::Number => "number off by one",
+            Self::FactorOfTwo => "twice or half",
+            Self::Negative => "first term negative",
+            Self::Square => "name squared",
+            Self::PowerAsProduct => "power as product",
+            Self::OtherFunction => "another function",
         })
     }
 }

@@ -1,6 +1,11 @@
-//! The formulas of a model, all of them compiled to trees, and what becomes of the matrices when one is changed.
+//! The formulas of a model, all of them compiled to trees, and what becomes of the matrices when some are changed.
 
-use carvallo::{Expression, FormulaSubject, MatrixName, ModelInfo};
+use std::fmt;
+
+use carvallo::{Expression, FormulaNumber, FormulaSubject, MatrixName, ModelInfo};
+
+use crate::places::{entry_name, index};
+use crate::units::{Dimension, Units};
 
 /// What a formula is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -9,6 +14,15 @@ pub enum Subject {
     Definition(&'static str),
     /// An entry of a matrix, with its row and column from zero.
     Entry(MatrixName, usize, usize),
+}
+
+impl fmt::Display for Subject {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Definition(name) => f.write_str(name),
+            Self::Entry(matrix, row, column) => f.write_str(&entry_name(matrix, row, column)),
+        }
+    }
 }
 
 /// One formula of a model.
@@ -21,6 +35,7 @@ pub struct Formula {
     /// The entries that have the same formula, this one among them; empty for definitions.
     pub shared: Vec<usize>,
     expression: Expression,
+    unit: Option<Dimension>,
 }
 
 /// The formulas of a model: the definitions, each in those before it, then every entry of the matrices that it has.
@@ -36,21 +51,19 @@ pub struct Formulas {
     definitions: usize,
     /// Of each definition the formulas that depend on it, in their order.
     dependents: Vec<Vec<usize>>,
+    units: Units,
 }
 
 /// The values of all formulas.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Values {
-    definitions: Vec<f64>,
+pub struct Values<T = f64> {
+    definitions: Vec<T>,
     /// Of all eight matrices, in the order of [`MatrixName::ALL`], row by row.
-    pub entries: Vec<f64>,
+    pub entries: Vec<T>,
 }
 
-/// Where an entry is among those of all matrices.
-pub fn index(matrix: MatrixName, row: usize, column: usize, count: usize) -> usize {
-    let at = MatrixName::ALL.iter().position(|name| *name == matrix).unwrap_or_default();
-    (at * count + row) * count + column
-}
+/// Formulas that have another text, all of them the same one.
+pub type Change<'a> = (&'a [usize], &'a Expression);
 
 impl Values {
     /// That of a definition.
@@ -80,14 +93,15 @@ impl Formulas {
             FormulaSubject::Entry(_) => None,
         }));
         let definitions = names.len() - parameters;
-        let mut own = Self { formulas: Vec::new(), names, count, parameters, definitions, dependents: Vec::new() };
+        let (formulas, dependents, units) = (Vec::new(), Vec::new(), Units::new(info));
+        let mut own = Self { formulas, names, count, parameters, definitions, dependents, units };
         let mut texts = vec![None; MatrixName::ALL.len() * count * count];
         for (at, formula) in info.formulas.iter().enumerate() {
             match formula.of {
-                FormulaSubject::Definition(name) => own.push(Subject::Definition(name), formula.text)?,
+                FormulaSubject::Definition(name) => own.push(Subject::Definition(name), formula.text, formula.unit)?,
                 FormulaSubject::Entry(entry) => {
                     entry.places.iter().for_each(|&(matrix, row, column)| {
-                        texts[index(matrix, row, column, count)] = Some((at, formula.text));
+                        texts[index(matrix, row, column, count)] = Some((at, formula.text, formula.unit));
                     });
                 }
             }
@@ -97,11 +111,12 @@ impl Formulas {
         for &matrix in info.matrices {
             for (row, column) in (0..count * count).map(|place| (place / count, place % count)) {
                 let text = texts[index(matrix, row, column, count)];
-                own.push(Subject::Entry(matrix, row, column), text.map_or("0", |(_, text)| text))?;
+                let (formula, unit) = text.map_or(("0", ""), |(_, text, unit)| (text, unit));
+                own.push(Subject::Entry(matrix, row, column), formula, unit)?;
                 let last = own.formulas.len() - 1;
-                match (text, groups.iter_mut().find(|(group, _)| Some(*group) == text.map(|(at, _)| at))) {
+                match (text, groups.iter_mut().find(|(group, _)| Some(*group) == text.map(|(at, ..)| at))) {
                     (Some(_), Some((_, members))) => members.push(last),
-                    (Some((at, _)), None) => groups.push((at, vec![last])),
+                    (Some((at, ..)), None) => groups.push((at, vec![last])),
                     (None, _) => own.formulas[last].shared.push(last),
                 }
             }
@@ -113,9 +128,12 @@ impl Formulas {
         Ok(own)
     }
 
-    fn push(&mut self, subject: Subject, text: &'static str) -> Result<(), String> {
+    fn push(&mut self, subject: Subject, text: &'static str, unit: &str) -> Result<(), String> {
         let expression = self.parse(text).ok_or_else(|| format!("`{text}` is no formula"))?;
-        self.formulas.push(Formula { subject, text, shared: Vec::new(), expression });
+        let unit = Dimension::parse(unit).filter(|_| !unit.is_empty());
+        // What makes no sense as it is, as a number with a unit, tells nothing of what is changed in it.
+        let unit = unit.filter(|unit| self.units.fit(&expression, *unit));
+        self.formulas.push(Formula { subject, text, shared: Vec::new(), expression, unit });
         Ok(())
     }
 
@@ -129,6 +147,11 @@ impl Formulas {
             })
         };
         Expression::new(&carvallo::Formula::parse(text)?, &name)
+    }
+
+    /// Whether a formula could be this one by the units in it, as far as these are known.
+    pub fn makes_sense(&self, formula: usize, text: &Expression) -> bool {
+        self.formulas[formula].unit.is_none_or(|unit| self.units.fit(text, unit))
     }
 
     fn find_dependents(&self) -> Vec<Vec<usize>> {
@@ -150,16 +173,26 @@ impl Formulas {
         self.dependents.get(formula).map_or(&[], Vec::as_slice)
     }
 
-    /// The values for parameters in declared order.
+    /// The values for parameters in declared order; NaN where there is none.
     pub fn values(&self, parameters: &[f64]) -> Values {
-        let mut values = Values {
-            definitions: vec![f64::NAN; self.definitions],
-            entries: vec![0.0; MatrixName::ALL.len() * self.count * self.count],
-        };
-        for at in 0..self.formulas.len() {
-            self.evaluate(at, None, parameters, &mut values);
-        }
+        let mut values = self.start(f64::NAN, 0.0);
+        (0..self.formulas.len()).for_each(|at| self.evaluate_or_nan(at, None, parameters, &mut values));
         values
+    }
+
+    /// The same in any numbers; `None` where a formula has no value.
+    pub fn values_of<T: FormulaNumber>(&self, parameters: &[T]) -> Option<Values<T>> {
+        let zero = T::decimal("0", 0.0);
+        let mut values = self.start(zero, zero);
+        (0..self.formulas.len()).try_for_each(|at| self.evaluate(at, None, parameters, &mut values))?;
+        Some(values)
+    }
+
+    fn start<T: Copy>(&self, definition: T, entry: T) -> Values<T> {
+        Values {
+            definitions: vec![definition; self.definitions],
+            entries: vec![entry; MatrixName::ALL.len() * self.count * self.count],
+        }
     }
 
     /// Whether one formula is another, or depends on it.
@@ -172,28 +205,78 @@ impl Formulas {
         self.formulas.iter().position(|own| own.subject == Subject::Entry(matrix, row, column))
     }
 
-    /// Whether one of some formulas would depend on itself if it had this text.
-    pub fn is_circular(&self, formulas: &[usize], text: &Expression) -> bool {
-        let uses = definitions_of(text);
-        formulas.iter().any(|&formula| uses.iter().any(|&used| self.feeds(formula, used)))
+    /// What some formulas are of: `IAzz`, `M_12`, or `M_12 and M_21`.
+    pub fn subject(&self, formulas: &[usize]) -> String {
+        let names = formulas.iter().map(|&at| self.formulas[at].subject.to_string());
+        names.collect::<Vec<_>>().join(" and ")
     }
 
-    /// Makes the values into those where some formulas have another text, which all have the same one and which
+    /// Whether one of some formulas would depend on itself if it had this text.
+    pub fn is_circular(&self, formulas: &[usize], text: &Expression) -> bool {
+        formulas.iter().any(|&formula| self.uses(text, formula))
+    }
+
+    /// Whether a text uses a formula, or what depends on it.
+    pub fn uses(&self, text: &Expression, formula: usize) -> bool {
+        definitions_of(text).iter().any(|&used| self.feeds(formula, used))
+    }
+
+    /// Makes the values into those where some formulas have another text, which
     /// [is not circular](Self::is_circular): `values` are those of the formulas as they are.
     pub fn change(&self, formulas: &[usize], text: &Expression, parameters: &[f64], values: &mut Values) {
         for &formula in formulas {
-            self.evaluate(formula, Some(text), parameters, values);
+            self.evaluate_or_nan(formula, Some(text), parameters, values);
             for &dependent in self.dependents(formula) {
-                self.evaluate(dependent, None, parameters, values);
+                self.evaluate_or_nan(dependent, None, parameters, values);
             }
         }
     }
 
-    fn evaluate(&self, at: usize, text: Option<&Expression>, parameters: &[f64], values: &mut Values) {
-        let formula = &self.formulas[at];
-        let value = text.unwrap_or(&formula.expression);
-        let value = value.evaluate(parameters, &values.definitions).unwrap_or(f64::NAN);
-        match formula.subject {
+    /// The formulas whose values change with those of some, in an order in which they can be evaluated: for [`Self::change_both`].
+    pub fn affected(&self, changed: impl IntoIterator<Item = usize>) -> Vec<usize> {
+        let changed = changed.into_iter();
+        let mut all: Vec<usize> = changed.flat_map(|formula| [&[formula], self.dependents(formula)].concat()).collect();
+        all.sort_unstable();
+        all.dedup();
+        all
+    }
+
+    /// The same with two changes, which together are not circular either, of those formulas that are `affected`, or of some of
+    /// these with all that they are made of.
+    pub fn change_both(&self, both: [Change; 2], affected: &[usize], parameters: &[f64], values: &mut Values) {
+        // A formula with a slip may use a later one: the other one, which has to be there before.
+        let uses_later = |(formulas, text): &Change| {
+            definitions_of(text).iter().any(|used| formulas.iter().all(|formula| used > formula))
+        };
+        for _ in 0..=both.iter().filter(|change| uses_later(change)).count() {
+            for &at in affected {
+                let text = both.iter().find(|(formulas, _)| formulas.contains(&at)).map(|(_, text)| *text);
+                self.evaluate_or_nan(at, text, parameters, values);
+            }
+        }
+    }
+
+    fn evaluate_or_nan(&self, at: usize, text: Option<&Expression>, parameters: &[f64], values: &mut Values) {
+        if self.evaluate(at, text, parameters, values).is_none() {
+            self.set(at, f64::NAN, values);
+        }
+    }
+
+    fn evaluate<T: FormulaNumber>(
+        &self,
+        at: usize,
+        text: Option<&Expression>,
+        parameters: &[T],
+        values: &mut Values<T>,
+    ) -> Option<()> {
+        let text = text.unwrap_or(&self.formulas[at].expression);
+        let value = text.evaluate(parameters, &values.definitions)?;
+        self.set(at, value, values);
+        Some(())
+    }
+
+    fn set<T>(&self, at: usize, value: T, values: &mut Values<T>) {
+        match self.formulas[at].subject {
             Subject::Definition(_) => values.definitions[at] = value,
             Subject::Entry(matrix, row, column) => values.entries[index(matrix, row, column, self.count)] = value,
         }
@@ -204,33 +287,4 @@ fn definitions_of(expression: &Expression) -> Vec<usize> {
     let mut found = Vec::new();
     expression.each_definition(&mut |definition| found.push(definition));
     found
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Formulas;
-    use carvallo::MatrixName;
-    use carvallo_design::MODELS;
-
-    /// The formulas that are printed make the matrices that were compiled: for every model and all of its sets.
-    #[test]
-    fn formulas_make_the_matrices_of_every_model() {
-        for model in MODELS {
-            let formulas = Formulas::new(model.info).expect("formulas that can be read");
-            for set in model.info.sets {
-                let values = formulas.values(set.values);
-                let equations = model.equations(set.values).expect("a set that holds");
-                let count = formulas.count;
-                for (at, (name, rows)) in equations.matrices().into_iter().enumerate() {
-                    assert_eq!(name, MatrixName::ALL[at]);
-                    let largest = rows.iter().flatten().fold(0.0, |largest: f64, entry| largest.max(entry.abs()));
-                    for (place, expected) in rows.iter().flatten().enumerate() {
-                        let found = values.entries[at * count * count + place];
-                        let is_same = (found - expected).abs() <= 1e-12 * largest;
-                        assert!(is_same, "{} {}: {name} {place}: {found} {expected}", model.info.name, set.name);
-                    }
-                }
-            }
-        }
-    }
 }

@@ -2,14 +2,14 @@
 
 use std::ops::Range;
 
-use super::token::{Token, TokenKind, tokens};
-use super::{Kind, Slip};
+use crate::slip::{Kind, Slip};
+use crate::token::{Token, TokenKind, tokens};
 
 /// All slips of a formula, in its order: names become any other of these names, those of parameters and definitions. Of a
 /// text that is no formula there are none.
 pub fn slips(formula: &str, names: &[impl AsRef<str>]) -> Vec<Slip> {
     let names = names.iter().map(AsRef::as_ref).collect();
-    let mut slips = Slips { names, found: Vec::new() };
+    let mut slips = Slips { text: formula, names, found: Vec::new() };
     if let Some(tokens) = tokens(formula).filter(|tokens| !tokens.is_empty()) {
         slips.sum(&tokens);
     }
@@ -17,6 +17,7 @@ pub fn slips(formula: &str, names: &[impl AsRef<str>]) -> Vec<Slip> {
 }
 
 struct Slips<'a> {
+    text: &'a str,
     names: Vec<&'a str>,
     found: Vec<Slip>,
 }
@@ -47,6 +48,11 @@ impl Slips<'_> {
     fn sum(&mut self, tokens: &[Token]) {
         let terms = operands(tokens, ['+', '-']);
         self.operators(&terms);
+        if let Some(first) = terms.first().filter(|first| first.tokens.first().is_some_and(|token| !token.is('-'))) {
+            let own = place(first.tokens);
+            let changed = format!("-{}", &self.text[own.clone()]);
+            self.push(Kind::Negative, own, changed);
+        }
         if let [first, second, rest @ ..] = &terms[..] {
             // `a - b` without its first term is `-b`.
             let operator = second.operator.map_or(0..0, |token| token.place.clone());
@@ -63,6 +69,7 @@ impl Slips<'_> {
         let tokens = self.minus(tokens);
         let factors = operands(tokens, ['*', '/']);
         self.operators(&factors);
+        self.factor_of_two(tokens, &factors);
         if let [first, second, rest @ ..] = &factors[..] {
             let operator = second.operator.map_or(0..0, |token| token.place.clone());
             match second.is('*') {
@@ -79,6 +86,11 @@ impl Slips<'_> {
     fn power(&mut self, tokens: &[Token]) {
         let tokens = self.minus(tokens);
         let Some(caret) = tokens.iter().position(|token| token.is('^')) else {
+            if let [Token { kind: TokenKind::Name(name), place }] = tokens
+                && self.names.contains(&name.as_str())
+            {
+                self.push(Kind::Square, place.clone(), format!("{name}^2"));
+            }
             return self.primary(tokens);
         };
         let (base, power) = tokens.split_at(caret);
@@ -86,6 +98,9 @@ impl Slips<'_> {
             for changed in [exponent + 1, exponent - 1] {
                 let replacement = if changed == 1 { String::new() } else { format!("^{changed}") };
                 self.push(Kind::Exponent, place(power), replacement);
+            }
+            if exponent > 1 {
+                self.push(Kind::PowerAsProduct, place(power), format!("*{exponent}"));
             }
         }
         self.primary(base);
@@ -95,11 +110,14 @@ impl Slips<'_> {
         let Some(Token { kind, place }) = tokens.first() else { return };
         match (kind, tokens.get(1).map(|token| &token.kind)) {
             (TokenKind::Name(function), Some(TokenKind::Group(argument))) => {
-                match function.as_str() {
-                    "sin" => self.push(Kind::Function, place.clone(), "cos"),
-                    "cos" => self.push(Kind::Function, place.clone(), "sin"),
-                    _ => {}
-                }
+                let (other, others) = match function.as_str() {
+                    "sin" => (Some("cos"), &["tan", ""][..]),
+                    "cos" => (Some("sin"), &["tan", ""][..]),
+                    "tan" => (None, &["sin", "cos", ""][..]),
+                    _ => (None, &[""][..]),
+                };
+                other.iter().for_each(|other| self.push(Kind::Function, place.clone(), *other));
+                others.iter().for_each(|other| self.push(Kind::OtherFunction, place.clone(), *other));
                 self.sum(argument);
             }
             (TokenKind::Group(group), _) => self.sum(group),
@@ -119,6 +137,24 @@ impl Slips<'_> {
         for other in self.names.clone().into_iter().filter(|other| *other != name) {
             let kind = if is_similar(name, other) { Kind::SimilarName } else { Kind::OtherName };
             self.push(kind, place.clone(), other);
+        }
+    }
+
+    /// Twice and half of a product, unless a factor of two is lost or written the other way in it by another slip.
+    fn factor_of_two(&mut self, tokens: &[Token], factors: &[Operand<'_>]) {
+        let own = place(tokens);
+        let is_two = |divides: bool| {
+            let is = |factor: &Operand| matches!(factor.tokens, [Token { kind: TokenKind::Number(value), .. }] if *value == 2.0);
+            factors.iter().any(|factor| factor.is('/') == divides && is(factor))
+        };
+        let text = &self.text[own.clone()];
+        let [double, half] = [format!("2*{text}"), format!("{text}/2")];
+        if !matches!(factors, [Operand { tokens: [Token { kind: TokenKind::Number(_), .. }], .. }]) {
+            for (known, changed) in [(is_two(true), double), (is_two(false), half)] {
+                if !known {
+                    self.push(Kind::FactorOfTwo, own.clone(), changed);
+                }
+            }
         }
     }
 
@@ -190,7 +226,7 @@ fn is_similar(a: &str, b: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::slips as all;
-    use crate::slips::Kind;
+    use crate::slip::Kind;
 
     /// The formulas that one makes, by kind, in a model with parameters a1, a2, bb.
     fn slips(formula: &str, kind: Kind) -> Vec<String> {
@@ -211,6 +247,8 @@ mod tests {
         assert_eq!(slips("-a1*-a2^-2", Kind::Minus), ["a1*-a2^-2", "-a1*a2^-2"]);
         assert_eq!(slips("-a1*-a2^-2", Kind::SignOfTerm), [""; 0]);
         assert_eq!(slips("-(a1 + a2)", Kind::Minus), ["(a1 + a2)"]);
+        assert_eq!(slips("a1*sin(bb) + a2", Kind::Negative), ["-a1*sin(bb) + a2", "a1*sin(-bb) + a2"]);
+        assert_eq!(slips("-(a1 + a2)", Kind::Negative), ["-(-a1 + a2)"]);
     }
 
     #[test]
@@ -237,6 +275,24 @@ mod tests {
     #[test]
     fn functions_and_numbers_change() {
         assert_eq!(slips("sin(bb)*cos(bb)", Kind::Function), ["cos(bb)*cos(bb)", "sin(bb)*sin(bb)"]);
+        let others = ["tan(bb)*cos(bb)", "(bb)*cos(bb)", "sin(bb)*tan(bb)", "sin(bb)*(bb)"];
+        assert_eq!(slips("sin(bb)*cos(bb)", Kind::OtherFunction), others);
+        assert_eq!(slips("sqrt(a1)", Kind::OtherFunction), ["(a1)"]);
         assert_eq!(slips("2*a1 + 0.5", Kind::Number), ["3*a1 + 0.5", "1*a1 + 0.5", "2*a1 + 1.5", "2*a1 + -0.5"]);
+    }
+
+    #[test]
+    fn terms_are_twice_or_half_as_large() {
+        let both = ["2*a1 - a2*bb", "a1/2 - a2*bb", "a1 - 2*a2*bb", "a1 - a2*bb/2"];
+        assert_eq!(slips("a1 - a2*bb", Kind::FactorOfTwo), both);
+        // Half of what has a factor of two is the factor that is lost.
+        assert_eq!(slips("-2*a1", Kind::FactorOfTwo), ["-2*2*a1"]);
+        assert_eq!(slips("a1*sin(bb)^2", Kind::FactorOfTwo)[2..], ["a1*sin(2*bb)^2", "a1*sin(bb/2)^2"]);
+    }
+
+    #[test]
+    fn powers_are_too_many_or_products() {
+        assert_eq!(slips("a1*a2^2", Kind::Square), ["a1^2*a2^2"]);
+        assert_eq!(slips("a1*a2^2", Kind::PowerAsProduct), ["a1*a2*2"]);
     }
 }
