@@ -174,10 +174,10 @@ pub fn measure_pairs(machine: &Machine, evidence: Evidence, count: usize, has_se
         slips[(state >> 33) as usize % slips.len()]
     };
     let pairs: Vec<[&FormulaSlip; 2]> = (0..count).map(|_| [next(), next()]).collect();
-    on_all_processors(&pairs, &|pair| judge_pair(machine, evidence, *pair))
+    on_all_processors(&pairs, &|pair| judge_pair(machine, evidence, pair))
 }
 
-fn on_all_processors<T: Copy + Sync>(all: &[T], judge: &(dyn Fn(T) -> (Outcome, usize) + Sync)) -> Tally {
+fn on_all_processors<T: Copy + Send + Sync>(all: &[T], judge: &(dyn Fn(T) -> (Outcome, usize) + Sync)) -> Tally {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let mut tally = Tally::default();
     std::thread::scope(|scope| {
@@ -218,8 +218,7 @@ pub fn judge_pair(machine: &Machine, evidence: Evidence, [a, b]: [&FormulaSlip; 
         given.and_then(|given| check_machine(&given, machine).ok()).is_some_and(|report| !report.agrees)
     };
     let mut values = machine.values.clone();
-    let causes;
-    if a.formulas == b.formulas {
+    let causes = if a.formulas == b.formulas {
         let [first, second] = if a.slip.place.start <= b.slip.place.start { [a, b] } else { [b, a] };
         if first.slip.place.end > second.slip.place.start {
             return (Outcome::NoNumbers, 0);
@@ -231,7 +230,7 @@ pub fn judge_pair(machine: &Machine, evidence: Evidence, [a, b]: [&FormulaSlip; 
             return (Outcome::NoNumbers, 0);
         };
         formulas.change(&a.formulas, &changed, &machine.parameters, &mut values);
-        causes = vec![words(machine, &Cause::Slips(double))];
+        vec![words(machine, &Cause::Slips(double))]
     } else {
         let uses = |slip: &FormulaSlip, other: &FormulaSlip| formulas.uses(&slip.changed, other.formulas[0]);
         if a.is_circular || b.is_circular || (uses(a, b) && uses(b, a)) {
@@ -240,8 +239,8 @@ pub fn judge_pair(machine: &Machine, evidence: Evidence, [a, b]: [&FormulaSlip; 
         let affected = formulas.affected([a.formulas[0], b.formulas[0]]);
         let both = [(&a.formulas[..], &a.changed), (&b.formulas[..], &b.changed)];
         formulas.change_both(both, &affected, &machine.parameters, &mut values);
-        causes = [a, b].map(|slip| words(machine, &Cause::Slip(slip))).to_vec();
-    }
+        [a, b].map(|slip| words(machine, &Cause::Slip(slip))).to_vec()
+    };
     if !(sees(a) && sees(b)) {
         return (Outcome::Silent, 0);
     }
