@@ -1,10 +1,14 @@
 //! The designs that one parameter passes through.
 
+#[cfg(feature = "full")]
+use carvallo::ModelInfo;
 use carvallo::ParameterInfo;
 
 #[cfg(feature = "full")]
 use crate::conventions::{Naming, Varied};
 use crate::design::Design;
+#[cfg(feature = "full")]
+use crate::input::warning_of_varied;
 #[cfg(not(feature = "full"))]
 use crate::parameter::find;
 
@@ -14,6 +18,8 @@ pub struct Path {
     /// The parameter.
     pub parameter: ParameterInfo,
     values: Vec<f64>,
+    #[cfg(feature = "full")]
+    info: &'static ModelInfo,
     #[cfg(feature = "full")]
     varied: Varied,
     #[cfg(not(feature = "full"))]
@@ -28,7 +34,7 @@ impl Path {
         let naming = Naming::new(design.info(), [name]);
         let varying = naming.find(name)?;
         let varied = Varied::new(design, &naming, &[Some(&varying)])?;
-        Ok(Self { parameter: varying.info, values: design.values(), varied })
+        Ok(Self { parameter: varying.info, values: design.values(), info: design.info(), varied })
     }
 
     /// The parameters of the model at a value of the parameter, in declared order.
@@ -39,6 +45,11 @@ impl Path {
         let mut values = self.values.clone();
         self.varied.put(|_| Some(value), &mut values)?;
         Ok(values)
+    }
+
+    /// A warning if a value of the parameter seems to be in another unit.
+    pub fn warning(&self, value: f64) -> Option<String> {
+        warning_of_varied(&self.parameter, value, self.info, &self.at(value).ok()?)
     }
 
     /// What of the design is kept along it, where that is not plain.

@@ -55,4 +55,28 @@ for name, count, rate, a, b, c, d, w, noise in SIGNALS:
         f"{time!r},{value!r}" for time, value in zip(t.tolist(), y.tolist())
     ]
     (DATA / f"{name}.csv").write_text("\n".join(lines) + "\n")
+
+# The same with a zero that drifts, of which the rate is the last unknown.
+def drifting(t, a, b, c, d, w, e):
+    return model(t, a, b, c, d, w) + e * t
+
+
+def drifting_slopes(t, *unknowns):
+    return np.column_stack([slopes(t, *unknowns[:5]), t])
+
+
+drifts = []
+for name, count, rate, start, noise in [
+    ("drift", 400, 20.0, [2.5, -0.75, -0.75, 0.005, 3.93, 0.02], 0.01),
+    ("sinking", 250, 12.0, [0.1, 0.2, 1.1, 0.05, 5.1, -0.1], 0.03),
+]:
+    t = np.round(1.0 + (np.arange(count) + generator.uniform(-0.2, 0.2, count)) / rate, 4)
+    y = np.round(drifting(t - t[0], *start) + generator.normal(0.0, noise, count), 8)
+    found, covariance = curve_fit(
+        drifting, t - t[0], y, p0=start, jac=drifting_slopes, method="lm", ftol=1e-15, xtol=1e-15, gtol=1e-15, maxfev=10000
+    )
+    period = 2.0 * np.pi / found[4]
+    drifts.append([name, period, period / found[4] * np.sqrt(covariance[4, 4]), found[3], found[0], np.hypot(found[1], found[2]), found[5]])
+    (DATA / f"{name}.csv").write_text("".join(f"{time!r},{value!r}\n" for time, value in zip(t.tolist(), y.tolist())))
+(DATA / "drifts.tsv").write_text("\n".join("\t".join([row[0]] + [repr(float(v)) for v in row[1:]]) for row in drifts) + "\n")
 (DATA / "fits.tsv").write_text("\n".join("\t".join([row[0]] + [repr(float(v)) for v in row[1:]]) for row in rows) + "\n")

@@ -42,6 +42,27 @@ fn fits_are_those_of_scipy() {
     }
 }
 
+/// A zero that drifts is fitted, too, and is nothing where there is none.
+#[test]
+fn drifts_are_those_of_scipy() {
+    let fits = std::fs::read_to_string(folder().join("drifts.tsv")).unwrap();
+    for line in fits.lines() {
+        let (name, expected) = line.split_once('\t').unwrap();
+        let (times, values) = signal(name);
+        let Oscillation { period, deviation, decay, offset, amplitude, drift, .. } = fit(&times, &values).unwrap();
+        let found = [period, deviation, decay, offset, amplitude, drift];
+        for (found, expected) in found.into_iter().zip(numbers(expected, '\t')) {
+            // SciPy ends a few 1e-10 from the least sum.
+            let bound = 1e-7 * expected.abs().max(1e-2 * amplitude);
+            assert!((found - expected).abs() < bound, "{name}: {found}, expected {expected}");
+        }
+    }
+    for name in ["gyro", "torsion", "short", "clean", "slow"] {
+        let (times, values) = signal(name);
+        assert_eq!(fit(&times, &values).unwrap().drift, 0.0, "{name}");
+    }
+}
+
 /// Whatever the unit of the signal, its sign, and where time begins.
 #[test]
 fn periods_do_not_depend_on_units() {
@@ -120,10 +141,31 @@ fn files_stand_in_the_place_of_periods() {
     let expected = mean(&format!("['{period:?}+/-{deviation:?}', '{period:?}+/-{deviation:?}']"));
     let recording = format!("{{ file = '{gyro}', rate = 20 }}");
     assert!((mean(&format!("[{recording}, {recording}]")) / expected - 1.0).abs() < 1e-9);
+    for rate in ["'20 Hz'", "'0.02 kHz'", "'20Hz'"] {
+        let recording = format!("{{ file = '{gyro}', rate = {rate} }}");
+        assert!((mean(&format!("[{recording}, {recording}]")) / expected - 1.0).abs() < 1e-9, "{rate}");
+    }
+    let drifting = data.join("drift.csv").display().to_string();
+    let notes = measured(&format!("'{drifting}'")).unwrap().notes;
+    let drifts = std::fs::read_to_string(data.join("drifts.tsv")).unwrap();
+    let of_scipy = numbers(drifts.lines().next().unwrap().split_once('\t').unwrap().1, '\t');
+    let [period, .., amplitude, drift] = of_scipy[..] else { panic!("a fit") };
+    let percent = format!("beside a drift of the zero by {:.2} % of the amplitude", 100.0 * drift * period / amplitude);
+    assert!(notes.iter().any(|note| note.contains(&percent)), "{percent}: {notes:?}");
     for (value, message) in [
         ("'none.csv'", "none.csv: "),
         ("{ file = 'long.csv', column = 'gyro' }", "`furlong` is no unit of time"),
         ("{ file = 'more.csv' }", "it has 3 columns; give that of the signal as `column`"),
+        (
+            "{ file = 'more.csv', column = 'gyro', rate = '20 m' }",
+            "`rate` is `20 m`; `m` is no unit for it: it is in 1/s",
+        ),
+        ("{ file = 'more.csv', column = 'gyro', rate = 0 }", "`rate` is `0`; samples a second must be more than 0"),
+        ("{ file = 'more.csv', column = 'gyro', rate = 'fast' }", "`rate` is `fast`; expected a number in 1/s: "),
+        (
+            "{ file = 'more.csv', column = 'gyro', from = 3, to = 2 }",
+            "the recording is from 3 s to 2 s; these must ascend",
+        ),
         ("{ file = 'more.csv', colum = 'gyro' }", "`colum` is nothing that a recording has"),
         (&format!("'{gyro}'"), "it has no times; give the samples a second as `rate`"),
         (&format!("{{ file = '{torsion}', to = 4 }}"), "covers less than one and a half periods"),

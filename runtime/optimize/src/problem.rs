@@ -1,6 +1,7 @@
 //! What is asked for: a design, what of it may change, what is best, and what must be kept.
 
 use carvallo_design::conventions::Varied;
+use carvallo_design::input::warning_of_varied;
 use carvallo_design::number::shortest;
 use carvallo_design::{Design, Failure, Place};
 
@@ -107,6 +108,18 @@ impl<'a> Problem<'a> {
     /// What varies by other names than those of the model, what is kept with it, and what follows.
     pub fn note(&self) -> Option<String> {
         self.varied.note()
+    }
+
+    /// Ranges whose ends seem to be in another unit than that of their parameter, of each once.
+    pub fn warnings(&self) -> Vec<String> {
+        let given = |range: usize| self.before(range).unwrap_or(self.ranges[range].high);
+        let warning = |(varied, range): (usize, &Range)| {
+            let end = if range.high >= -range.low { range.high } else { range.low };
+            let values: Vec<f64> =
+                (0..self.ranges.len()).map(|at| if at == varied { end } else { given(at) }).collect();
+            warning_of_varied(&range.parameter, end, self.design.info(), &self.values(&values).ok()?)
+        };
+        self.ranges.iter().enumerate().filter_map(warning).collect()
     }
 
     /// The value that the given design has of the parameter of a range, if it is known.

@@ -201,6 +201,10 @@ fn run_along(options: &Options, along: &Along) -> Result<(), Failure> {
     }
     let mut analysis = AlongAnalysis::new(options.design.load()?, along, options.speed.map(|Speed(speed)| speed))?;
     (analysis.unit, analysis.speed_unit) = (units.of(analysis.parameter.unit), units.of("m/s"));
+    let [low, high] = analysis.range;
+    if let Some(text) = analysis.path.warning(if high >= -low { high } else { low }) {
+        note(WARNING, "warning", &text);
+    }
     if let Some(kept) = analysis.path.note() {
         note(WARNING, "note", &format!("{}: {kept}", analysis.design.name));
     }

@@ -95,6 +95,9 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let units = options.units.in_tables(options.format)?;
     let design = options.design.load()?;
     let problem = problem(options, &design)?;
+    for text in problem.warnings() {
+        note(WARNING, "warning", &text);
+    }
     if let Some(kept) = problem.note() {
         note(WARNING, "note", &format!("{}: {kept}", design.name));
     }

@@ -302,3 +302,56 @@ fn riders_may_be_in_other_units() {
         assert!((found - expected).abs() < 1e-13 * expected.abs().max(1.0), "{found}, {expected}");
     }
 }
+
+/// A column in millimetres in the place of metres is told once, with the name that it was given; what is ordinary is not.
+#[test]
+fn slips_of_units_are_told_once() {
+    let directory = Directory::new("units-slips");
+    directory.write("mm.csv", "w,c,mB\n1020,80,85\n1030,81,86\n1040,82,87\n");
+    directory.write("moore.csv", "d1,d3\n953,0.032\n954,0.032\n");
+    let vary = |vary: &'static str| vec!["sweep", "--vary", vary];
+    for (arguments, expected) in [
+        (
+            vary("w=900:1200:100"),
+            vec![
+                "`w`: 1200 is too large for a bicycle, and ordinary in mm; write that unit with its values, as in `1200 mm`",
+            ],
+        ),
+        (
+            vary("w=90:120:10"),
+            vec![
+                "`w`: 120 is too large for a bicycle, and ordinary in cm; write that unit with its values, as in `120 cm`",
+            ],
+        ),
+        (
+            vary("mB=60000,85000"),
+            vec![
+                "`mB`: 85000 is too large for a bicycle, and ordinary in g; write that unit with its values, as in `85000 g`",
+            ],
+        ),
+        (
+            vary("IBxx=92000,93000"),
+            vec![
+                "`IBxx`: 93000 is too large for a bicycle, and ordinary in kg*cm^2; write that unit with its values, as in `93000 kg*cm^2`",
+            ],
+        ),
+        (vary("fork_offset=30:60:10"), vec!["`fork_offset`: with 60 `c` is "]),
+        (vary("w=0.9:1.2:0.1"), vec![]),
+        (vary("mB=0.001,0.01,85"), vec![]),
+        (vary("head_angle=1 deg:80 deg:1 deg"), vec![]),
+        (vec!["sweep", "--random", "w=900..1200", "--samples", "20"], vec!["`w`: "]),
+        (vec!["sweep", "--designs", "mm.csv"], vec!["`w`: 1040 is too large", "`c`: 82 is too large"]),
+        (vec!["sweep", "--designs", "moore.csv"], vec!["`d1`: with 954 `w` is "]),
+        (vec!["analyze", "--along", "w=900:1200", "--speed", "5"], vec!["`w`: 1200 is too large"]),
+        (vec!["analyze", "--along", "fork_offset=-60:-30", "--speed", "5"], vec!["`fork_offset`: with -60 `c` is "]),
+        (vec!["analyze", "--along", "w=0.9:1.2", "--speed", "5"], vec![]),
+        (vec!["optimize", "--vary", "w=900:1200", "--minimize", "w", "--starts", "1"], vec!["`w`: 1200 is too large"]),
+    ] {
+        let run = directory.run(&arguments);
+        let warnings: Vec<&str> = run.stderr.lines().filter_map(|line| line.strip_prefix("warning: ")).collect();
+        assert_eq!(warnings.len(), expected.len(), "{arguments:?}: {}", run.stderr);
+        for (warning, expected) in warnings.iter().zip(&expected) {
+            assert!(warning.starts_with(expected), "{arguments:?}: {warning}");
+        }
+    }
+}

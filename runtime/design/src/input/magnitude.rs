@@ -4,6 +4,11 @@
 //! An angle in degrees is beyond the domain of `lam` and refused there.
 
 use carvallo::ModelInfo;
+#[cfg(feature = "full")]
+use carvallo::ParameterInfo;
+
+#[cfg(feature = "full")]
+use crate::number::with_unit;
 
 /// The parameters of one kind, and in which sizes bicycles, recumbents, tandems and motorcycles have them.
 struct Kind {
@@ -37,37 +42,69 @@ const BODIES: [(&[&str], &str, &str); 4] = [
 /// By how much a moment of inertia exceeds mass times length squared that has another unit.
 const EXCESS: f64 = 100.0;
 
+/// A value that seems to be in another unit.
+struct Slip {
+    unit: &'static str,
+    name: &'static str,
+    size: f64,
+}
+
 /// A warning for each unit that values seem to be in; none for models that are no bicycles.
 pub fn warnings(info: &ModelInfo, values: &[f64]) -> Vec<String> {
+    let found = slips(info, values);
+    let units = LENGTHS.iter().chain(KINDS[4].units).chain(KINDS[5].units).chain(INERTIAS);
+    units.filter_map(|(unit, _)| warning(unit, found.iter().filter(|slip| slip.unit == *unit))).collect()
+}
+
+/// A warning if a value of something that varies seems to be in another unit, by the parameters of the model that follow from it.
+#[cfg(feature = "full")]
+pub fn warning_of_varied(varied: &ParameterInfo, value: f64, info: &ModelInfo, values: &[f64]) -> Option<String> {
+    let is_of_it = |slip: &&Slip| {
+        let is_own = info.position(varied.name).is_none() || slip.name == varied.name;
+        // What others beside it make large is not for it.
+        let is_from_it = value.abs() > 0.1 * slip.size.abs();
+        is_own && is_from_it && crate::quantity::scale(varied.unit, slip.unit).is_some()
+    };
+    let found = slips(info, values);
+    let Slip { unit, name, size } = found.iter().find(is_of_it)?;
+    let value = crate::number::shortest(value);
+    let own = varied.name;
+    let large = match *name == own {
+        true => format!("{value} is too large for a bicycle"),
+        false => format!("with {value} `{name}` is {}, too large for a bicycle", with_unit(*size, varied.unit)),
+    };
+    Some(format!("`{own}`: {large}, and ordinary in {unit}; write that unit with its values, as in `{value} {unit}`"))
+}
+
+fn slips(info: &ModelInfo, values: &[f64]) -> Vec<Slip> {
     let value = |name: &str| info.position(name).and_then(|position| values.get(position)).copied();
     if ["w", "c", "lam", "rR", "rF"].iter().any(|name| info.position(name).is_none()) {
         return Vec::new();
     }
-    let mut found: Vec<(&str, &str, f64)> = Vec::new();
+    let mut found = Vec::new();
     for Kind { names, ordinary: (low, high), largest, units } in KINDS {
-        for name in names {
+        for &name in names {
             let Some(size) = value(name).filter(|size| size.abs() > largest) else { continue };
             let fits = |(_, factor): &&(&str, f64)| (low..=high).contains(&(size * factor).abs());
-            found.extend(units.iter().find(fits).map(|(unit, _)| (*unit, *name, size)));
+            found.extend(units.iter().find(fits).map(|&(unit, _)| Slip { unit, name, size }));
         }
     }
     for (names, mass, length) in BODIES {
         let (Some(mass), Some(length)) = (value(mass), value(length)) else { continue };
         let bound = mass * length * length;
-        for name in names {
+        for &name in names {
             let Some(size) = value(name).filter(|size| bound > 0.0 && size.abs() > EXCESS * bound) else { continue };
             let fits = |(_, factor): &&(&str, f64)| (1e-3 * bound..=bound).contains(&(size * factor).abs());
-            found.extend(INERTIAS.iter().find(fits).map(|(unit, _)| (*unit, *name, size)));
+            found.extend(INERTIAS.iter().find(fits).map(|&(unit, _)| Slip { unit, name, size }));
         }
     }
-    let units = LENGTHS.iter().chain(KINDS[4].units).chain(KINDS[5].units).chain(INERTIAS);
-    units.filter_map(|(unit, _)| warning(unit, found.iter().filter(|(other, ..)| other == unit))).collect()
+    found
 }
 
-fn warning<'a>(unit: &str, found: impl Iterator<Item = &'a (&'a str, &'a str, f64)>) -> Option<String> {
-    let found: Vec<&(&str, &str, f64)> = found.collect();
-    let [(_, _, first), ..] = found[..] else { return None };
-    let names: Vec<String> = found.iter().map(|(_, name, _)| format!("`{name}`")).collect();
+fn warning<'a>(unit: &str, found: impl Iterator<Item = &'a Slip>) -> Option<String> {
+    let found: Vec<&Slip> = found.collect();
+    let [Slip { size: first, .. }, ..] = found[..] else { return None };
+    let names: Vec<String> = found.iter().map(|slip| format!("`{}`", slip.name)).collect();
     let (are, each) = if names.len() == 1 { ("is", "it") } else { ("are", "each") };
     let example = format!("{} {unit}", crate::number::shortest(*first));
     Some(format!(

@@ -38,6 +38,8 @@ use crate::failure::{Failure, Place, Problem};
 use crate::joined::Body;
 use crate::model::{Shipped, WHIPPLE};
 
+#[cfg(feature = "full")]
+pub use self::magnitude::warning_of_varied;
 pub use self::matrices::{list, matrix_of_rows};
 #[cfg(feature = "full")]
 pub(crate) use self::names::without_owner;

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use carvallo_design::input::{Named, Node, Value};
-use carvallo_design::number::shortest;
-use carvallo_design::quantity::{Context, Scale, headed, no_names, number, scale};
+use carvallo_design::number::{fixed, shortest};
+use carvallo_design::quantity::{Context, Mistake, Reason, Scale, headed, no_names, number, scale};
 
 use super::fit::{Oscillation, fit};
 
@@ -51,21 +51,32 @@ impl Recording {
             let (Value::Text(text) | Value::Number(text)) = value else {
                 return Err(format!("`{name}` of a recording must be a text or a number"));
             };
-            let in_unit = |unit| {
-                number(text, Context { unit, names: &no_names })
-                    .map_err(|_| format!("`{name}` is `{text}`; expected a number in {unit}"))
+            let in_unit = |text: &str, unit| {
+                number(text, Context { unit, names: &no_names }).map_err(|Mistake { reason, .. }| match reason {
+                    Reason::Unit(unknown) => {
+                        format!("`{name}` is `{text}`; `{unknown}` is no unit for it: it is in {unit}")
+                    }
+                    Reason::Other(reason) => format!("`{name}` is `{text}`; expected a number in {unit}: {reason}"),
+                })
             };
             match name.as_str() {
                 "file" => recording.file.clone_from(text),
                 "column" => recording.column = Some(text.clone()),
-                "rate" => recording.rate = Some(in_unit("1/s")?).filter(|rate| *rate > 0.0),
-                "from" => recording.from = in_unit("s")?,
-                "to" => recording.to = in_unit("s")?,
+                "rate" => match in_unit(&per_second(text), "1/s")? {
+                    rate if rate > 0.0 => recording.rate = Some(rate),
+                    _ => return Err(format!("`rate` is `{text}`; samples a second must be more than 0")),
+                },
+                "from" => recording.from = in_unit(text, "s")?,
+                "to" => recording.to = in_unit(text, "s")?,
                 _ => {
                     let known = "`file`, `column`, `rate`, `from` and `to`";
                     return Err(format!("`{name}` is nothing that a recording has, which is {known}"));
                 }
             }
+        }
+        if recording.from >= recording.to {
+            let [from, to] = [recording.from, recording.to].map(shortest);
+            return Err(format!("the recording is from {from} s to {to} s; these must ascend"));
         }
         Ok(recording)
     }
@@ -81,9 +92,14 @@ impl Recording {
         let (times, signal) =
             self.samples(&String::from_utf8_lossy(&bytes)).map_err(|error| format!("{shown}: {error}"))?;
         let found = fit(&times, &signal).map_err(|error| format!("{shown}: {error}"))?;
-        let Oscillation { period, deviation, decay, samples, periods, r_squared, .. } = found;
+        let Oscillation { period, deviation, decay, samples, periods, r_squared, drift, amplitude, .. } = found;
+        let percent = 100.0 * (drift * period / amplitude).abs();
+        let drift = match drift {
+            0.0 => String::new(),
+            _ => format!(", beside a drift of the zero by {} % of the amplitude a period", fixed(percent, 2)),
+        };
         let said = format!(
-            "{} ± {} s by {shown}: {samples} samples of {periods:.1} periods, decay {} 1/s, R² {r_squared:.5}",
+            "{} ± {} s by {shown}: {samples} samples of {periods:.1} periods, decay {} 1/s, R² {r_squared:.5}{drift}",
             shortest(rounded(period, deviation)),
             shortest(rounded(deviation, 0.1 * deviation)),
             shortest(rounded(decay, 0.01 * decay.abs())),
@@ -147,6 +163,13 @@ impl Recording {
             None => Err(format!("it has {} columns; give that of the signal as `column`", first.len())),
         }
     }
+}
+
+/// A rate of samples without hertz, which are no unit elsewhere, where they might be turns or radians a second.
+fn per_second(text: &str) -> String {
+    let text = text.trim();
+    let hertz = |unit: &str, times: &str| Some(format!("({}){times}", text.strip_suffix(unit)?.trim()));
+    hertz("kHz", "*1000").or_else(|| hertz("Hz", "")).unwrap_or_else(|| text.to_owned())
 }
 
 /// What separates the cells of a line: nothing but space where it is `None`.

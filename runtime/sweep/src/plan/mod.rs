@@ -1,6 +1,7 @@
 //! What a sweep does: the request, validated as a whole.
 
 mod fingerprint;
+mod slips;
 mod validate;
 
 pub(crate) use self::validate::validate;
@@ -36,9 +37,15 @@ pub struct Plan {
     pub(crate) batch: usize,
     /// Differs for sweeps with different results.
     pub(crate) fingerprint: u64,
+    warnings: Vec<String>,
 }
 
 impl Plan {
+    /// What its parameters seem to be in that is not their unit, of each column once.
+    pub fn warnings(&self) -> &[String] {
+        &self.warnings
+    }
+
     /// What is to be known of what varies, and of the columns of a file.
     pub fn notes(&self) -> Vec<String> {
         let of_file = match &self.source {
@@ -100,12 +107,13 @@ impl Plan {
         if let (Source::Generated(_), Some(message)) = (&source, varied.conflict()) {
             return Err(Failure::usage(message));
         }
+        let warnings = slips::warnings(design, &source, &parameters, &varied)?;
         let task = Task { model: design.model, base: design.values(), varied, layout };
         headings.extend(task.layout.headings());
         headings.push(Heading::text("error"));
         let shown = headings.iter_mut().map(|heading| shown_in(heading, &request.units)).collect();
         let fingerprint = fingerprint(design, &source, &headings, format)?;
-        Ok(Self { task, source, headings, shown, format, batch: batch as usize, fingerprint })
+        Ok(Self { task, source, headings, shown, format, batch: batch as usize, fingerprint, warnings })
     }
 }
 
