@@ -396,3 +396,34 @@ fn geometry_is_read_as_it_is_printed() {
         ": `trail` is 70.0 mm, but 59.7 mm with the fork offset; leave one of them out",
     );
 }
+
+/// Settings in another convention than the paper's and than that of the file: as if the file were in the paper's names.
+#[test]
+fn settings_may_be_in_another_convention_than_the_file() {
+    let directory = Directory::new("convert-third");
+    let with_deviations = directory.run(&["show", "browser-jason"]).ok();
+    directory.write("paper.toml", with_deviations);
+    let moore = directory.run(&["convert", "paper.toml", "--to", "moore", "--output", "moore.toml"]);
+    assert_eq!(moore.code, Some(0), "{}", moore.stderr);
+    let set = ["--set", "trail=60 mm", "--set", "head_angle=70 deg", "--set", "mB=90"];
+    let speeds = |file: &str| {
+        let run = directory.run(&[&["sensitivity", file, "--format", "json"], &set[..]].concat());
+        assert!(run.stderr.contains("changed in the geometry that manufacturers print"), "{}", run.stderr);
+        let found: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+        found["critical_speeds"].as_array().unwrap().clone()
+    };
+    let (found, expected) = (speeds("moore.toml"), speeds("paper.toml"));
+    assert!(!expected.is_empty() && found.len() == expected.len());
+    for (found, expected) in found.iter().zip(&expected) {
+        let [found, expected] = [found, expected].map(|event| event["speed"].as_f64().unwrap());
+        assert!((found - expected).abs() < 1e-10, "{found}, expected {expected}");
+    }
+    directory
+        .run(&["analyze", "moore.toml", "--set", "trial=60 mm"])
+        .fails(2, "error: --set trial=60 mm: `trial` is not a parameter of Whipple\n");
+    // A script of MATLAB under another ending.
+    let script = directory.run(&["convert", "pista", "--to", "jbike6"]).stdout;
+    directory.write("script.toml", script);
+    let run = directory.run(&["analyze", "script.toml", "--format", "json"]);
+    assert!(run.code == Some(0) && run.stderr.contains("in the names of JBike6"), "{}", run.stderr);
+}

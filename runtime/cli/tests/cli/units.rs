@@ -308,6 +308,8 @@ fn riders_may_be_in_other_units() {
 fn slips_of_units_are_told_once() {
     let directory = Directory::new("units-slips");
     directory.write("mm.csv", "w,c,mB\n1020,80,85\n1030,81,86\n1040,82,87\n");
+    // A single design with a light wheel, and inertia of a heavy one, is none.
+    directory.write("odd.csv", "IFyy,mF\n0.2,2\n0.28,3\n0.28,0.005\n");
     directory.write("moore.csv", "d1,d3\n953,0.032\n954,0.032\n");
     let vary = |vary: &'static str| vec!["sweep", "--vary", vary];
     for (arguments, expected) in [
@@ -341,6 +343,7 @@ fn slips_of_units_are_told_once() {
         (vary("head_angle=1 deg:80 deg:1 deg"), vec![]),
         (vec!["sweep", "--random", "w=900..1200", "--samples", "20"], vec!["`w`: "]),
         (vec!["sweep", "--designs", "mm.csv"], vec!["`w`: 1040 is too large", "`c`: 82 is too large"]),
+        (vec!["sweep", "--designs", "odd.csv"], vec![]),
         (vec!["sweep", "--designs", "moore.csv"], vec!["`d1`: with 954 `w` is "]),
         (vec!["analyze", "--along", "w=900:1200", "--speed", "5"], vec!["`w`: 1200 is too large"]),
         (vec!["analyze", "--along", "fork_offset=-60:-30", "--speed", "5"], vec!["`fork_offset`: with -60 `c` is "]),

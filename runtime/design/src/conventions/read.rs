@@ -7,11 +7,11 @@ use carvallo::{Covariance, ModelInfo};
 use super::express::express;
 use super::held::Ranks;
 use super::name::Values;
-use super::recognise::recognise;
+use super::recognise::{only, recognise};
 use super::source::{Paper, Source, parameter};
 use super::{Convention, PAPER};
 use crate::failure::{Place, Problem};
-use crate::input::{Document, Entry, Scope, position, value_of};
+use crate::input::{Document, Entry, Named, Node, Scope, Value, position, value_of};
 use crate::number::{shortest, with_unit};
 
 /// How a file was read that is not in the names of the paper.
@@ -28,7 +28,7 @@ pub struct Reading {
 }
 
 /// Puts the parameters of the paper in the place of those of the convention that a file is in, if it is in another. Settings
-/// that are in the same convention take part in it; the others are left.
+/// that are in the same convention take part in it; the others are left, or change what follows if they are in a third one.
 pub fn read(
     document: &mut Document,
     label: &str,
@@ -87,7 +87,30 @@ pub fn read(
     let is_left = |entry: &Entry| position(&entry.name, info).is_none() && !scope.is_used(entry);
     let left: Vec<Entry> = others.iter().filter(|entry| is_left(entry)).cloned().collect();
     document.entries = paper.into_iter().chain(left).collect();
+    if !is_paper && in_another(settings, info) {
+        document.parameterization = Some((Place::Nowhere, PAPER.name.to_owned()));
+        document.correlations = pairs(covariance.as_ref(), info);
+        let reading = read(document, label, info, settings)?;
+        return Some(Reading { assumed, ..reading });
+    }
     Some(Reading { convention, assumed, given, covariance })
+}
+
+/// Whether settings that are not in the names of the paper are all in those of another convention.
+fn in_another(settings: &[Entry], info: &ModelInfo) -> bool {
+    let is_foreign = |entry: &&Entry| position(&entry.name, info).is_none();
+    only(&settings.iter().filter(is_foreign).cloned().collect::<Vec<_>>()).is_some()
+}
+
+/// How parameters of the model vary together, as a file says it.
+fn pairs(covariance: Option<&Covariance>, info: &ModelInfo) -> Vec<Named> {
+    let name = |position: usize| info.parameters[position].name;
+    let named = |name: &str, value| Named { name: name.to_owned(), node: Node { place: Place::Nowhere, value } };
+    let pairs = covariance.map(Covariance::correlations).unwrap_or_default();
+    let pair = |&(a, b, value): &(usize, usize, f64)| {
+        named(name(a), Value::Table(vec![named(name(b), Value::Number(shortest(value)))]))
+    };
+    pairs.iter().map(pair).collect()
 }
 
 /// Leaves out what settings stand in the place of. What they need beside them, and follows from the rest, comes in; what is said

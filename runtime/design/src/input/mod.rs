@@ -336,6 +336,8 @@ impl Form {
             // Neither TOML nor a YAML of lines begins so, and no JSON assigns: such a file has the wrong ending.
             Some("toml" | "yml" | "yaml") if begins.starts_with('{') => Self::Json,
             Some("json") if !begins.starts_with('{') && is_assigning(begins) => Self::by_content(file),
+            // What `carvallo convert` writes for JBike6 into a file that is called so.
+            Some("toml") if lines::is_matlab(file) && !toml::is_whole(file) => Self::by_content(file),
             Some("toml") => Self::Toml,
             Some("json") => Self::Json,
             Some("yml" | "yaml") => Self::Lines(':'),

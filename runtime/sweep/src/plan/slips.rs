@@ -10,8 +10,8 @@ use crate::table::Designs;
 /// So many designs are looked at: what is in another unit is so in all of them.
 const MOST: usize = 4096;
 
-/// A warning for each column of which the largest value makes a design as none is, and in another unit an ordinary one. All else
-/// is that of its row.
+/// A warning for each column of which the largest value makes a design as none is, and in another unit an ordinary one, and so does
+/// the middle one: a single odd design is no slip of units. All else is that of the design's own row.
 ///
 /// # Errors
 /// If a file cannot be read.
@@ -23,18 +23,31 @@ pub fn warnings(
 ) -> Result<Vec<String>, Failure> {
     let chunks = Batches::new(source)?.next(0, MOST)?;
     let warning = |(column, varying): (usize, &&Varying)| {
-        let (value, designs, row) = largest(&chunks, column)?;
-        let mut values = design.values();
-        varied.put(|column| designs.columns[column].number(row), &mut values).ok()?;
-        warning_of_varied(&varying.info, value, design.info(), &values)
+        let cells = ascending(&chunks, column);
+        let warning = |&Cell { value, designs, row }: &Cell| {
+            let mut values = design.values();
+            varied.put(|column| designs.columns[column].number(row), &mut values).ok()?;
+            warning_of_varied(&varying.info, value, design.info(), &values)
+        };
+        cells.get(cells.len() / 2).and_then(warning).and(cells.last().and_then(warning))
     };
     let columns = columns.iter().enumerate().filter_map(|(at, column)| Some((at, column.as_ref()?)));
     Ok(columns.filter_map(warning).collect())
 }
 
-/// The largest value of a column, by its size, with its row.
-fn largest(chunks: &[Designs], column: usize) -> Option<(f64, &Designs, usize)> {
+/// A value of a column, with its row.
+struct Cell<'a> {
+    value: f64,
+    designs: &'a Designs,
+    row: usize,
+}
+
+/// The values of a column by their sizes.
+fn ascending<'a>(chunks: &'a [Designs], column: usize) -> Vec<Cell<'a>> {
     let rows = chunks.iter().flat_map(|designs| (0..designs.rows).map(move |row| (designs, row)));
-    let values = rows.filter_map(|(designs, row)| Some((designs.columns[column].number(row)?, designs, row)));
-    values.max_by(|(a, ..), (b, ..)| a.abs().total_cmp(&b.abs()))
+    let cell =
+        |(designs, row): (&'a Designs, usize)| Some(Cell { value: designs.columns[column].number(row)?, designs, row });
+    let mut cells: Vec<Cell> = rows.filter_map(cell).collect();
+    cells.sort_by(|a, b| a.value.abs().total_cmp(&b.value.abs()));
+    cells
 }
