@@ -53,7 +53,7 @@
 //!
 //! [`BICYCLES`] are parameter sets for [`Whipple`] as text, with their sources and the standard deviations of what was
 //! measured, and [`each_model!`] calls a function for every model. The example `embedding` simulates a bicycle without
-//! allocating.
+//! allocating, and `falls` thousands of them, in lanes.
 
 #![no_std]
 

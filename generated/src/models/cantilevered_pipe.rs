@@ -6,8 +6,9 @@
 
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Rows, Scalar, SetInfo, WithDerivatives,
+    EvaluatorWithDerivatives, FormulaInfo, LengthError, MatrixName, Model, ModelInfo,
+    Number, ParameterError, ParameterInfo, Partial, Rows, Scalar, SetInfo,
+    WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -400,6 +401,20 @@ impl<T: Number> CantileveredPipeMatrices<T> {
         }
     }
 
+    /// Those entries that differ and are not always zero.
+    #[inline(always)]
+    fn distinct_entries(&self) -> [T; 34] {
+        [
+            self.m[0][0], self.c1[0][0], self.c1[0][1], self.c1[0][2], self.c1[0][3], self.c1[1][0],
+            self.c1[1][2], self.c1[1][3], self.c1[2][0], self.c1[2][1], self.c1[2][3],
+            self.c1[3][0], self.c1[3][1], self.c1[3][2], self.kc[0][0], self.kc[1][1],
+            self.kc[2][2], self.kc[3][3], self.k2[0][0], self.k2[0][1], self.k2[0][2],
+            self.k2[0][3], self.k2[1][0], self.k2[1][1], self.k2[1][2], self.k2[1][3],
+            self.k2[2][0], self.k2[2][1], self.k2[2][2], self.k2[2][3], self.k2[3][0],
+            self.k2[3][1], self.k2[3][2], self.k2[3][3],
+        ]
+    }
+
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 4]; 4]; 8] {
@@ -631,18 +646,7 @@ impl<T: Number> Evaluator<T, 4> for CantileveredPipe<T> {
 
     #[inline(always)]
     fn entries(&self) -> Self::Entries {
-        let matrices = self.matrices();
-        [
-            matrices.m[0][0], matrices.c1[0][0], matrices.c1[0][1], matrices.c1[0][2],
-            matrices.c1[0][3], matrices.c1[1][0], matrices.c1[1][2], matrices.c1[1][3],
-            matrices.c1[2][0], matrices.c1[2][1], matrices.c1[2][3], matrices.c1[3][0],
-            matrices.c1[3][1], matrices.c1[3][2], matrices.kc[0][0], matrices.kc[1][1],
-            matrices.kc[2][2], matrices.kc[3][3], matrices.k2[0][0], matrices.k2[0][1],
-            matrices.k2[0][2], matrices.k2[0][3], matrices.k2[1][0], matrices.k2[1][1],
-            matrices.k2[1][2], matrices.k2[1][3], matrices.k2[2][0], matrices.k2[2][1],
-            matrices.k2[2][2], matrices.k2[2][3], matrices.k2[3][0], matrices.k2[3][1],
-            matrices.k2[3][2], matrices.k2[3][3],
-        ]
+        CantileveredPipeMatrices::distinct_entries(&self.matrices())
     }
 
     #[inline(always)]
@@ -687,6 +691,10 @@ impl<T: Scalar> CantileveredPipeDerivatives<T> {
 impl<T: Scalar> Differentiable<4> for CantileveredPipe<T> {
     type Derivatives = [Coefficients<T, 4>; 4];
 
+    type WithDerivativesOver<U: Number> = CantileveredPipe<U>;
+
+    const PARTIALS: &'static [Partial] = <CantileveredPipeDerivatives>::PARTIALS;
+
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 4>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
@@ -695,6 +703,16 @@ impl<T: Scalar> Differentiable<4> for CantileveredPipe<T> {
             Partial::write(&<CantileveredPipeDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
         }
         (Coefficients::from_rows(CantileveredPipeMatrices::rows(&matrices)), all)
+    }
+}
+
+impl<T: Number> EvaluatorWithDerivatives<T, 4> for CantileveredPipe<T> {
+    type Derivatives = [T; 55];
+
+    #[inline(always)]
+    fn entries_and_derivatives(&self) -> ([T; 34], [T; 55]) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        (CantileveredPipeMatrices::distinct_entries(&matrices), derivatives.values)
     }
 }
 

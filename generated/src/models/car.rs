@@ -6,8 +6,9 @@
 
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Rows, Scalar, SetInfo, States, WithDerivatives,
+    EvaluatorWithDerivatives, FormulaInfo, LengthError, MatrixName, Model, ModelInfo,
+    Number, ParameterError, ParameterInfo, Partial, Rows, Scalar, SetInfo, States,
+    WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -234,6 +235,12 @@ impl<T: Number> CarMatrices<T> {
         }
     }
 
+    /// Those entries that differ and are not always zero.
+    #[inline(always)]
+    fn distinct_entries(&self) -> [T; 5] {
+        [self.m[0][0], self.m[1][1], self.cm1[0][0], self.cm1[0][1], self.cm1[1][1]]
+    }
+
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 2]; 2]; 8] {
@@ -398,11 +405,7 @@ impl<T: Number> Evaluator<T, 2> for Car<T> {
 
     #[inline(always)]
     fn entries(&self) -> Self::Entries {
-        let matrices = self.matrices();
-        [
-            matrices.m[0][0], matrices.m[1][1], matrices.cm1[0][0], matrices.cm1[0][1],
-            matrices.cm1[1][1],
-        ]
+        CarMatrices::distinct_entries(&self.matrices())
     }
 
     #[inline(always)]
@@ -447,6 +450,10 @@ impl<T: Scalar> CarDerivatives<T> {
 impl<T: Scalar> Differentiable<2> for Car<T> {
     type Derivatives = [Coefficients<T, 2>; 6];
 
+    type WithDerivativesOver<U: Number> = Car<U>;
+
+    const PARTIALS: &'static [Partial] = <CarDerivatives>::PARTIALS;
+
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 2>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
@@ -461,6 +468,16 @@ impl<T: Scalar> Differentiable<2> for Car<T> {
             },
             all,
         )
+    }
+}
+
+impl<T: Number> EvaluatorWithDerivatives<T, 2> for Car<T> {
+    type Derivatives = [T; 9];
+
+    #[inline(always)]
+    fn entries_and_derivatives(&self) -> ([T; 5], [T; 9]) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        (CarMatrices::distinct_entries(&matrices), derivatives.values)
     }
 }
 

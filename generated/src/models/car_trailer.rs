@@ -6,8 +6,9 @@
 
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Rate, Rows, Scalar, SetInfo, States, WithDerivatives,
+    EvaluatorWithDerivatives, FormulaInfo, LengthError, MatrixName, Model, ModelInfo,
+    Number, ParameterError, ParameterInfo, Partial, Rate, Rows, Scalar, SetInfo, States,
+    WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -447,6 +448,16 @@ impl<T: Number> CarTrailerMatrices<T> {
         }
     }
 
+    /// Those entries that differ and are not always zero.
+    #[inline(always)]
+    fn distinct_entries(&self) -> [T; 16] {
+        [
+            self.m[0][0], self.m[0][1], self.m[0][2], self.m[1][1], self.m[1][2], self.m[2][2],
+            self.cm1[0][0], self.cm1[0][1], self.cm1[0][2], self.cm1[1][1], self.cm1[1][2],
+            self.cm1[2][2], self.c0[2][2], self.kc[0][2], self.kc[1][2], self.kc[2][2],
+        ]
+    }
+
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 3]; 3]; 8] {
@@ -671,13 +682,7 @@ impl<T: Number> Evaluator<T, 3> for CarTrailer<T> {
 
     #[inline(always)]
     fn entries(&self) -> Self::Entries {
-        let matrices = self.matrices();
-        [
-            matrices.m[0][0], matrices.m[0][1], matrices.m[0][2], matrices.m[1][1],
-            matrices.m[1][2], matrices.m[2][2], matrices.cm1[0][0], matrices.cm1[0][1],
-            matrices.cm1[0][2], matrices.cm1[1][1], matrices.cm1[1][2], matrices.cm1[2][2],
-            matrices.c0[2][2], matrices.kc[0][2], matrices.kc[1][2], matrices.kc[2][2],
-        ]
+        CarTrailerMatrices::distinct_entries(&self.matrices())
     }
 
     #[inline(always)]
@@ -723,6 +728,10 @@ impl<T: Scalar> CarTrailerDerivatives<T> {
 impl<T: Scalar> Differentiable<3> for CarTrailer<T> {
     type Derivatives = [Coefficients<T, 3>; 16];
 
+    type WithDerivativesOver<U: Number> = CarTrailer<U>;
+
+    const PARTIALS: &'static [Partial] = <CarTrailerDerivatives>::PARTIALS;
+
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 3>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
@@ -737,6 +746,16 @@ impl<T: Scalar> Differentiable<3> for CarTrailer<T> {
             },
             all,
         )
+    }
+}
+
+impl<T: Number> EvaluatorWithDerivatives<T, 3> for CarTrailer<T> {
+    type Derivatives = [T; 30];
+
+    #[inline(always)]
+    fn entries_and_derivatives(&self) -> ([T; 16], [T; 30]) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        (CarTrailerMatrices::distinct_entries(&matrices), derivatives.values)
     }
 }
 

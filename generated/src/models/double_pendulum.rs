@@ -6,8 +6,9 @@
 
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Nonlinear, Number,
-    ParameterError, ParameterInfo, Partial, Rows, Scalar, SetInfo, WithDerivatives,
+    EvaluatorWithDerivatives, FormulaInfo, LengthError, MatrixName, Model, ModelInfo,
+    Nonlinear, Number, ParameterError, ParameterInfo, Partial, Rows, Scalar, SetInfo,
+    WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -169,11 +170,12 @@ pub struct DoublePendulumMotion<T = f64> {
     constants: [T; 12],
 }
 
-impl<T: Scalar> DoublePendulum<T> {
+impl<T: Number> DoublePendulum<T> {
     /// The nonlinear equations of motion, of what is computed once for these parameters:
     /// 4 additions and 6 multiplications: 10 operations.
     ///
     /// The parameters are not validated.
+    #[inline(always)]
     #[must_use]
     pub fn motion(&self) -> DoublePendulumMotion<T> {
         let t5 = self.m1 * self.a1;
@@ -194,8 +196,15 @@ impl<T: Scalar> DoublePendulum<T> {
 impl<T: Scalar> Nonlinear<2> for DoublePendulum<T> {
     type Motion = DoublePendulumMotion<T>;
 
+    type MotionOver<U: Number> = DoublePendulumMotion<U>;
+
     fn motion(&self) -> DoublePendulumMotion<T> {
         DoublePendulum::motion(self)
+    }
+
+    #[inline(always)]
+    fn motion_over<U: Number>(model: &DoublePendulum<U>) -> DoublePendulumMotion<U> {
+        DoublePendulum::motion(model)
     }
 }
 
@@ -242,7 +251,7 @@ impl<T: Scalar> carvallo::motion::Motion for DoublePendulumMotion<T> {
 }
 
 #[allow(unused_variables)]
-impl<T: Scalar> carvallo::motion::Unchecked for DoublePendulumMotion<T> {
+impl<T: Number> carvallo::motion::Unchecked for DoublePendulumMotion<T> {
     type Scalar = T;
 
     type Positions = [T; 2];
@@ -255,14 +264,17 @@ impl<T: Scalar> carvallo::motion::Unchecked for DoublePendulumMotion<T> {
 
     type ContactForces = [[T; 3]; 0];
 
+    #[inline(always)]
     fn closure_unchecked(&self, positions: &[T; 2]) -> ([T; 0], [T; 0]) {
         ([], [])
     }
 
+    #[inline(always)]
     fn rates_unchecked(&self, positions: &[T; 2], speeds: &[T; 2]) -> [T; 2] {
         [speeds[0], speeds[1]]
     }
 
+    #[inline(always)]
     fn derivatives_unchecked(&self, positions: &[T; 2], speeds: &[T; 2], forces: &[T; 2]) -> ([T; 2], [T; 2]) {
         let (sin_theta1, cos_theta1) = positions[0].sin_cos();
         let t7 = sin_theta1 * self.constants[9];
@@ -287,6 +299,7 @@ impl<T: Scalar> carvallo::motion::Unchecked for DoublePendulumMotion<T> {
         ([speeds[0], speeds[1]], [t61, t59])
     }
 
+    #[inline(always)]
     fn accelerations_unchecked(&self, positions: &[T; 2], speeds: &[T; 2], forces: &[T; 2]) -> [T; 2] {
         let (sin_theta1, cos_theta1) = positions[0].sin_cos();
         let t5 = sin_theta1 * self.constants[9];
@@ -619,6 +632,12 @@ impl<T: Number> DoublePendulumMatrices<T> {
         }
     }
 
+    /// Those entries that differ and are not always zero.
+    #[inline(always)]
+    fn distinct_entries(&self) -> [T; 5] {
+        [self.m[0][0], self.m[0][1], self.m[1][1], self.k0[0][0], self.k0[0][1]]
+    }
+
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 2]; 2]; 8] {
@@ -794,11 +813,7 @@ impl<T: Number> Evaluator<T, 2> for DoublePendulum<T> {
 
     #[inline(always)]
     fn entries(&self) -> Self::Entries {
-        let matrices = self.matrices();
-        [
-            matrices.m[0][0], matrices.m[0][1], matrices.m[1][1], matrices.k0[0][0],
-            matrices.k0[0][1],
-        ]
+        DoublePendulumMatrices::distinct_entries(&self.matrices())
     }
 
     #[inline(always)]
@@ -841,6 +856,10 @@ impl<T: Scalar> DoublePendulumDerivatives<T> {
 impl<T: Scalar> Differentiable<2> for DoublePendulum<T> {
     type Derivatives = [Coefficients<T, 2>; 8];
 
+    type WithDerivativesOver<U: Number> = DoublePendulum<U>;
+
+    const PARTIALS: &'static [Partial] = <DoublePendulumDerivatives>::PARTIALS;
+
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 2>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
@@ -849,6 +868,16 @@ impl<T: Scalar> Differentiable<2> for DoublePendulum<T> {
             Partial::write(&<DoublePendulumDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
         }
         (Coefficients::from_rows(DoublePendulumMatrices::rows(&matrices)), all)
+    }
+}
+
+impl<T: Number> EvaluatorWithDerivatives<T, 2> for DoublePendulum<T> {
+    type Derivatives = [T; 15];
+
+    #[inline(always)]
+    fn entries_and_derivatives(&self) -> ([T; 5], [T; 15]) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        (DoublePendulumMatrices::distinct_entries(&matrices), derivatives.values)
     }
 }
 

@@ -6,8 +6,9 @@
 
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Rows, Scalar, SetInfo, WithDerivatives,
+    EvaluatorWithDerivatives, FormulaInfo, LengthError, MatrixName, Model, ModelInfo,
+    Number, ParameterError, ParameterInfo, Partial, Rows, Scalar, SetInfo,
+    WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -211,6 +212,12 @@ impl<T: Number> JeffcottRotorMatrices<T> {
         }
     }
 
+    /// Those entries that differ and are not always zero.
+    #[inline(always)]
+    fn distinct_entries(&self) -> [T; 5] {
+        [self.m[0][0], self.c0[0][0], self.kc[0][0], self.k1[0][1], self.k1[1][0]]
+    }
+
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 2]; 2]; 8] {
@@ -356,11 +363,7 @@ impl<T: Number> Evaluator<T, 2> for JeffcottRotor<T> {
 
     #[inline(always)]
     fn entries(&self) -> Self::Entries {
-        let matrices = self.matrices();
-        [
-            matrices.m[0][0], matrices.c0[0][0], matrices.kc[0][0], matrices.k1[0][1],
-            matrices.k1[1][0],
-        ]
+        JeffcottRotorMatrices::distinct_entries(&self.matrices())
     }
 
     #[inline(always)]
@@ -405,6 +408,10 @@ impl<T: Scalar> JeffcottRotorDerivatives<T> {
 impl<T: Scalar> Differentiable<2> for JeffcottRotor<T> {
     type Derivatives = [Coefficients<T, 2>; 5];
 
+    type WithDerivativesOver<U: Number> = JeffcottRotor<U>;
+
+    const PARTIALS: &'static [Partial] = <JeffcottRotorDerivatives>::PARTIALS;
+
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 2>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
@@ -413,6 +420,16 @@ impl<T: Scalar> Differentiable<2> for JeffcottRotor<T> {
             Partial::write(&<JeffcottRotorDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
         }
         (Coefficients::from_rows(JeffcottRotorMatrices::rows(&matrices)), all)
+    }
+}
+
+impl<T: Number> EvaluatorWithDerivatives<T, 2> for JeffcottRotor<T> {
+    type Derivatives = [T; 3];
+
+    #[inline(always)]
+    fn entries_and_derivatives(&self) -> ([T; 5], [T; 3]) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        (JeffcottRotorMatrices::distinct_entries(&matrices), derivatives.values)
     }
 }
 

@@ -6,9 +6,9 @@
 
 use carvallo::{
     Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Rate, RequirementInfo, Rows, Scalar, SetInfo, States,
-    WithDerivatives,
+    EvaluatorWithDerivatives, FormulaInfo, LengthError, MatrixName, Model, ModelInfo,
+    Number, ParameterError, ParameterInfo, Partial, Rate, RequirementInfo, Rows, Scalar,
+    SetInfo, States, WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -683,6 +683,20 @@ impl<T: Number> MotorcycleMatrices<T> {
         }
     }
 
+    /// Those entries that differ and are not always zero.
+    #[inline(always)]
+    fn distinct_entries(&self) -> [T; 35] {
+        [
+            self.m[0][0], self.m[0][1], self.m[0][2], self.m[0][3], self.m[1][1], self.m[1][2],
+            self.m[1][3], self.m[2][2], self.m[2][3], self.m[3][3], self.c0[3][3], self.c0[4][0],
+            self.c0[4][1], self.c0[4][4], self.c0[5][0], self.c0[5][1], self.c0[5][3],
+            self.c0[5][5], self.c1[1][2], self.c1[1][3], self.c1[2][1], self.c1[2][3],
+            self.c1[3][1], self.c1[3][2], self.kc[1][4], self.kc[1][5], self.kc[3][5],
+            self.k0[2][2], self.k0[2][3], self.k0[3][3], self.k1[4][2], self.k1[4][4],
+            self.k1[5][2], self.k1[5][3], self.k1[5][5],
+        ]
+    }
+
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 6]; 6]; 8] {
@@ -1004,18 +1018,7 @@ impl<T: Number> Evaluator<T, 6> for Motorcycle<T> {
 
     #[inline(always)]
     fn entries(&self) -> Self::Entries {
-        let matrices = self.matrices();
-        [
-            matrices.m[0][0], matrices.m[0][1], matrices.m[0][2], matrices.m[0][3],
-            matrices.m[1][1], matrices.m[1][2], matrices.m[1][3], matrices.m[2][2],
-            matrices.m[2][3], matrices.m[3][3], matrices.c0[3][3], matrices.c0[4][0],
-            matrices.c0[4][1], matrices.c0[4][4], matrices.c0[5][0], matrices.c0[5][1],
-            matrices.c0[5][3], matrices.c0[5][5], matrices.c1[1][2], matrices.c1[1][3],
-            matrices.c1[2][1], matrices.c1[2][3], matrices.c1[3][1], matrices.c1[3][2],
-            matrices.kc[1][4], matrices.kc[1][5], matrices.kc[3][5], matrices.k0[2][2],
-            matrices.k0[2][3], matrices.k0[3][3], matrices.k1[4][2], matrices.k1[4][4],
-            matrices.k1[5][2], matrices.k1[5][3], matrices.k1[5][5],
-        ]
+        MotorcycleMatrices::distinct_entries(&self.matrices())
     }
 
     #[inline(always)]
@@ -1062,6 +1065,10 @@ impl<T: Scalar> MotorcycleDerivatives<T> {
 impl<T: Scalar> Differentiable<6> for Motorcycle<T> {
     type Derivatives = [Coefficients<T, 6>; 26];
 
+    type WithDerivativesOver<U: Number> = Motorcycle<U>;
+
+    const PARTIALS: &'static [Partial] = <MotorcycleDerivatives>::PARTIALS;
+
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 6>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
@@ -1079,6 +1086,16 @@ impl<T: Scalar> Differentiable<6> for Motorcycle<T> {
             },
             all,
         )
+    }
+}
+
+impl<T: Number> EvaluatorWithDerivatives<T, 6> for Motorcycle<T> {
+    type Derivatives = [T; 85];
+
+    #[inline(always)]
+    fn entries_and_derivatives(&self) -> ([T; 35], [T; 85]) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        (MotorcycleMatrices::distinct_entries(&matrices), derivatives.values)
     }
 }
 

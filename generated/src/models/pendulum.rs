@@ -6,8 +6,9 @@
 
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Rows, Scalar, SetInfo, WithDerivatives,
+    EvaluatorWithDerivatives, FormulaInfo, LengthError, MatrixName, Model, ModelInfo,
+    Number, ParameterError, ParameterInfo, Partial, Rows, Scalar, SetInfo,
+    WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -186,6 +187,12 @@ impl<T: Number> PendulumMatrices<T> {
         }
     }
 
+    /// Those entries that differ and are not always zero.
+    #[inline(always)]
+    fn distinct_entries(&self) -> [T; 3] {
+        [self.m[0][0], self.c0[0][0], self.k0[0][0]]
+    }
+
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 1]; 1]; 8] {
@@ -322,8 +329,7 @@ impl<T: Number> Evaluator<T, 1> for Pendulum<T> {
 
     #[inline(always)]
     fn entries(&self) -> Self::Entries {
-        let matrices = self.matrices();
-        [matrices.m[0][0], matrices.c0[0][0], matrices.k0[0][0]]
+        PendulumMatrices::distinct_entries(&self.matrices())
     }
 
     #[inline(always)]
@@ -368,6 +374,10 @@ impl<T: Scalar> PendulumDerivatives<T> {
 impl<T: Scalar> Differentiable<1> for Pendulum<T> {
     type Derivatives = [Coefficients<T, 1>; 4];
 
+    type WithDerivativesOver<U: Number> = Pendulum<U>;
+
+    const PARTIALS: &'static [Partial] = <PendulumDerivatives>::PARTIALS;
+
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 1>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
@@ -376,6 +386,16 @@ impl<T: Scalar> Differentiable<1> for Pendulum<T> {
             Partial::write(&<PendulumDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
         }
         (Coefficients::from_rows(PendulumMatrices::rows(&matrices)), all)
+    }
+}
+
+impl<T: Number> EvaluatorWithDerivatives<T, 1> for Pendulum<T> {
+    type Derivatives = [T; 5];
+
+    #[inline(always)]
+    fn entries_and_derivatives(&self) -> ([T; 3], [T; 5]) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        (PendulumMatrices::distinct_entries(&matrices), derivatives.values)
     }
 }
 

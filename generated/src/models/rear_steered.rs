@@ -6,8 +6,9 @@
 
 use carvallo::{
     Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Rate, Rows, Scalar, SetInfo, WithDerivatives,
+    EvaluatorWithDerivatives, FormulaInfo, LengthError, MatrixName, Model, ModelInfo,
+    Number, ParameterError, ParameterInfo, Partial, Rate, Rows, Scalar, SetInfo,
+    WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -653,6 +654,15 @@ impl<T: Number> RearSteeredMatrices<T> {
         }
     }
 
+    /// Those entries that differ and are not always zero.
+    #[inline(always)]
+    fn distinct_entries(&self) -> [T; 11] {
+        [
+            self.m[0][0], self.m[0][1], self.m[1][1], self.c1[0][1], self.c1[1][0], self.c1[1][1],
+            self.k0[0][0], self.k0[0][1], self.k0[1][1], self.k2[0][1], self.k2[1][1],
+        ]
+    }
+
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 2]; 2]; 8] {
@@ -906,12 +916,7 @@ impl<T: Number> Evaluator<T, 2> for RearSteered<T> {
 
     #[inline(always)]
     fn entries(&self) -> Self::Entries {
-        let matrices = self.matrices();
-        [
-            matrices.m[0][0], matrices.m[0][1], matrices.m[1][1], matrices.c1[0][1],
-            matrices.c1[1][0], matrices.c1[1][1], matrices.k0[0][0], matrices.k0[0][1],
-            matrices.k0[1][1], matrices.k2[0][1], matrices.k2[1][1],
-        ]
+        RearSteeredMatrices::distinct_entries(&self.matrices())
     }
 
     #[inline(always)]
@@ -956,6 +961,10 @@ impl<T: Scalar> RearSteeredDerivatives<T> {
 impl<T: Scalar> Differentiable<2> for RearSteered<T> {
     type Derivatives = [Coefficients<T, 2>; 26];
 
+    type WithDerivativesOver<U: Number> = RearSteered<U>;
+
+    const PARTIALS: &'static [Partial] = <RearSteeredDerivatives>::PARTIALS;
+
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 2>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
@@ -964,6 +973,16 @@ impl<T: Scalar> Differentiable<2> for RearSteered<T> {
             Partial::write(&<RearSteeredDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
         }
         (Coefficients::from_rows(RearSteeredMatrices::rows(&matrices)), all)
+    }
+}
+
+impl<T: Number> EvaluatorWithDerivatives<T, 2> for RearSteered<T> {
+    type Derivatives = [T; 123];
+
+    #[inline(always)]
+    fn entries_and_derivatives(&self) -> ([T; 11], [T; 123]) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        (RearSteeredMatrices::distinct_entries(&matrices), derivatives.values)
     }
 }
 

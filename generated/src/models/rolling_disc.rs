@@ -6,8 +6,9 @@
 
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Nonlinear, Number,
-    ParameterError, ParameterInfo, Partial, Rate, Rows, Scalar, SetInfo, WithDerivatives,
+    EvaluatorWithDerivatives, FormulaInfo, LengthError, MatrixName, Model, ModelInfo,
+    Nonlinear, Number, ParameterError, ParameterInfo, Partial, Rate, Rows, Scalar,
+    SetInfo, WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -164,11 +165,12 @@ pub struct RollingDiscMotion<T = f64> {
     constants: [T; 9],
 }
 
-impl<T: Scalar> RollingDisc<T> {
+impl<T: Number> RollingDisc<T> {
     /// The nonlinear equations of motion, of what is computed once for these parameters:
     /// 2 additions and 2 multiplications: 4 operations.
     ///
     /// The parameters are not validated.
+    #[inline(always)]
     #[must_use]
     pub fn motion(&self) -> RollingDiscMotion<T> {
         let t5 = self.r * self.m;
@@ -184,8 +186,15 @@ impl<T: Scalar> RollingDisc<T> {
 impl<T: Scalar> Nonlinear<2> for RollingDisc<T> {
     type Motion = RollingDiscMotion<T>;
 
+    type MotionOver<U: Number> = RollingDiscMotion<U>;
+
     fn motion(&self) -> RollingDiscMotion<T> {
         RollingDisc::motion(self)
+    }
+
+    #[inline(always)]
+    fn motion_over<U: Number>(model: &RollingDisc<U>) -> RollingDiscMotion<U> {
+        RollingDisc::motion(model)
     }
 }
 
@@ -244,7 +253,7 @@ impl<T: Scalar> carvallo::motion::Motion for RollingDiscMotion<T> {
 }
 
 #[allow(unused_variables)]
-impl<T: Scalar> carvallo::motion::Unchecked for RollingDiscMotion<T> {
+impl<T: Number> carvallo::motion::Unchecked for RollingDiscMotion<T> {
     type Scalar = T;
 
     type Positions = [T; 5];
@@ -257,10 +266,12 @@ impl<T: Scalar> carvallo::motion::Unchecked for RollingDiscMotion<T> {
 
     type ContactForces = [[T; 3]; 1];
 
+    #[inline(always)]
     fn closure_unchecked(&self, positions: &[T; 5]) -> ([T; 0], [T; 0]) {
         ([], [])
     }
 
+    #[inline(always)]
     fn rates_unchecked(&self, positions: &[T; 5], speeds: &[T; 3]) -> [T; 5] {
         let t2 = self.constants[0] * speeds[2];
         let (sin_psi, cos_psi) = positions[2].sin_cos();
@@ -269,6 +280,7 @@ impl<T: Scalar> carvallo::motion::Unchecked for RollingDiscMotion<T> {
         [t10, t11, speeds[0], speeds[1], speeds[2]]
     }
 
+    #[inline(always)]
     fn derivatives_unchecked(&self, positions: &[T; 5], speeds: &[T; 3], forces: &[T; 0]) -> ([T; 5], [T; 3]) {
         let t2 = self.constants[0] * speeds[2];
         let (sin_psi, cos_psi) = positions[2].sin_cos();
@@ -302,6 +314,7 @@ impl<T: Scalar> carvallo::motion::Unchecked for RollingDiscMotion<T> {
         ([t77, t78, speeds[0], speeds[1], speeds[2]], [t79, t80, t61])
     }
 
+    #[inline(always)]
     fn accelerations_unchecked(&self, positions: &[T; 5], speeds: &[T; 3], forces: &[T; 0]) -> [T; 5] {
         let (sin_psi, cos_psi) = positions[2].sin_cos();
         let (sin_phi, cos_phi) = positions[3].sin_cos();
@@ -690,6 +703,12 @@ impl<T: Number> RollingDiscMatrices<T> {
         }
     }
 
+    /// Those entries that differ and are not always zero.
+    #[inline(always)]
+    fn distinct_entries(&self) -> [T; 5] {
+        [self.m[0][0], self.m[1][1], self.c1[0][1], self.c1[1][0], self.k0[0][0]]
+    }
+
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 2]; 2]; 8] {
@@ -846,11 +865,7 @@ impl<T: Number> Evaluator<T, 2> for RollingDisc<T> {
 
     #[inline(always)]
     fn entries(&self) -> Self::Entries {
-        let matrices = self.matrices();
-        [
-            matrices.m[0][0], matrices.m[1][1], matrices.c1[0][1], matrices.c1[1][0],
-            matrices.k0[0][0],
-        ]
+        RollingDiscMatrices::distinct_entries(&self.matrices())
     }
 
     #[inline(always)]
@@ -895,6 +910,10 @@ impl<T: Scalar> RollingDiscDerivatives<T> {
 impl<T: Scalar> Differentiable<2> for RollingDisc<T> {
     type Derivatives = [Coefficients<T, 2>; 5];
 
+    type WithDerivativesOver<U: Number> = RollingDisc<U>;
+
+    const PARTIALS: &'static [Partial] = <RollingDiscDerivatives>::PARTIALS;
+
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 2>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
@@ -903,6 +922,16 @@ impl<T: Scalar> Differentiable<2> for RollingDisc<T> {
             Partial::write(&<RollingDiscDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
         }
         (Coefficients::from_rows(RollingDiscMatrices::rows(&matrices)), all)
+    }
+}
+
+impl<T: Number> EvaluatorWithDerivatives<T, 2> for RollingDisc<T> {
+    type Derivatives = [T; 8];
+
+    #[inline(always)]
+    fn entries_and_derivatives(&self) -> ([T; 5], [T; 8]) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        (RollingDiscMatrices::distinct_entries(&matrices), derivatives.values)
     }
 }
 

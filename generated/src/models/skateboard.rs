@@ -6,8 +6,9 @@
 
 use carvallo::{
     Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Rate, Rows, Scalar, SetInfo, WithDerivatives,
+    EvaluatorWithDerivatives, FormulaInfo, LengthError, MatrixName, Model, ModelInfo,
+    Number, ParameterError, ParameterInfo, Partial, Rate, Rows, Scalar, SetInfo,
+    WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -419,6 +420,12 @@ impl<T: Number> SkateboardMatrices<T> {
         }
     }
 
+    /// Those entries that differ and are not always zero.
+    #[inline(always)]
+    fn distinct_entries(&self) -> [T; 5] {
+        [self.m[0][0], self.c1[0][0], self.kc[0][0], self.k0[0][0], self.k2[0][0]]
+    }
+
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 1]; 1]; 8] {
@@ -618,11 +625,7 @@ impl<T: Number> Evaluator<T, 1> for Skateboard<T> {
 
     #[inline(always)]
     fn entries(&self) -> Self::Entries {
-        let matrices = self.matrices();
-        [
-            matrices.m[0][0], matrices.c1[0][0], matrices.kc[0][0], matrices.k0[0][0],
-            matrices.k2[0][0],
-        ]
+        SkateboardMatrices::distinct_entries(&self.matrices())
     }
 
     #[inline(always)]
@@ -668,6 +671,10 @@ impl<T: Scalar> SkateboardDerivatives<T> {
 impl<T: Scalar> Differentiable<1> for Skateboard<T> {
     type Derivatives = [Coefficients<T, 1>; 15];
 
+    type WithDerivativesOver<U: Number> = Skateboard<U>;
+
+    const PARTIALS: &'static [Partial] = <SkateboardDerivatives>::PARTIALS;
+
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 1>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
@@ -676,6 +683,16 @@ impl<T: Scalar> Differentiable<1> for Skateboard<T> {
             Partial::write(&<SkateboardDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
         }
         (Coefficients::from_rows(SkateboardMatrices::rows(&matrices)), all)
+    }
+}
+
+impl<T: Number> EvaluatorWithDerivatives<T, 1> for Skateboard<T> {
+    type Derivatives = [T; 21];
+
+    #[inline(always)]
+    fn entries_and_derivatives(&self) -> ([T; 5], [T; 21]) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        (SkateboardMatrices::distinct_entries(&matrices), derivatives.values)
     }
 }
 

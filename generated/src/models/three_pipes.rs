@@ -6,8 +6,9 @@
 
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Rows, Scalar, SetInfo, WithDerivatives,
+    EvaluatorWithDerivatives, FormulaInfo, LengthError, MatrixName, Model, ModelInfo,
+    Number, ParameterError, ParameterInfo, Partial, Rows, Scalar, SetInfo,
+    WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -297,6 +298,17 @@ impl<T: Number> ThreePipesMatrices<T> {
         }
     }
 
+    /// Those entries that differ and are not always zero.
+    #[inline(always)]
+    fn distinct_entries(&self) -> [T; 18] {
+        [
+            self.m[0][0], self.m[0][1], self.m[0][2], self.m[1][1], self.m[2][2], self.c0[0][0],
+            self.c0[0][1], self.c0[2][2], self.c1[0][0], self.c1[0][1], self.kc[0][0],
+            self.kc[0][1], self.kc[2][2], self.k0[0][0], self.k0[1][1], self.k0[2][2],
+            self.k2[0][0], self.k2[0][2],
+        ]
+    }
+
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 3]; 3]; 8] {
@@ -527,14 +539,7 @@ impl<T: Number> Evaluator<T, 3> for ThreePipes<T> {
 
     #[inline(always)]
     fn entries(&self) -> Self::Entries {
-        let matrices = self.matrices();
-        [
-            matrices.m[0][0], matrices.m[0][1], matrices.m[0][2], matrices.m[1][1],
-            matrices.m[2][2], matrices.c0[0][0], matrices.c0[0][1], matrices.c0[2][2],
-            matrices.c1[0][0], matrices.c1[0][1], matrices.kc[0][0], matrices.kc[0][1],
-            matrices.kc[2][2], matrices.k0[0][0], matrices.k0[1][1], matrices.k0[2][2],
-            matrices.k2[0][0], matrices.k2[0][2],
-        ]
+        ThreePipesMatrices::distinct_entries(&self.matrices())
     }
 
     #[inline(always)]
@@ -581,6 +586,10 @@ impl<T: Scalar> ThreePipesDerivatives<T> {
 impl<T: Scalar> Differentiable<3> for ThreePipes<T> {
     type Derivatives = [Coefficients<T, 3>; 6];
 
+    type WithDerivativesOver<U: Number> = ThreePipes<U>;
+
+    const PARTIALS: &'static [Partial] = <ThreePipesDerivatives>::PARTIALS;
+
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 3>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
@@ -589,6 +598,16 @@ impl<T: Scalar> Differentiable<3> for ThreePipes<T> {
             Partial::write(&<ThreePipesDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
         }
         (Coefficients::from_rows(ThreePipesMatrices::rows(&matrices)), all)
+    }
+}
+
+impl<T: Number> EvaluatorWithDerivatives<T, 3> for ThreePipes<T> {
+    type Derivatives = [T; 25];
+
+    #[inline(always)]
+    fn entries_and_derivatives(&self) -> ([T; 18], [T; 25]) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        (ThreePipesMatrices::distinct_entries(&matrices), derivatives.values)
     }
 }
 

@@ -6,8 +6,9 @@
 
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Rows, Scalar, SetInfo, States, WithDerivatives,
+    EvaluatorWithDerivatives, FormulaInfo, LengthError, MatrixName, Model, ModelInfo,
+    Number, ParameterError, ParameterInfo, Partial, Rows, Scalar, SetInfo, States,
+    WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -219,6 +220,14 @@ impl<T: Number> TowedWheelMatrices<T> {
         }
     }
 
+    /// Those entries that differ and are not always zero.
+    #[inline(always)]
+    fn distinct_entries(&self) -> [T; 6] {
+        [
+            self.m[0][0], self.c0[1][1], self.c1[0][0], self.kc[0][0], self.kc[0][1], self.k1[1][0],
+        ]
+    }
+
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 2]; 2]; 8] {
@@ -374,11 +383,7 @@ impl<T: Number> Evaluator<T, 2> for TowedWheel<T> {
 
     #[inline(always)]
     fn entries(&self) -> Self::Entries {
-        let matrices = self.matrices();
-        [
-            matrices.m[0][0], matrices.c0[1][1], matrices.c1[0][0], matrices.kc[0][0],
-            matrices.kc[0][1], matrices.k1[1][0],
-        ]
+        TowedWheelMatrices::distinct_entries(&self.matrices())
     }
 
     #[inline(always)]
@@ -424,6 +429,10 @@ impl<T: Scalar> TowedWheelDerivatives<T> {
 impl<T: Scalar> Differentiable<2> for TowedWheel<T> {
     type Derivatives = [Coefficients<T, 2>; 5];
 
+    type WithDerivativesOver<U: Number> = TowedWheel<U>;
+
+    const PARTIALS: &'static [Partial] = <TowedWheelDerivatives>::PARTIALS;
+
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 2>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
@@ -438,6 +447,16 @@ impl<T: Scalar> Differentiable<2> for TowedWheel<T> {
             },
             all,
         )
+    }
+}
+
+impl<T: Number> EvaluatorWithDerivatives<T, 2> for TowedWheel<T> {
+    type Derivatives = [T; 9];
+
+    #[inline(always)]
+    fn entries_and_derivatives(&self) -> ([T; 6], [T; 9]) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        (TowedWheelMatrices::distinct_entries(&matrices), derivatives.values)
     }
 }
 

@@ -6,8 +6,9 @@
 
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Rows, Scalar, SetInfo, WithDerivatives,
+    EvaluatorWithDerivatives, FormulaInfo, LengthError, MatrixName, Model, ModelInfo,
+    Number, ParameterError, ParameterInfo, Partial, Rows, Scalar, SetInfo,
+    WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -272,6 +273,16 @@ impl<T: Number> TwoPipesMatrices<T> {
         }
     }
 
+    /// Those entries that differ and are not always zero.
+    #[inline(always)]
+    fn distinct_entries(&self) -> [T; 15] {
+        [
+            self.m[0][0], self.m[0][1], self.m[1][1], self.c0[0][0], self.c0[0][1], self.c0[1][1],
+            self.c1[0][0], self.c1[0][1], self.kc[0][0], self.kc[0][1], self.kc[1][1],
+            self.k0[0][0], self.k0[1][1], self.k2[0][0], self.k2[0][1],
+        ]
+    }
+
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 2]; 2]; 8] {
@@ -442,13 +453,7 @@ impl<T: Number> Evaluator<T, 2> for TwoPipes<T> {
 
     #[inline(always)]
     fn entries(&self) -> Self::Entries {
-        let matrices = self.matrices();
-        [
-            matrices.m[0][0], matrices.m[0][1], matrices.m[1][1], matrices.c0[0][0],
-            matrices.c0[0][1], matrices.c0[1][1], matrices.c1[0][0], matrices.c1[0][1],
-            matrices.kc[0][0], matrices.kc[0][1], matrices.kc[1][1], matrices.k0[0][0],
-            matrices.k0[1][1], matrices.k2[0][0], matrices.k2[0][1],
-        ]
+        TwoPipesMatrices::distinct_entries(&self.matrices())
     }
 
     #[inline(always)]
@@ -495,6 +500,10 @@ impl<T: Scalar> TwoPipesDerivatives<T> {
 impl<T: Scalar> Differentiable<2> for TwoPipes<T> {
     type Derivatives = [Coefficients<T, 2>; 6];
 
+    type WithDerivativesOver<U: Number> = TwoPipes<U>;
+
+    const PARTIALS: &'static [Partial] = <TwoPipesDerivatives>::PARTIALS;
+
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 2>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
@@ -503,6 +512,16 @@ impl<T: Scalar> Differentiable<2> for TwoPipes<T> {
             Partial::write(&<TwoPipesDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
         }
         (Coefficients::from_rows(TwoPipesMatrices::rows(&matrices)), all)
+    }
+}
+
+impl<T: Number> EvaluatorWithDerivatives<T, 2> for TwoPipes<T> {
+    type Derivatives = [T; 19];
+
+    #[inline(always)]
+    fn entries_and_derivatives(&self) -> ([T; 15], [T; 19]) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        (TwoPipesMatrices::distinct_entries(&matrices), derivatives.values)
     }
 }
 

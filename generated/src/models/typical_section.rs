@@ -6,8 +6,9 @@
 
 use carvallo::{
     Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, RequirementInfo, Rows, Scalar, SetInfo, WithDerivatives,
+    EvaluatorWithDerivatives, FormulaInfo, LengthError, MatrixName, Model, ModelInfo,
+    Number, ParameterError, ParameterInfo, Partial, RequirementInfo, Rows, Scalar,
+    SetInfo, WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -254,6 +255,15 @@ impl<T: Number> TypicalSectionMatrices<T> {
         }
     }
 
+    /// Those entries that differ and are not always zero.
+    #[inline(always)]
+    fn distinct_entries(&self) -> [T; 7] {
+        [
+            self.m[0][0], self.m[0][1], self.m[1][1], self.kc[0][0], self.kc[1][1], self.k2[0][1],
+            self.k2[1][1],
+        ]
+    }
+
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 2]; 2]; 8] {
@@ -428,11 +438,7 @@ impl<T: Number> Evaluator<T, 2> for TypicalSection<T> {
 
     #[inline(always)]
     fn entries(&self) -> Self::Entries {
-        let matrices = self.matrices();
-        [
-            matrices.m[0][0], matrices.m[0][1], matrices.m[1][1], matrices.kc[0][0],
-            matrices.kc[1][1], matrices.k2[0][1], matrices.k2[1][1],
-        ]
+        TypicalSectionMatrices::distinct_entries(&self.matrices())
     }
 
     #[inline(always)]
@@ -477,6 +483,10 @@ impl<T: Scalar> TypicalSectionDerivatives<T> {
 impl<T: Scalar> Differentiable<2> for TypicalSection<T> {
     type Derivatives = [Coefficients<T, 2>; 9];
 
+    type WithDerivativesOver<U: Number> = TypicalSection<U>;
+
+    const PARTIALS: &'static [Partial] = <TypicalSectionDerivatives>::PARTIALS;
+
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 2>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
@@ -485,6 +495,16 @@ impl<T: Scalar> Differentiable<2> for TypicalSection<T> {
             Partial::write(&<TypicalSectionDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
         }
         (Coefficients::from_rows(TypicalSectionMatrices::rows(&matrices)), all)
+    }
+}
+
+impl<T: Number> EvaluatorWithDerivatives<T, 2> for TypicalSection<T> {
+    type Derivatives = [T; 11];
+
+    #[inline(always)]
+    fn entries_and_derivatives(&self) -> ([T; 7], [T; 11]) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        (TypicalSectionMatrices::distinct_entries(&matrices), derivatives.values)
     }
 }
 

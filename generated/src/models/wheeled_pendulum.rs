@@ -6,9 +6,9 @@
 
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Nonlinear, Number,
-    ParameterError, ParameterInfo, Partial, Rate, Rows, Scalar, SetInfo, States,
-    WithDerivatives,
+    EvaluatorWithDerivatives, FormulaInfo, LengthError, MatrixName, Model, ModelInfo,
+    Nonlinear, Number, ParameterError, ParameterInfo, Partial, Rate, Rows, Scalar,
+    SetInfo, States, WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -217,11 +217,12 @@ pub struct WheeledPendulumMotion<T = f64> {
     constants: [T; 20],
 }
 
-impl<T: Scalar> WheeledPendulum<T> {
+impl<T: Number> WheeledPendulum<T> {
     /// The nonlinear equations of motion, of what is computed once for these parameters:
     /// 15 additions and 10 multiplications: 25 operations.
     ///
     /// The parameters are not validated.
+    #[inline(always)]
     #[must_use]
     pub fn motion(&self) -> WheeledPendulumMotion<T> {
         let t6 = self.b + self.b;
@@ -254,8 +255,15 @@ impl<T: Scalar> WheeledPendulum<T> {
 impl<T: Scalar> Nonlinear<3> for WheeledPendulum<T> {
     type Motion = WheeledPendulumMotion<T>;
 
+    type MotionOver<U: Number> = WheeledPendulumMotion<U>;
+
     fn motion(&self) -> WheeledPendulumMotion<T> {
         WheeledPendulum::motion(self)
+    }
+
+    #[inline(always)]
+    fn motion_over<U: Number>(model: &WheeledPendulum<U>) -> WheeledPendulumMotion<U> {
+        WheeledPendulum::motion(model)
     }
 }
 
@@ -341,7 +349,7 @@ impl<T: Scalar> carvallo::motion::Motion for WheeledPendulumMotion<T> {
 }
 
 #[allow(unused_variables)]
-impl<T: Scalar> carvallo::motion::Unchecked for WheeledPendulumMotion<T> {
+impl<T: Number> carvallo::motion::Unchecked for WheeledPendulumMotion<T> {
     type Scalar = T;
 
     type Positions = [T; 7];
@@ -354,6 +362,7 @@ impl<T: Scalar> carvallo::motion::Unchecked for WheeledPendulumMotion<T> {
 
     type ContactForces = [[T; 3]; 2];
 
+    #[inline(always)]
     fn closure_unchecked(&self, positions: &[T; 7]) -> ([T; 1], [T; 1]) {
         let (sin_phi, cos_phi) = positions[3].sin_cos();
         let t3 = self.constants[1] * cos_phi;
@@ -363,6 +372,7 @@ impl<T: Scalar> carvallo::motion::Unchecked for WheeledPendulumMotion<T> {
         ([t8], [t14])
     }
 
+    #[inline(always)]
     fn rates_unchecked(&self, positions: &[T; 7], speeds: &[T; 3]) -> [T; 7] {
         let t4 = self.constants[1] * (speeds[1] + speeds[2]);
         let (sin_psi, cos_psi) = positions[2].sin_cos();
@@ -375,6 +385,7 @@ impl<T: Scalar> carvallo::motion::Unchecked for WheeledPendulumMotion<T> {
         [t26, t27, speeds[0], self.constants[0].like(0.0), speeds[1], speeds[2], t25]
     }
 
+    #[inline(always)]
     fn derivatives_unchecked(&self, positions: &[T; 7], speeds: &[T; 3], forces: &[T; 2]) -> ([T; 7], [T; 3]) {
         let t3 = speeds[1] + speeds[2];
         let t4 = self.constants[1] * t3;
@@ -475,6 +486,7 @@ impl<T: Scalar> carvallo::motion::Unchecked for WheeledPendulumMotion<T> {
         )
     }
 
+    #[inline(always)]
     fn accelerations_unchecked(&self, positions: &[T; 7], speeds: &[T; 3], forces: &[T; 2]) -> [T; 7] {
         let (sin_psi, cos_psi) = positions[2].sin_cos();
         let (sin_theta, cos_theta) = positions[4].sin_cos();
@@ -1579,6 +1591,12 @@ impl<T: Number> WheeledPendulumMatrices<T> {
         }
     }
 
+    /// Those entries that differ and are not always zero.
+    #[inline(always)]
+    fn distinct_entries(&self) -> [T; 5] {
+        [self.m[0][0], self.m[0][1], self.m[1][1], self.m[2][2], self.k0[1][1]]
+    }
+
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 3]; 3]; 8] {
@@ -1769,11 +1787,7 @@ impl<T: Number> Evaluator<T, 3> for WheeledPendulum<T> {
 
     #[inline(always)]
     fn entries(&self) -> Self::Entries {
-        let matrices = self.matrices();
-        [
-            matrices.m[0][0], matrices.m[0][1], matrices.m[1][1], matrices.m[2][2],
-            matrices.k0[1][1],
-        ]
+        WheeledPendulumMatrices::distinct_entries(&self.matrices())
     }
 
     #[inline(always)]
@@ -1816,6 +1830,10 @@ impl<T: Scalar> WheeledPendulumDerivatives<T> {
 impl<T: Scalar> Differentiable<3> for WheeledPendulum<T> {
     type Derivatives = [Coefficients<T, 3>; 10];
 
+    type WithDerivativesOver<U: Number> = WheeledPendulum<U>;
+
+    const PARTIALS: &'static [Partial] = <WheeledPendulumDerivatives>::PARTIALS;
+
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 3>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
@@ -1830,6 +1848,16 @@ impl<T: Scalar> Differentiable<3> for WheeledPendulum<T> {
             },
             all,
         )
+    }
+}
+
+impl<T: Number> EvaluatorWithDerivatives<T, 3> for WheeledPendulum<T> {
+    type Derivatives = [T; 18];
+
+    #[inline(always)]
+    fn entries_and_derivatives(&self) -> ([T; 5], [T; 18]) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        (WheeledPendulumMatrices::distinct_entries(&matrices), derivatives.values)
     }
 }
 

@@ -6,8 +6,9 @@
 
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Rows, Scalar, SetInfo, WithDerivatives,
+    EvaluatorWithDerivatives, FormulaInfo, LengthError, MatrixName, Model, ModelInfo,
+    Number, ParameterError, ParameterInfo, Partial, Rows, Scalar, SetInfo,
+    WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -248,6 +249,15 @@ impl<T: Number> WheelsetMatrices<T> {
         }
     }
 
+    /// Those entries that differ and are not always zero.
+    #[inline(always)]
+    fn distinct_entries(&self) -> [T; 8] {
+        [
+            self.m[0][0], self.m[1][1], self.cm1[0][0], self.cm1[1][1], self.kc[0][0],
+            self.kc[0][1], self.kc[1][0], self.kc[1][1],
+        ]
+    }
+
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 2]; 2]; 8] {
@@ -406,11 +416,7 @@ impl<T: Number> Evaluator<T, 2> for Wheelset<T> {
 
     #[inline(always)]
     fn entries(&self) -> Self::Entries {
-        let matrices = self.matrices();
-        [
-            matrices.m[0][0], matrices.m[1][1], matrices.cm1[0][0], matrices.cm1[1][1],
-            matrices.kc[0][0], matrices.kc[0][1], matrices.kc[1][0], matrices.kc[1][1],
-        ]
+        WheelsetMatrices::distinct_entries(&self.matrices())
     }
 
     #[inline(always)]
@@ -455,6 +461,10 @@ impl<T: Scalar> WheelsetDerivatives<T> {
 impl<T: Scalar> Differentiable<2> for Wheelset<T> {
     type Derivatives = [Coefficients<T, 2>; 9];
 
+    type WithDerivativesOver<U: Number> = Wheelset<U>;
+
+    const PARTIALS: &'static [Partial] = <WheelsetDerivatives>::PARTIALS;
+
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 2>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
@@ -463,6 +473,16 @@ impl<T: Scalar> Differentiable<2> for Wheelset<T> {
             Partial::write(&<WheelsetDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
         }
         (Coefficients::from_rows(WheelsetMatrices::rows(&matrices)), all)
+    }
+}
+
+impl<T: Number> EvaluatorWithDerivatives<T, 2> for Wheelset<T> {
+    type Derivatives = [T; 9];
+
+    #[inline(always)]
+    fn entries_and_derivatives(&self) -> ([T; 8], [T; 9]) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        (WheelsetMatrices::distinct_entries(&matrices), derivatives.values)
     }
 }
 

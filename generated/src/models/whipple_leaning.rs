@@ -6,8 +6,9 @@
 
 use carvallo::{
     Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Nonlinear, Number,
-    ParameterError, ParameterInfo, Partial, Rate, Rows, Scalar, SetInfo, WithDerivatives,
+    EvaluatorWithDerivatives, FormulaInfo, LengthError, MatrixName, Model, ModelInfo,
+    Nonlinear, Number, ParameterError, ParameterInfo, Partial, Rate, Rows, Scalar,
+    SetInfo, WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -415,11 +416,12 @@ pub struct WhippleLeaningMotion<T = f64> {
     constants: [T; 80],
 }
 
-impl<T: Scalar> WhippleLeaning<T> {
+impl<T: Number> WhippleLeaning<T> {
     /// The nonlinear equations of motion, of what is computed once for these parameters:
     /// 74 additions, 103 multiplications and 2 trigonometric functions: 179 operations.
     ///
     /// The parameters are not validated.
+    #[inline(always)]
     #[must_use]
     pub fn motion(&self) -> WhippleLeaningMotion<T> {
         let (sin_lam, cos_lam) = self.lam.sin_cos();
@@ -527,8 +529,15 @@ impl<T: Scalar> WhippleLeaning<T> {
 impl<T: Scalar> Nonlinear<3> for WhippleLeaning<T> {
     type Motion = WhippleLeaningMotion<T>;
 
+    type MotionOver<U: Number> = WhippleLeaningMotion<U>;
+
     fn motion(&self) -> WhippleLeaningMotion<T> {
         WhippleLeaning::motion(self)
+    }
+
+    #[inline(always)]
+    fn motion_over<U: Number>(model: &WhippleLeaning<U>) -> WhippleLeaningMotion<U> {
+        WhippleLeaning::motion(model)
     }
 }
 
@@ -631,7 +640,7 @@ impl<T: Scalar> carvallo::motion::Motion for WhippleLeaningMotion<T> {
 }
 
 #[allow(unused_variables)]
-impl<T: Scalar> carvallo::motion::Unchecked for WhippleLeaningMotion<T> {
+impl<T: Number> carvallo::motion::Unchecked for WhippleLeaningMotion<T> {
     type Scalar = T;
 
     type Positions = [T; 9];
@@ -644,6 +653,7 @@ impl<T: Scalar> carvallo::motion::Unchecked for WhippleLeaningMotion<T> {
 
     type ContactForces = [[T; 3]; 2];
 
+    #[inline(always)]
     fn closure_unchecked(&self, positions: &[T; 9]) -> ([T; 1], [T; 1]) {
         let (sin_phi, cos_phi) = positions[3].sin_cos();
         let (sin_delta, cos_delta) = positions[5].sin_cos();
@@ -668,6 +678,7 @@ impl<T: Scalar> carvallo::motion::Unchecked for WhippleLeaningMotion<T> {
         ([t42], [t64])
     }
 
+    #[inline(always)]
     fn rates_unchecked(&self, positions: &[T; 9], speeds: &[T; 4]) -> [T; 9] {
         let (sin_phi, cos_phi) = positions[3].sin_cos();
         let (sin_pitch, cos_pitch) = positions[4].sin_cos();
@@ -724,6 +735,7 @@ impl<T: Scalar> carvallo::motion::Unchecked for WhippleLeaningMotion<T> {
         [t164, t165, t166, speeds[0], t90, speeds[1], speeds[2], speeds[3], t163]
     }
 
+    #[inline(always)]
     fn derivatives_unchecked(&self, positions: &[T; 9], speeds: &[T; 4], forces: &[T; 3]) -> ([T; 9], [T; 4]) {
         let (
             sin_phi, cos_phi, sin_pitch, cos_pitch, t13, sin_delta, cos_delta, t17, t21, t25, t26,
@@ -1125,6 +1137,7 @@ impl<T: Scalar> carvallo::motion::Unchecked for WhippleLeaningMotion<T> {
         )
     }
 
+    #[inline(always)]
     fn accelerations_unchecked(&self, positions: &[T; 9], speeds: &[T; 4], forces: &[T; 3]) -> [T; 9] {
         let (
             sin_psi, cos_psi, sin_phi, cos_phi, sin_pitch, cos_pitch, t13, sin_delta, cos_delta,
@@ -7342,6 +7355,17 @@ impl<T: Number> WhippleLeaningMatrices<T> {
         }
     }
 
+    /// Those entries that differ and are not always zero.
+    #[inline(always)]
+    fn distinct_entries(&self) -> [T; 19] {
+        [
+            self.m[0][0], self.m[0][1], self.m[0][2], self.m[1][1], self.m[1][2], self.m[2][2],
+            self.c0[2][2], self.c1[0][1], self.c1[1][0], self.c1[1][1], self.c1[2][1],
+            self.kc[2][2], self.k0[0][0], self.k0[0][1], self.k0[0][2], self.k0[1][1],
+            self.k2[0][1], self.k2[1][1], self.k2[2][1],
+        ]
+    }
+
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 3]; 3]; 8] {
@@ -7670,14 +7694,7 @@ impl<T: Number> Evaluator<T, 3> for WhippleLeaning<T> {
 
     #[inline(always)]
     fn entries(&self) -> Self::Entries {
-        let matrices = self.matrices();
-        [
-            matrices.m[0][0], matrices.m[0][1], matrices.m[0][2], matrices.m[1][1],
-            matrices.m[1][2], matrices.m[2][2], matrices.c0[2][2], matrices.c1[0][1],
-            matrices.c1[1][0], matrices.c1[1][1], matrices.c1[2][1], matrices.kc[2][2],
-            matrices.k0[0][0], matrices.k0[0][1], matrices.k0[0][2], matrices.k0[1][1],
-            matrices.k2[0][1], matrices.k2[1][1], matrices.k2[2][1],
-        ]
+        WhippleLeaningMatrices::distinct_entries(&self.matrices())
     }
 
     #[inline(always)]
@@ -7724,6 +7741,10 @@ impl<T: Scalar> WhippleLeaningDerivatives<T> {
 impl<T: Scalar> Differentiable<3> for WhippleLeaning<T> {
     type Derivatives = [Coefficients<T, 3>; 36];
 
+    type WithDerivativesOver<U: Number> = WhippleLeaning<U>;
+
+    const PARTIALS: &'static [Partial] = <WhippleLeaningDerivatives>::PARTIALS;
+
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 3>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
@@ -7732,6 +7753,16 @@ impl<T: Scalar> Differentiable<3> for WhippleLeaning<T> {
             Partial::write(&<WhippleLeaningDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
         }
         (Coefficients::from_rows(WhippleLeaningMatrices::rows(&matrices)), all)
+    }
+}
+
+impl<T: Number> EvaluatorWithDerivatives<T, 3> for WhippleLeaning<T> {
+    type Derivatives = [T; 163];
+
+    #[inline(always)]
+    fn entries_and_derivatives(&self) -> ([T; 19], [T; 163]) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        (WhippleLeaningMatrices::distinct_entries(&matrices), derivatives.values)
     }
 }
 

@@ -6,8 +6,9 @@
 
 use carvallo::{
     Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Nonlinear, Number,
-    ParameterError, ParameterInfo, Partial, Rate, Rows, Scalar, SetInfo, WithDerivatives,
+    EvaluatorWithDerivatives, FormulaInfo, LengthError, MatrixName, Model, ModelInfo,
+    Nonlinear, Number, ParameterError, ParameterInfo, Partial, Rate, Rows, Scalar,
+    SetInfo, WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -337,11 +338,12 @@ pub struct WhippleMechanismMotion<T = f64> {
     constants: [T; 51],
 }
 
-impl<T: Scalar> WhippleMechanism<T> {
+impl<T: Number> WhippleMechanism<T> {
     /// The nonlinear equations of motion, of what is computed once for these parameters:
     /// 54 additions, 64 multiplications and 2 trigonometric functions: 120 operations.
     ///
     /// The parameters are not validated.
+    #[inline(always)]
     #[must_use]
     pub fn motion(&self) -> WhippleMechanismMotion<T> {
         let t2 = self.mB + self.mR;
@@ -416,8 +418,15 @@ impl<T: Scalar> WhippleMechanism<T> {
 impl<T: Scalar> Nonlinear<2> for WhippleMechanism<T> {
     type Motion = WhippleMechanismMotion<T>;
 
+    type MotionOver<U: Number> = WhippleMechanismMotion<U>;
+
     fn motion(&self) -> WhippleMechanismMotion<T> {
         WhippleMechanism::motion(self)
+    }
+
+    #[inline(always)]
+    fn motion_over<U: Number>(model: &WhippleMechanism<U>) -> WhippleMechanismMotion<U> {
+        WhippleMechanism::motion(model)
     }
 }
 
@@ -509,7 +518,7 @@ impl<T: Scalar> carvallo::motion::Motion for WhippleMechanismMotion<T> {
 }
 
 #[allow(unused_variables)]
-impl<T: Scalar> carvallo::motion::Unchecked for WhippleMechanismMotion<T> {
+impl<T: Number> carvallo::motion::Unchecked for WhippleMechanismMotion<T> {
     type Scalar = T;
 
     type Positions = [T; 8];
@@ -522,6 +531,7 @@ impl<T: Scalar> carvallo::motion::Unchecked for WhippleMechanismMotion<T> {
 
     type ContactForces = [[T; 3]; 2];
 
+    #[inline(always)]
     fn closure_unchecked(&self, positions: &[T; 8]) -> ([T; 1], [T; 1]) {
         let (sin_phi, cos_phi) = positions[3].sin_cos();
         let (sin_delta, cos_delta) = positions[5].sin_cos();
@@ -546,6 +556,7 @@ impl<T: Scalar> carvallo::motion::Unchecked for WhippleMechanismMotion<T> {
         ([t42], [t64])
     }
 
+    #[inline(always)]
     fn rates_unchecked(&self, positions: &[T; 8], speeds: &[T; 3]) -> [T; 8] {
         let (sin_phi, cos_phi) = positions[3].sin_cos();
         let (sin_pitch, cos_pitch) = positions[4].sin_cos();
@@ -602,6 +613,7 @@ impl<T: Scalar> carvallo::motion::Unchecked for WhippleMechanismMotion<T> {
         [t163, t164, t165, speeds[0], t90, speeds[1], speeds[2], t162]
     }
 
+    #[inline(always)]
     fn derivatives_unchecked(&self, positions: &[T; 8], speeds: &[T; 3], forces: &[T; 2]) -> ([T; 8], [T; 3]) {
         let (sin_phi, cos_phi) = positions[3].sin_cos();
         let (sin_pitch, cos_pitch) = positions[4].sin_cos();
@@ -872,6 +884,7 @@ impl<T: Scalar> carvallo::motion::Unchecked for WhippleMechanismMotion<T> {
         )
     }
 
+    #[inline(always)]
     fn accelerations_unchecked(&self, positions: &[T; 8], speeds: &[T; 3], forces: &[T; 2]) -> [T; 8] {
         let (sin_psi, cos_psi) = positions[2].sin_cos();
         let (sin_phi, cos_phi) = positions[3].sin_cos();
@@ -5324,6 +5337,15 @@ impl<T: Number> WhippleMechanismMatrices<T> {
         }
     }
 
+    /// Those entries that differ and are not always zero.
+    #[inline(always)]
+    fn distinct_entries(&self) -> [T; 11] {
+        [
+            self.m[0][0], self.m[0][1], self.m[1][1], self.c1[0][1], self.c1[1][0], self.c1[1][1],
+            self.k0[0][0], self.k0[0][1], self.k0[1][1], self.k2[0][1], self.k2[1][1],
+        ]
+    }
+
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 2]; 2]; 8] {
@@ -5588,12 +5610,7 @@ impl<T: Number> Evaluator<T, 2> for WhippleMechanism<T> {
 
     #[inline(always)]
     fn entries(&self) -> Self::Entries {
-        let matrices = self.matrices();
-        [
-            matrices.m[0][0], matrices.m[0][1], matrices.m[1][1], matrices.c1[0][1],
-            matrices.c1[1][0], matrices.c1[1][1], matrices.k0[0][0], matrices.k0[0][1],
-            matrices.k0[1][1], matrices.k2[0][1], matrices.k2[1][1],
-        ]
+        WhippleMechanismMatrices::distinct_entries(&self.matrices())
     }
 
     #[inline(always)]
@@ -5638,6 +5655,10 @@ impl<T: Scalar> WhippleMechanismDerivatives<T> {
 impl<T: Scalar> Differentiable<2> for WhippleMechanism<T> {
     type Derivatives = [Coefficients<T, 2>; 26];
 
+    type WithDerivativesOver<U: Number> = WhippleMechanism<U>;
+
+    const PARTIALS: &'static [Partial] = <WhippleMechanismDerivatives>::PARTIALS;
+
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 2>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
@@ -5646,6 +5667,16 @@ impl<T: Scalar> Differentiable<2> for WhippleMechanism<T> {
             Partial::write(&<WhippleMechanismDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
         }
         (Coefficients::from_rows(WhippleMechanismMatrices::rows(&matrices)), all)
+    }
+}
+
+impl<T: Number> EvaluatorWithDerivatives<T, 2> for WhippleMechanism<T> {
+    type Derivatives = [T; 123];
+
+    #[inline(always)]
+    fn entries_and_derivatives(&self) -> ([T; 11], [T; 123]) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        (WhippleMechanismMatrices::distinct_entries(&matrices), derivatives.values)
     }
 }
 

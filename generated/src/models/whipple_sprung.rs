@@ -6,8 +6,9 @@
 
 use carvallo::{
     Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Rate, Rows, Scalar, SetInfo, WithDerivatives,
+    EvaluatorWithDerivatives, FormulaInfo, LengthError, MatrixName, Model, ModelInfo,
+    Number, ParameterError, ParameterInfo, Partial, Rate, Rows, Scalar, SetInfo,
+    WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -742,6 +743,16 @@ impl<T: Number> WhippleSprungMatrices<T> {
         }
     }
 
+    /// Those entries that differ and are not always zero.
+    #[inline(always)]
+    fn distinct_entries(&self) -> [T; 13] {
+        [
+            self.m[0][0], self.m[0][1], self.m[1][1], self.c0[1][1], self.c1[0][1], self.c1[1][0],
+            self.c1[1][1], self.kc[1][1], self.k0[0][0], self.k0[0][1], self.k0[1][1],
+            self.k2[0][1], self.k2[1][1],
+        ]
+    }
+
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 2]; 2]; 8] {
@@ -1014,13 +1025,7 @@ impl<T: Number> Evaluator<T, 2> for WhippleSprung<T> {
 
     #[inline(always)]
     fn entries(&self) -> Self::Entries {
-        let matrices = self.matrices();
-        [
-            matrices.m[0][0], matrices.m[0][1], matrices.m[1][1], matrices.c0[1][1],
-            matrices.c1[0][1], matrices.c1[1][0], matrices.c1[1][1], matrices.kc[1][1],
-            matrices.k0[0][0], matrices.k0[0][1], matrices.k0[1][1], matrices.k2[0][1],
-            matrices.k2[1][1],
-        ]
+        WhippleSprungMatrices::distinct_entries(&self.matrices())
     }
 
     #[inline(always)]
@@ -1067,6 +1072,10 @@ impl<T: Scalar> WhippleSprungDerivatives<T> {
 impl<T: Scalar> Differentiable<2> for WhippleSprung<T> {
     type Derivatives = [Coefficients<T, 2>; 28];
 
+    type WithDerivativesOver<U: Number> = WhippleSprung<U>;
+
+    const PARTIALS: &'static [Partial] = <WhippleSprungDerivatives>::PARTIALS;
+
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 2>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
@@ -1075,6 +1084,16 @@ impl<T: Scalar> Differentiable<2> for WhippleSprung<T> {
             Partial::write(&<WhippleSprungDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
         }
         (Coefficients::from_rows(WhippleSprungMatrices::rows(&matrices)), all)
+    }
+}
+
+impl<T: Number> EvaluatorWithDerivatives<T, 2> for WhippleSprung<T> {
+    type Derivatives = [T; 123];
+
+    #[inline(always)]
+    fn entries_and_derivatives(&self) -> ([T; 13], [T; 123]) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        (WhippleSprungMatrices::distinct_entries(&matrices), derivatives.values)
     }
 }
 

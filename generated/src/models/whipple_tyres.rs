@@ -6,9 +6,9 @@
 
 use carvallo::{
     Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Nonlinear, Number,
-    ParameterError, ParameterInfo, Partial, Rate, RequirementInfo, Rows, Scalar, SetInfo,
-    WithDerivatives,
+    EvaluatorWithDerivatives, FormulaInfo, LengthError, MatrixName, Model, ModelInfo,
+    Nonlinear, Number, ParameterError, ParameterInfo, Partial, Rate, RequirementInfo,
+    Rows, Scalar, SetInfo, WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -360,11 +360,12 @@ pub struct WhippleTyresMotion<T = f64> {
     constants: [T; 53],
 }
 
-impl<T: Scalar> WhippleTyres<T> {
+impl<T: Number> WhippleTyres<T> {
     /// The nonlinear equations of motion, of what is computed once for these parameters:
     /// 56 additions, 62 multiplications and 2 trigonometric functions: 120 operations.
     ///
     /// The parameters are not validated.
+    #[inline(always)]
     #[must_use]
     pub fn motion(&self) -> WhippleTyresMotion<T> {
         let (sin_lam, cos_lam) = self.lam.sin_cos();
@@ -440,8 +441,15 @@ impl<T: Scalar> WhippleTyres<T> {
 impl<T: Scalar> Nonlinear<2> for WhippleTyres<T> {
     type Motion = WhippleTyresMotion<T>;
 
+    type MotionOver<U: Number> = WhippleTyresMotion<U>;
+
     fn motion(&self) -> WhippleTyresMotion<T> {
         WhippleTyres::motion(self)
+    }
+
+    #[inline(always)]
+    fn motion_over<U: Number>(model: &WhippleTyres<U>) -> WhippleTyresMotion<U> {
+        WhippleTyres::motion(model)
     }
 }
 
@@ -533,7 +541,7 @@ impl<T: Scalar> carvallo::motion::Motion for WhippleTyresMotion<T> {
 }
 
 #[allow(unused_variables)]
-impl<T: Scalar> carvallo::motion::Unchecked for WhippleTyresMotion<T> {
+impl<T: Number> carvallo::motion::Unchecked for WhippleTyresMotion<T> {
     type Scalar = T;
 
     type Positions = [T; 8];
@@ -546,6 +554,7 @@ impl<T: Scalar> carvallo::motion::Unchecked for WhippleTyresMotion<T> {
 
     type ContactForces = [[T; 3]; 2];
 
+    #[inline(always)]
     fn closure_unchecked(&self, positions: &[T; 8]) -> ([T; 1], [T; 1]) {
         let (sin_phi, cos_phi) = positions[3].sin_cos();
         let (sin_delta, cos_delta) = positions[5].sin_cos();
@@ -570,6 +579,7 @@ impl<T: Scalar> carvallo::motion::Unchecked for WhippleTyresMotion<T> {
         ([t46], [t68])
     }
 
+    #[inline(always)]
     fn rates_unchecked(&self, positions: &[T; 8], speeds: &[T; 3]) -> [T; 8] {
         let (sin_phi, cos_phi) = positions[3].sin_cos();
         let t5 = self.constants[25] + self.constants[21] * cos_phi;
@@ -629,6 +639,7 @@ impl<T: Scalar> carvallo::motion::Unchecked for WhippleTyresMotion<T> {
         [t175, t105, t176, speeds[0], t93, speeds[1], speeds[2], t174]
     }
 
+    #[inline(always)]
     fn derivatives_unchecked(&self, positions: &[T; 8], speeds: &[T; 3], forces: &[T; 2]) -> ([T; 8], [T; 3]) {
         let (sin_phi, cos_phi) = positions[3].sin_cos();
         let t5 = self.constants[25] + self.constants[21] * cos_phi;
@@ -912,6 +923,7 @@ impl<T: Scalar> carvallo::motion::Unchecked for WhippleTyresMotion<T> {
         )
     }
 
+    #[inline(always)]
     fn accelerations_unchecked(&self, positions: &[T; 8], speeds: &[T; 3], forces: &[T; 2]) -> [T; 8] {
         let (sin_psi, cos_psi) = positions[2].sin_cos();
         let (sin_phi, cos_phi) = positions[3].sin_cos();
@@ -5635,6 +5647,15 @@ impl<T: Number> WhippleTyresMatrices<T> {
         }
     }
 
+    /// Those entries that differ and are not always zero.
+    #[inline(always)]
+    fn distinct_entries(&self) -> [T; 11] {
+        [
+            self.m[0][0], self.m[0][1], self.m[1][1], self.c1[0][1], self.c1[1][0], self.c1[1][1],
+            self.k0[0][0], self.k0[0][1], self.k0[1][1], self.k2[0][1], self.k2[1][1],
+        ]
+    }
+
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 2]; 2]; 8] {
@@ -5918,12 +5939,7 @@ impl<T: Number> Evaluator<T, 2> for WhippleTyres<T> {
 
     #[inline(always)]
     fn entries(&self) -> Self::Entries {
-        let matrices = self.matrices();
-        [
-            matrices.m[0][0], matrices.m[0][1], matrices.m[1][1], matrices.c1[0][1],
-            matrices.c1[1][0], matrices.c1[1][1], matrices.k0[0][0], matrices.k0[0][1],
-            matrices.k0[1][1], matrices.k2[0][1], matrices.k2[1][1],
-        ]
+        WhippleTyresMatrices::distinct_entries(&self.matrices())
     }
 
     #[inline(always)]
@@ -5968,6 +5984,10 @@ impl<T: Scalar> WhippleTyresDerivatives<T> {
 impl<T: Scalar> Differentiable<2> for WhippleTyres<T> {
     type Derivatives = [Coefficients<T, 2>; 28];
 
+    type WithDerivativesOver<U: Number> = WhippleTyres<U>;
+
+    const PARTIALS: &'static [Partial] = <WhippleTyresDerivatives>::PARTIALS;
+
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 2>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
@@ -5976,6 +5996,16 @@ impl<T: Scalar> Differentiable<2> for WhippleTyres<T> {
             Partial::write(&<WhippleTyresDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
         }
         (Coefficients::from_rows(WhippleTyresMatrices::rows(&matrices)), all)
+    }
+}
+
+impl<T: Number> EvaluatorWithDerivatives<T, 2> for WhippleTyres<T> {
+    type Derivatives = [T; 130];
+
+    #[inline(always)]
+    fn entries_and_derivatives(&self) -> ([T; 11], [T; 130]) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        (WhippleTyresMatrices::distinct_entries(&matrices), derivatives.values)
     }
 }
 

@@ -3,7 +3,7 @@
 use core::fmt;
 
 /// Columns or slices that do not fit a model or each other.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BatchError {
     /// There are not as many columns as the model has parameters or entries.
     Columns {
@@ -27,6 +27,22 @@ pub enum BatchError {
         /// Its own length.
         found: usize,
     },
+    /// Parameters are neither of one design for all states nor of one for each.
+    Designs {
+        /// Of how many designs.
+        designs: usize,
+        /// How many states there are.
+        states: usize,
+    },
+    /// A number that says how motions are simulated is not what it has to be.
+    Simulation {
+        /// What it is.
+        what: &'static str,
+        /// What it has to be.
+        required: &'static str,
+        /// What was given.
+        found: f64,
+    },
 }
 
 impl BatchError {
@@ -48,6 +64,11 @@ impl fmt::Display for BatchError {
                     "{what} {position} is given for {found} designs: expected {expected}, as many as there are of the first"
                 )
             }
+            Self::Designs { designs, states } => write!(
+                f,
+                "parameters of {designs} designs are given for {states} states: expected those of one design, or as many as there are states"
+            ),
+            Self::Simulation { what, required, found } => write!(f, "{what} is {found}: expected {required}"),
         }
     }
 }

@@ -10,6 +10,7 @@ use crate::number::lane::{Lane, UPPER_HALF};
 use crate::number::real::Real;
 use crate::number::trigonometry::{double, single};
 use crate::number::{Number, Scalar};
+use crate::numeric::Part;
 
 /// `f32` or `f64`: numbers of which a register holds several.
 pub trait InLanes: Scalar + SimdFloatElement + Send + Sync {
@@ -70,6 +71,13 @@ impl<S: Simd, T: InLanes> Lanes<S, T> {
     #[inline(always)]
     pub(crate) fn store(self, numbers: &mut [T]) {
         self.0.store_slice(numbers);
+    }
+
+    /// Replaces the number in a lane.
+    #[cfg(feature = "std")]
+    #[inline(always)]
+    pub(crate) fn set_lane(&mut self, index: usize, number: T) {
+        self.0.as_mut_slice()[index] = number;
     }
 
     /// The number in a lane.
@@ -165,6 +173,10 @@ impl<S: Simd, T: InLanes> Real for Lanes<S, T> {
     fn all(mask: Self::Mask) -> bool {
         mask.all_true()
     }
+}
+
+impl<S: Simd> Part for Lanes<S> {
+    const SPLITTER: f64 = <f64 as Part>::SPLITTER;
 }
 
 impl<S: Simd> Lane for Lanes<S> {

@@ -90,7 +90,7 @@ impl Batch {
 }
 
 #[cfg(feature = "std")]
-fn check_blocks<const N: usize, M: Model<N, Scalar: InLanes>>(
+pub(super) fn check_blocks<const N: usize, M: Model<N, Scalar: InLanes>>(
     parameters: &Blocks<M::Scalar>,
     entries: &Blocks<M::Scalar>,
 ) -> Result<(), BatchError> {
@@ -98,7 +98,7 @@ fn check_blocks<const N: usize, M: Model<N, Scalar: InLanes>>(
     BatchError::require_room("entry", parameters.len(), entries.len())
 }
 
-fn check_widths<const N: usize, M: Model<N, Scalar: InLanes>>(
+pub(super) fn check_widths<const N: usize, M: Model<N, Scalar: InLanes>>(
     parameters: usize,
     entries: usize,
 ) -> Result<(), BatchError> {

@@ -7,10 +7,16 @@
 
 #[cfg(feature = "std")]
 mod blocks;
+#[cfg(feature = "std")]
+mod derivatives;
 mod eigenvalues;
 mod error;
 mod lanes;
 mod matrices;
+#[cfg(feature = "std")]
+mod motion;
+#[cfg(feature = "std")]
+mod stability;
 mod structs;
 mod transpose;
 
@@ -20,9 +26,13 @@ use fearless_simd::{Level, SimdBase, dispatch};
 
 #[cfg(feature = "std")]
 pub use blocks::Blocks;
+#[cfg(feature = "std")]
+pub use derivatives::Portion;
 pub use eigenvalues::Eigenvalues;
 pub use error::BatchError;
 pub use lanes::{InLanes, Lanes};
+#[cfg(feature = "std")]
+pub use motion::{Arrival, Ensemble, Limit, Outcome};
 
 /// The number of designs in a block: as many as the widest registers hold, which have 64 bytes.
 const fn side<T>() -> usize {

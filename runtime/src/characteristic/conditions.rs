@@ -4,56 +4,56 @@
 use core::ops::{Mul, Sub};
 
 use super::powers::{Powers, Variable};
+use crate::numeric::Part;
 #[cfg(feature = "std")]
 use crate::numeric::Polynomial;
-use crate::numeric::Tracked;
 use crate::numeric::fixed::{add, map, product, square};
 
 /// The products that both conditions of a quartic have, in the variable V.
-pub(crate) struct QuarticConditions<'a, V: Variable> {
-    p: &'a Powers<V>,
-    p13: V::P1P3,
+pub(crate) struct QuarticConditions<'a, V: Variable, T: Part = f64> {
+    p: &'a Powers<V, T>,
+    p13: V::P1P3<T>,
     /// `p_1 p_2 p_3`.
-    first: V::Hurwitz,
+    first: V::Hurwitz<T>,
     /// `p_1^2 p_4 + p_0 p_3^2`.
-    rest: V::Hurwitz,
+    rest: V::Hurwitz<T>,
 }
 
-impl<'a, V: Variable> QuarticConditions<'a, V> {
+impl<'a, V: Variable, T: Part> QuarticConditions<'a, V, T> {
     #[inline]
-    pub(crate) fn new(p: &'a Powers<V>) -> Self {
-        let p13: V::P1P3 = product(&p.p1, &p.p3);
-        let p33: V::P3P3 = square(&p.p3);
-        let p11: V::Hurwitz = square(&p.p1);
-        let p033: V::Hurwitz = product(&p33, &p.p0);
+    pub(crate) fn new(p: &'a Powers<V, T>) -> Self {
+        let p13: V::P1P3<T> = product(&p.p1, &p.p3);
+        let p33: V::P3P3<T> = square(&p.p3);
+        let p11: V::Hurwitz<T> = square(&p.p1);
+        let p033: V::Hurwitz<T> = product(&p33, &p.p0);
         Self { p, first: product(&p13, &p.p2), rest: add(map(p11, |p11| p.p4 * p11), p033, 0), p13 }
     }
 
     /// The Hurwitz determinant `p_1 p_2 p_3 - p_1^2 p_4 - p_0 p_3^2`, without the power of the variable that
     /// [`Variable::LACKING`] says.
     #[inline]
-    pub(crate) fn hurwitz(&self) -> V::Hurwitz {
+    pub(crate) fn hurwitz(&self) -> V::Hurwitz<T> {
         add(self.first, map(self.rest, |rest| -rest), 0)
     }
 
     /// The discriminant `4 I^3 - J^2`, up to a factor, with the invariants I and J of the quartic.
     #[inline]
-    pub(crate) fn discriminant(&self) -> V::Discriminant {
+    pub(crate) fn discriminant(&self) -> V::Discriminant<T> {
         let Powers { p0, p2, p4, .. } = self.p;
         let p04 = map(*p0, |p0| *p4 * p0);
-        let p22: V::P0 = square(p2);
+        let p22: V::P0<T> = square(p2);
         // I = 12 p_0 p_4 - 3 p_1 p_3 + p_2^2.
-        let i = add(map(p04, |p04| p04.times(12.0)), p22, 0);
-        let i = add(i, map(self.p13, |p13| -p13.times(3.0)), V::LACKING);
+        let i = add(map(p04, |p04| p04.scaled(12.0)), p22, 0);
+        let i = add(i, map(self.p13, |p13| -p13.scaled(3.0)), V::LACKING);
         // J = p_2 (72 p_0 p_4 - 2 p_2^2) + 9 p_1 p_2 p_3 - 27 (p_1^2 p_4 + p_0 p_3^2).
-        let even = add(map(p04, |p04| p04.times(72.0)), map(p22, |p22| -p22.doubled()), 0);
-        let odd = add(map(self.first, |first| first.times(9.0)), map(self.rest, |rest| -rest.times(27.0)), 0);
-        let j: V::J = product(p2, &even);
+        let even = add(map(p04, |p04| p04.scaled(72.0)), map(p22, |p22| -p22.doubled()), 0);
+        let odd = add(map(self.first, |first| first.scaled(9.0)), map(self.rest, |rest| -rest.scaled(27.0)), 0);
+        let j: V::J<T> = product(p2, &even);
         let j = add(j, odd, V::LACKING);
-        let ii: V::II = square(&i);
-        let iii: V::Discriminant = product(&ii, &i);
-        let jj: V::Discriminant = square(&j);
-        add(map(iii, |iii| iii.doubled().doubled()), map(jj, |jj: Tracked| -jj), 0)
+        let ii: V::II<T> = square(&i);
+        let iii: V::Discriminant<T> = product(&ii, &i);
+        let jj: V::Discriminant<T> = square(&j);
+        add(map(iii, |iii| iii.doubled().doubled()), map(jj, |jj| -jj), 0)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::determinant::{Rows, determinant, mixed};
 use crate::numeric::fixed::{Fixed, map, padded};
-use crate::numeric::{Exact, Tracked};
+use crate::numeric::{DoubleDouble, Exact, Part, Tracked};
 
 /// What the coefficients are polynomials in: by it the numbers of their coefficients are known, and those of all that is
 /// made of them.
@@ -10,22 +10,22 @@ use crate::numeric::{Exact, Tracked};
 /// For the matrices M, C0, C1, Kc, K0 and K2 the coefficients p_0 to p_3 are of degree 4, 3, 2 and 1 in the speed, and p_4
 /// does not depend on it.
 pub(crate) trait Variable {
-    type P0: Fixed;
-    type P1: Fixed;
-    type P2: Fixed;
-    type P3: Fixed;
+    type P0<T: Part>: Fixed<T>;
+    type P1<T: Part>: Fixed<T>;
+    type P2<T: Part>: Fixed<T>;
+    type P3<T: Part>: Fixed<T>;
     /// Of `p_1 p_3`.
-    type P1P3: Fixed;
+    type P1P3<T: Part>: Fixed<T>;
     /// Of `p_3^2`.
-    type P3P3: Fixed;
+    type P3P3<T: Part>: Fixed<T>;
     /// Of the Hurwitz determinant.
-    type Hurwitz: Fixed;
+    type Hurwitz<T: Part>: Fixed<T>;
     /// Of the invariant J of the quartic.
-    type J: Fixed;
+    type J<T: Part>: Fixed<T>;
     /// Of the square of the invariant I, which itself has those of p_0.
-    type II: Fixed;
+    type II<T: Part>: Fixed<T>;
     /// Of the discriminant.
-    type Discriminant: Fixed;
+    type Discriminant<T: Part>: Fixed<T>;
     /// The power of the variable that `p_1 p_3` and the Hurwitz determinant lack.
     const LACKING: usize;
 }
@@ -34,16 +34,16 @@ pub(crate) trait Variable {
 pub(crate) struct InSpeed;
 
 impl Variable for InSpeed {
-    type P0 = [Tracked; 5];
-    type P1 = [Tracked; 4];
-    type P2 = [Tracked; 3];
-    type P3 = [Tracked; 2];
-    type P1P3 = [Tracked; 5];
-    type P3P3 = [Tracked; 3];
-    type Hurwitz = [Tracked; 7];
-    type J = [Tracked; 7];
-    type II = [Tracked; 9];
-    type Discriminant = [Tracked; 13];
+    type P0<T: Part> = [Tracked<T>; 5];
+    type P1<T: Part> = [Tracked<T>; 4];
+    type P2<T: Part> = [Tracked<T>; 3];
+    type P3<T: Part> = [Tracked<T>; 2];
+    type P1P3<T: Part> = [Tracked<T>; 5];
+    type P3P3<T: Part> = [Tracked<T>; 3];
+    type Hurwitz<T: Part> = [Tracked<T>; 7];
+    type J<T: Part> = [Tracked<T>; 7];
+    type II<T: Part> = [Tracked<T>; 9];
+    type Discriminant<T: Part> = [Tracked<T>; 13];
     const LACKING: usize = 0;
 }
 
@@ -52,16 +52,16 @@ impl Variable for InSpeed {
 pub(crate) struct InSquare;
 
 impl Variable for InSquare {
-    type P0 = [Tracked; 3];
-    type P1 = [Tracked; 2];
-    type P2 = [Tracked; 2];
-    type P3 = [Tracked; 1];
-    type P1P3 = [Tracked; 2];
-    type P3P3 = [Tracked; 1];
-    type Hurwitz = [Tracked; 3];
-    type J = [Tracked; 4];
-    type II = [Tracked; 5];
-    type Discriminant = [Tracked; 7];
+    type P0<T: Part> = [Tracked<T>; 3];
+    type P1<T: Part> = [Tracked<T>; 2];
+    type P2<T: Part> = [Tracked<T>; 2];
+    type P3<T: Part> = [Tracked<T>; 1];
+    type P1P3<T: Part> = [Tracked<T>; 2];
+    type P3P3<T: Part> = [Tracked<T>; 1];
+    type Hurwitz<T: Part> = [Tracked<T>; 3];
+    type J<T: Part> = [Tracked<T>; 4];
+    type II<T: Part> = [Tracked<T>; 5];
+    type Discriminant<T: Part> = [Tracked<T>; 7];
     const LACKING: usize = 1;
 }
 
@@ -69,32 +69,32 @@ impl Variable for InSquare {
 pub(crate) struct AtOneSpeed;
 
 impl Variable for AtOneSpeed {
-    type P0 = [Tracked; 1];
-    type P1 = [Tracked; 1];
-    type P2 = [Tracked; 1];
-    type P3 = [Tracked; 1];
-    type P1P3 = [Tracked; 1];
-    type P3P3 = [Tracked; 1];
-    type Hurwitz = [Tracked; 1];
-    type J = [Tracked; 1];
-    type II = [Tracked; 1];
-    type Discriminant = [Tracked; 1];
+    type P0<T: Part> = [Tracked<T>; 1];
+    type P1<T: Part> = [Tracked<T>; 1];
+    type P2<T: Part> = [Tracked<T>; 1];
+    type P3<T: Part> = [Tracked<T>; 1];
+    type P1P3<T: Part> = [Tracked<T>; 1];
+    type P3P3<T: Part> = [Tracked<T>; 1];
+    type Hurwitz<T: Part> = [Tracked<T>; 1];
+    type J<T: Part> = [Tracked<T>; 1];
+    type II<T: Part> = [Tracked<T>; 1];
+    type Discriminant<T: Part> = [Tracked<T>; 1];
     const LACKING: usize = 0;
 }
 
 /// The characteristic polynomial `p_0 + p_1 s + p_2 s^2 + p_3 s^3 + p_4 s^4`.
-pub(crate) struct Powers<V: Variable> {
-    pub(crate) p0: V::P0,
-    pub(crate) p1: V::P1,
-    pub(crate) p2: V::P2,
-    pub(crate) p3: V::P3,
-    pub(crate) p4: Tracked,
+pub(crate) struct Powers<V: Variable, T: Part = f64> {
+    pub(crate) p0: V::P0<T>,
+    pub(crate) p1: V::P1<T>,
+    pub(crate) p2: V::P2<T>,
+    pub(crate) p3: V::P3<T>,
+    pub(crate) p4: Tracked<T>,
 }
 
-impl<V: Variable> Powers<V> {
+impl<V: Variable, T: Part> Powers<V, T> {
     /// All of its coefficients, each with as many of its own.
     #[inline]
-    pub(crate) fn padded<P: Fixed>(&self) -> [P; 5] {
+    pub(crate) fn padded<P: Fixed<T>>(&self) -> [P; 5] {
         let Self { p0, p1, p2, p3, p4 } = *self;
         [padded(p0), padded(p1), padded(p2), padded(p3), padded([p4])]
     }
@@ -102,8 +102,9 @@ impl<V: Variable> Powers<V> {
     /// With the last coefficient positive.
     #[inline]
     fn normalized(self) -> Self {
-        let is_negative = self.p4.value.to_f64() < 0.0;
-        let positive = |p: Tracked| if is_negative { -p } else { p };
+        let leading = self.p4.value.high();
+        let is_negative = leading.less(leading.like(0.0));
+        let positive = |p: Tracked<T>| p.opposite_where(is_negative);
         let Self { p0, p1, p2, p3, p4 } = self;
         Self {
             p0: map(p0, positive),
@@ -122,39 +123,35 @@ impl Powers<AtOneSpeed> {
 }
 
 /// The matrices that the polynomials are made of, K = Kc + g K0 in twice the precision.
-pub(crate) struct Matrices {
-    m: Rows<Exact>,
-    c0: Rows<Exact>,
-    c1: Rows<Exact>,
-    k: Rows<Tracked>,
-    k2: Rows<Exact>,
+pub(crate) struct Matrices<T = f64> {
+    m: Rows<Exact<T>>,
+    c0: Rows<Exact<T>>,
+    c1: Rows<Exact<T>>,
+    k: Rows<Tracked<T>>,
+    k2: Rows<Exact<T>>,
     /// The determinant of the mass matrix.
-    pub(crate) mass: Tracked,
+    pub(crate) mass: Tracked<T>,
 }
 
-impl Matrices {
+impl<T: Part> Matrices<T> {
     /// From the rows of M, C0, C1, Kc, K0 and K2.
     #[inline]
-    pub(crate) fn new(rows: [Rows; 6], gravity: f64) -> Self {
+    pub(crate) fn new(rows: [Rows<T>; 6], gravity: T) -> Self {
         let [m, c0, c1, kc, k0, k2] = rows;
-        let exact = |[[a, b], [c, d]]: Rows| [[Exact(a), Exact(b)], [Exact(c), Exact(d)]];
+        let exact = |[[a, b], [c, d]]: Rows<T>| [[Exact(a), Exact(b)], [Exact(c), Exact(d)]];
         let [m, c0, c1, k2] = [exact(m), exact(c0), exact(c1), exact(k2)];
-        let stiffness = |i: usize, j: usize| Exact(gravity) * Exact(k0[i][j]) + kc[i][j].into();
+        let stiffness = |i: usize, j: usize| Exact(gravity) * Exact(k0[i][j]) + DoubleDouble::from(kc[i][j]).into();
         let k = [[stiffness(0, 0), stiffness(0, 1)], [stiffness(1, 0), stiffness(1, 1)]];
         Self { m, c0, c1, k, k2, mass: determinant(m) }
     }
 
-    #[inline]
-    pub(crate) fn are_undamped_at_rest(&self) -> bool {
-        self.c0 == [[Exact(0.0); 2]; 2]
-    }
-
     /// In the speed.
     #[inline]
-    pub(crate) fn in_speed(&self) -> Powers<InSpeed> {
+    pub(crate) fn in_speed(&self) -> Powers<InSpeed, T> {
         let Self { m, c0, c1, k, k2, mass } = *self;
+        let zero = mass.zero();
         Powers {
-            p0: [determinant(k), Tracked::ZERO, mixed(k2, k), Tracked::ZERO, determinant(k2)],
+            p0: [determinant(k), zero, mixed(k2, k), zero, determinant(k2)],
             p1: [mixed(c0, k), mixed(c1, k), mixed(c0, k2), mixed(c1, k2)],
             p2: [mixed(m, k) + determinant(c0), mixed(c0, c1), mixed(m, k2) + determinant(c1)],
             p3: [mixed(m, c0), mixed(m, c1)],
@@ -165,7 +162,7 @@ impl Matrices {
 
     /// In the square of the speed, without damping at rest.
     #[inline]
-    pub(crate) fn in_square(&self) -> Powers<InSquare> {
+    pub(crate) fn in_square(&self) -> Powers<InSquare, T> {
         let Self { m, c1, k, k2, mass, .. } = *self;
         Powers {
             p0: [determinant(k), mixed(k2, k), determinant(k2)],
@@ -175,5 +172,12 @@ impl Matrices {
             p4: mass,
         }
         .normalized()
+    }
+}
+
+impl Matrices {
+    #[inline]
+    pub(crate) fn are_undamped_at_rest(&self) -> bool {
+        self.c0 == [[Exact(0.0); 2]; 2]
     }
 }

@@ -8,6 +8,7 @@ use nalgebra::Complex;
 use super::quadratic::Quadratic;
 use super::quartic::Quartic;
 use super::resolvent::Resolvent;
+use crate::number::Scalar;
 use crate::number::lane::Lane;
 use crate::number::real::Real;
 use crate::numeric::{DoubleDouble, Part, Scaled, ldexp};
@@ -22,7 +23,8 @@ const fn rounding<T: Lane>() -> f64 {
 const STEPS: usize = 24;
 
 /// A number in which eigenvalues are computed from beginning to end.
-pub(crate) trait Precision: Lane<Mask = bool> + Part + Scaled {
+pub(crate) trait Precision: Lane<Mask = bool> + Part + Scalar + Scaled {
+    const ZERO: Self;
     /// The smallest positive number of all digits.
     const TINY: Self;
     /// By how much a double root of the resolvent may be off, and a margin.
@@ -33,12 +35,14 @@ pub(crate) trait Precision: Lane<Mask = bool> + Part + Scaled {
 }
 
 impl Precision for f64 {
+    const ZERO: Self = 0.0;
     const TINY: Self = f64::MIN_POSITIVE;
     const ABOVE: Self = 1.0 + 1e-7;
     const REFUSED: Self = 8.0 * rounding::<Self>();
 }
 
 impl Precision for f32 {
+    const ZERO: Self = 0.0;
     const TINY: Self = f32::MIN_POSITIVE;
     const ABOVE: Self = 1.0 + 2e-3;
     const REFUSED: Self = Self::INFINITY;

@@ -19,8 +19,8 @@
 //! | `comparing` | generated code beside code by hand |
 //!
 //! They declare models, so they need the feature `derive`: `cargo run -p carvallo --features derive --example coin`. The
-//! examples of the crate `carvallo-models` need none: `cargo run -p carvallo-models --example embedding`, and `riding`, a simulator
-//! of nonlinear equations that allocates nothing.
+//! examples of the crate `carvallo-models` need none: `cargo run -p carvallo-models --example embedding`, `riding`, a simulator
+//! of nonlinear equations that allocates nothing, and `falls`, a Monte Carlo study in lanes.
 //!
 //! # Features of this crate
 //!

@@ -1,6 +1,6 @@
 //! The trait of models that were compiled with their derivatives.
 
-use super::traits::Model;
+use super::traits::{Evaluator, Model};
 use crate::number::{Number, Scalar};
 use crate::system::{Coefficients, MatrixName};
 
@@ -18,11 +18,29 @@ pub trait Differentiable<const N: usize>: Model<N> {
     /// An array with one item for each parameter, in declared order.
     type Derivatives: AsRef<[Coefficients<Self::Scalar, N>]>;
 
+    /// The same model over another kind of number.
+    type WithDerivativesOver<T: Number>: EvaluatorWithDerivatives<T, N>;
+
+    /// Those derivatives that are not identically zero, by parameters.
+    const PARTIALS: &'static [Partial];
+
     /// The coefficient matrices, and for each parameter, in declared order, the partial derivatives of all their entries
     /// with respect to it, each in the unit of the entry divided by that of the parameter.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     fn coefficients_and_derivatives(&self) -> (Coefficients<Self::Scalar, N>, Self::Derivatives);
+}
+
+/// The parameters of a model over one kind of number, and the program that makes its matrices and their derivatives of them.
+///
+/// The macro `model!` implements it beside [`Differentiable`], for all kinds of numbers at once.
+pub trait EvaluatorWithDerivatives<T: Number, const N: usize>: Evaluator<T, N> {
+    /// An array of T.
+    type Derivatives: Copy + AsRef<[T]>;
+
+    /// The entries of the matrices that differ, in the order of [`ModelInfo::entries`](crate::ModelInfo::entries), and the
+    /// values of their derivatives, each once: [`Differentiable::PARTIALS`] says which derivative has which.
+    fn entries_and_derivatives(&self) -> (Self::Entries, Self::Derivatives);
 }
 
 /// One derivative: that of an entry of a matrix with respect to a parameter.

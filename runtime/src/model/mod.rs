@@ -13,7 +13,7 @@ mod rate;
 mod sets;
 mod traits;
 
-pub use derivatives::{Differentiable, Partial};
+pub use derivatives::{Differentiable, EvaluatorWithDerivatives, Partial};
 pub use domain::{Bound, Domain};
 pub use error::{LengthError, ParameterError};
 pub use formula::{FormulaInfo, FormulaSubject};

@@ -10,7 +10,7 @@ const LONGEST: f64 = 0.25;
 /// With steps of that length it leads around the whole circle; near a solution a handful is enough.
 const MOST_STEPS: usize = 60;
 
-pub fn close<M: Unchecked>(
+pub fn close<M: Unchecked<Scalar: Scalar>>(
     motion: &M,
     info: &MotionInfo,
     mut positions: M::Positions,

@@ -4,7 +4,7 @@ use super::close;
 use super::error::MotionError;
 use super::info::MotionInfo;
 use super::vector::Vector;
-use crate::number::Scalar;
+use crate::number::{Number, Scalar};
 
 /// The nonlinear equations of motion of a mechanism with its parameters.
 ///
@@ -20,7 +20,7 @@ use crate::number::Scalar;
 /// let positions = motion.close(&positions)?;
 /// let (rates, accelerations) = motion.derivatives(&positions, &speeds, &forces)?;
 /// ```
-pub trait Motion: Unchecked {
+pub trait Motion: Unchecked<Scalar: Scalar> {
     /// Names, units, and which positions are free.
     const INFO: &'static MotionInfo;
 
@@ -137,8 +137,8 @@ pub trait Motion: Unchecked {
 /// The straight-line programs behind [`Motion`], as they are generated: nothing is checked, and what has no value is
 /// infinite or not a number.
 pub trait Unchecked: Copy {
-    /// `f32` or `f64`.
-    type Scalar: Scalar;
+    /// What is computed in: `f32`, `f64`, or as many of them as a register holds.
+    type Scalar: Number;
     /// An array with an element for each position.
     type Positions: Vector<Self::Scalar>;
     /// An array with an element for each speed.

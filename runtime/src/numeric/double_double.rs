@@ -17,26 +17,21 @@ pub(crate) struct DoubleDouble<T = f64> {
     lo: T,
 }
 
-/// What pairs are made of: `f64`, or `f32` where there is no `f64`.
-pub(crate) trait Part: Scalar {
-    const ZERO: Self;
+/// What pairs are made of: `f64`, as many of them as a register holds, or `f32` where there is no `f64`.
+pub(crate) trait Part: Real {
     /// Times this and less what was added, a number is rounded to the first half of its bits.
-    const SPLITTER: Self;
+    const SPLITTER: f64;
 }
 
 impl Part for f64 {
-    const ZERO: Self = 0.0;
-    const SPLITTER: Self = 134_217_729.0;
+    const SPLITTER: f64 = 134_217_729.0;
 }
 
 impl Part for f32 {
-    const ZERO: Self = 0.0;
-    const SPLITTER: Self = 4097.0;
+    const SPLITTER: f64 = 4097.0;
 }
 
 impl<T: Part> DoubleDouble<T> {
-    pub(crate) const ZERO: Self = Self { hi: T::ZERO, lo: T::ZERO };
-
     /// `a b`, exactly.
     #[inline]
     pub(crate) fn product(a: T, b: T) -> Self {
@@ -53,18 +48,10 @@ impl<T: Part> DoubleDouble<T> {
 }
 
 impl DoubleDouble {
+    pub(crate) const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
+
     pub(crate) fn to_f64(self) -> f64 {
         self.hi
-    }
-}
-
-/// Operations of polynomials.
-impl DoubleDouble {
-    /// The product with one `f64`.
-    #[inline]
-    pub(crate) fn times(self, factor: f64) -> Self {
-        let product = Self::product(self.hi, factor);
-        quick_sum(product.hi, product.lo + self.lo * factor)
     }
 
     /// Times a power of two, exactly.
@@ -72,11 +59,33 @@ impl DoubleDouble {
     pub(crate) fn ldexp(self, e: i32) -> Self {
         Self { hi: ldexp(self.hi, e), lo: ldexp(self.lo, e) }
     }
+}
+
+/// Operations of polynomials.
+impl<T: Part> DoubleDouble<T> {
+    /// The product with one number of half the precision.
+    #[inline]
+    pub(crate) fn times(self, factor: T) -> Self {
+        let product = Self::product(self.hi, factor);
+        quick_sum(product.hi, product.lo + self.lo * factor)
+    }
 
     /// Twice the number, exactly.
     #[inline]
     pub(crate) fn doubled(self) -> Self {
-        Self { hi: 2.0 * self.hi, lo: 2.0 * self.lo }
+        Self { hi: self.hi + self.hi, lo: self.lo + self.lo }
+    }
+
+    /// Each part of one of two numbers.
+    #[inline]
+    pub(crate) fn choose(mask: T::Mask, yes: Self, no: Self) -> Self {
+        Self { hi: T::select(mask, yes.hi, no.hi), lo: T::select(mask, yes.lo, no.lo) }
+    }
+
+    /// The numbers that each part has in a lane.
+    #[cfg(feature = "batch")]
+    pub(crate) fn map<U>(self, part: impl Fn(T) -> U) -> DoubleDouble<U> {
+        DoubleDouble { hi: part(self.hi), lo: part(self.lo) }
     }
 
     /// The sum, to within 2^-104 of the magnitudes of both: not of the sum itself, and so with less work.
@@ -89,7 +98,7 @@ impl DoubleDouble {
 
 impl<T: Part> From<T> for DoubleDouble<T> {
     fn from(value: T) -> Self {
-        Self { hi: value, lo: T::ZERO }
+        Self { hi: value, lo: value.like(0.0) }
     }
 }
 
@@ -140,19 +149,19 @@ impl<T: Part> Div for DoubleDouble<T> {
     }
 }
 
-impl<T: Part> Real for DoubleDouble<T> {
+impl<T: Part + Scalar> Real for DoubleDouble<T> {
     type Mask = bool;
 
     fn like(self, value: f64) -> Self {
         T::from_f64(value).into()
     }
     fn abs(self) -> Self {
-        if self < Self::ZERO { -self } else { self }
+        if self < Real::like(self, 0.0) { -self } else { self }
     }
     fn sqrt(self) -> Self {
-        let root = self.hi.sqrt();
-        if root == T::ZERO {
-            return Self::ZERO;
+        let root = Real::sqrt(self.hi);
+        if root == T::from_f64(0.0) {
+            return root.into();
         }
         // One step of Newton's iteration doubles the digits (Karp & Markstein 1997).
         let rest = self - Self::product(root, root);
@@ -190,7 +199,7 @@ fn quick_sum<T: Part>(a: T, b: T) -> DoubleDouble<T> {
 /// Two parts of half of the bits each that sum to `a`.
 #[inline]
 fn split<T: Part>(a: T) -> (T, T) {
-    let t = T::SPLITTER * a;
+    let t = a.like(T::SPLITTER) * a;
     let hi = t - (t - a);
     (hi, a - hi)
 }

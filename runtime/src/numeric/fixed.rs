@@ -1,24 +1,36 @@
 //! Polynomials of known degree, as arrays of their coefficients, ascending.
 
+use super::double_double::Part;
 use super::tracked::Tracked;
 
 /// The coefficients of a polynomial whose degree is known when the program is compiled.
-pub(crate) trait Fixed: Copy + AsRef<[Tracked]> + AsMut<[Tracked]> {
+pub(crate) trait Fixed<T = f64>: Copy + AsRef<[Tracked<T>]> + AsMut<[Tracked<T>]> {
     /// The number of coefficients.
     const COUNT: usize;
-    const ZERO: Self;
+    /// With the same number for all of them.
+    fn filled(number: Tracked<T>) -> Self;
+    /// The first of them.
+    fn first(&self) -> Tracked<T>;
 }
 
-impl<const N: usize> Fixed for [Tracked; N] {
+impl<T: Part, const N: usize> Fixed<T> for [Tracked<T>; N] {
     const COUNT: usize = N;
-    const ZERO: Self = [Tracked::ZERO; N];
+
+    #[inline(always)]
+    fn filled(number: Tracked<T>) -> Self {
+        [number; N]
+    }
+    #[inline(always)]
+    fn first(&self) -> Tracked<T> {
+        self[0]
+    }
 }
 
 /// The product of two polynomials, which has as many coefficients as both together, less one.
 #[inline]
-pub(crate) fn product<A: Fixed, B: Fixed, C: Fixed>(a: &A, b: &B) -> C {
+pub(crate) fn product<T: Part, A: Fixed<T>, B: Fixed<T>, C: Fixed<T>>(a: &A, b: &B) -> C {
     const { assert!(C::COUNT + 1 == A::COUNT + B::COUNT) }
-    let mut result = C::ZERO;
+    let mut result = C::filled(a.first().zero());
     let (a, b, product) = (a.as_ref(), b.as_ref(), result.as_mut());
     for i in 0..A::COUNT {
         for j in 0..B::COUNT {
@@ -31,15 +43,19 @@ pub(crate) fn product<A: Fixed, B: Fixed, C: Fixed>(a: &A, b: &B) -> C {
 
 /// The square of a polynomial.
 #[inline]
-pub(crate) fn square<A: Fixed, C: Fixed>(a: &A) -> C {
+pub(crate) fn square<T: Part, A: Fixed<T>, C: Fixed<T>>(a: &A) -> C {
     const { assert!(C::COUNT + 1 == 2 * A::COUNT) }
-    let mut result = C::ZERO;
+    let zero = a.first().zero();
+    let mut result = C::filled(zero);
     let a = a.as_ref();
-    let term = |i: usize, j: usize| coefficient(a, i) * coefficient(a, j);
+    // A coefficient is always there. Indexing would link a panic into the programs of microcontrollers, where loops are not
+    // unrolled; here and below.
+    let coefficient = |power: usize| a.get(power).copied().unwrap_or(zero);
+    let term = |i: usize, j: usize| coefficient(i) * coefficient(j);
     for (power, square) in result.as_mut().iter_mut().enumerate() {
         // The terms before the middle one come twice.
         let first = (power + 1).saturating_sub(A::COUNT);
-        let mut sum = Tracked::ZERO;
+        let mut sum = zero;
         for i in first..power.div_ceil(2) {
             let term = term(i, power - i);
             sum = if i == first { term } else { sum + term };
@@ -56,17 +72,10 @@ pub(crate) fn square<A: Fixed, C: Fixed>(a: &A) -> C {
     result
 }
 
-/// A coefficient, which is always there. Indexing would link a panic into the programs of microcontrollers, where loops are not
-/// unrolled; here and below.
-#[inline(always)]
-fn coefficient(a: &[Tracked], power: usize) -> Tracked {
-    a.get(power).copied().unwrap_or(Tracked::ZERO)
-}
-
 /// The sum of two polynomials, of which the first may have more coefficients: those of the second are added from the power
 /// `shift` on.
 #[inline]
-pub(crate) fn add<A: Fixed, B: Fixed>(mut a: A, b: B, shift: usize) -> A {
+pub(crate) fn add<T: Part, A: Fixed<T>, B: Fixed<T>>(mut a: A, b: B, shift: usize) -> A {
     for (a, &b) in a.as_mut().iter_mut().skip(shift).zip(b.as_ref()) {
         *a = *a + b;
     }
@@ -75,7 +84,7 @@ pub(crate) fn add<A: Fixed, B: Fixed>(mut a: A, b: B, shift: usize) -> A {
 
 /// Each coefficient through a function.
 #[inline]
-pub(crate) fn map<A: Fixed>(mut a: A, f: impl Fn(Tracked) -> Tracked) -> A {
+pub(crate) fn map<T: Part, A: Fixed<T>>(mut a: A, f: impl Fn(Tracked<T>) -> Tracked<T>) -> A {
     for coefficient in a.as_mut() {
         *coefficient = f(*coefficient);
     }
@@ -84,8 +93,8 @@ pub(crate) fn map<A: Fixed>(mut a: A, f: impl Fn(Tracked) -> Tracked) -> A {
 
 /// The same polynomial with more coefficients.
 #[inline]
-pub(crate) fn padded<A: Fixed, B: Fixed>(a: A) -> B {
-    let mut padded = B::ZERO;
+pub(crate) fn padded<T: Part, A: Fixed<T>, B: Fixed<T>>(a: A) -> B {
+    let mut padded = B::filled(a.first().zero());
     padded.as_mut().iter_mut().zip(a.as_ref()).for_each(|(padded, a)| *padded = *a);
     padded
 }

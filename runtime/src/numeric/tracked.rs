@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Mul, Neg, Sub};
 
-use super::double_double::DoubleDouble;
+use super::double_double::{DoubleDouble, Part};
 
 /// What is left of a sum, relative to the terms that went into it, when only rounding is left.
 ///
@@ -12,25 +12,45 @@ pub(crate) const NOISE: f64 = 1.0 / (1u128 << 94) as f64;
 
 /// A number together with the sum of the magnitudes of the terms that it was computed from.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Tracked {
-    pub(crate) value: DoubleDouble,
-    pub(crate) size: f64,
+pub(crate) struct Tracked<T = f64> {
+    pub(crate) value: DoubleDouble<T>,
+    pub(crate) size: T,
 }
 
-impl Tracked {
-    pub(crate) const ZERO: Self = Self { value: DoubleDouble::ZERO, size: 0.0 };
-
-    /// The product with one `f64`.
+impl<T: Part> Tracked<T> {
+    /// The product with one number without error.
     #[inline]
-    pub(crate) fn times(self, factor: f64) -> Self {
+    pub(crate) fn times(self, factor: T) -> Self {
         Self { value: self.value.times(factor), size: self.size * factor.abs() }
+    }
+
+    /// The product with a constant.
+    #[inline]
+    pub(crate) fn scaled(self, factor: f64) -> Self {
+        self.times(self.size.like(factor))
     }
 
     /// Twice the number.
     #[inline]
     pub(crate) fn doubled(self) -> Self {
-        Self { value: self.value.doubled(), size: 2.0 * self.size }
+        Self { value: self.value.doubled(), size: self.size + self.size }
     }
+
+    /// Zero, in as many lanes as this number has.
+    #[inline]
+    pub(crate) fn zero(self) -> Self {
+        DoubleDouble::from(self.size.like(0.0)).into()
+    }
+
+    /// This number, or its opposite where a mask is true.
+    #[inline]
+    pub(crate) fn opposite_where(self, mask: T::Mask) -> Self {
+        Self { value: DoubleDouble::choose(mask, -self.value, self.value), size: self.size }
+    }
+}
+
+impl Tracked {
+    pub(crate) const ZERO: Self = Self { value: DoubleDouble::ZERO, size: 0.0 };
 
     /// -1, 0 or 1; zero if the terms cancel as far as the arithmetic can tell.
     pub(crate) fn sign(self) -> i8 {
@@ -45,10 +65,10 @@ impl Tracked {
     }
 }
 
-impl From<DoubleDouble> for Tracked {
+impl<T: Part> From<DoubleDouble<T>> for Tracked<T> {
     #[inline]
-    fn from(value: DoubleDouble) -> Self {
-        Self { value, size: value.to_f64().abs() }
+    fn from(value: DoubleDouble<T>) -> Self {
+        Self { value, size: value.high().abs() }
     }
 }
 
@@ -59,7 +79,7 @@ impl From<f64> for Tracked {
     }
 }
 
-impl Neg for Tracked {
+impl<T: Part> Neg for Tracked<T> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
@@ -67,7 +87,7 @@ impl Neg for Tracked {
     }
 }
 
-impl Add for Tracked {
+impl<T: Part> Add for Tracked<T> {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
@@ -75,7 +95,7 @@ impl Add for Tracked {
     }
 }
 
-impl Sub for Tracked {
+impl<T: Part> Sub for Tracked<T> {
     type Output = Self;
     #[inline]
     fn sub(self, other: Self) -> Self {
@@ -83,7 +103,7 @@ impl Sub for Tracked {
     }
 }
 
-impl Mul for Tracked {
+impl<T: Part> Mul for Tracked<T> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
@@ -93,20 +113,20 @@ impl Mul for Tracked {
 
 /// A number without error, whose product with another one is exact and with any other number takes little.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Exact(pub(crate) f64);
+pub(crate) struct Exact<T = f64>(pub(crate) T);
 
-impl Mul for Exact {
-    type Output = Tracked;
+impl<T: Part> Mul for Exact<T> {
+    type Output = Tracked<T>;
     #[inline]
-    fn mul(self, other: Self) -> Tracked {
+    fn mul(self, other: Self) -> Tracked<T> {
         DoubleDouble::product(self.0, other.0).into()
     }
 }
 
-impl Mul<Tracked> for Exact {
-    type Output = Tracked;
+impl<T: Part> Mul<Tracked<T>> for Exact<T> {
+    type Output = Tracked<T>;
     #[inline]
-    fn mul(self, other: Tracked) -> Tracked {
+    fn mul(self, other: Tracked<T>) -> Tracked<T> {
         other.times(self.0)
     }
 }

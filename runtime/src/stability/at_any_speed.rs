@@ -112,8 +112,22 @@ impl Stability {
     pub fn fast(coefficients: &Coefficients<f64, 2>, gravity: f64) -> Option<Self> {
         let mut found = CertainStability::EMPTY;
         fast::find_stability(coefficients, gravity, &mut found)?;
+        Some(Self::from_certain(&found))
+    }
+
+    /// What these conditions give where it is certain in `f64`.
+    #[cfg(feature = "batch")]
+    pub(crate) fn of_conditions<const P: usize, const H: usize, const D: usize>(
+        conditions: &fast::conditions::Conditions<P, H, D>,
+    ) -> Option<Self> {
+        let mut found = CertainStability::EMPTY;
+        conditions.find_stability(&mut found)?;
+        Some(Self::from_certain(&found))
+    }
+
+    fn from_certain(found: &CertainStability) -> Self {
         let stretches = found.verdicts.stretches.to_vec();
-        Some(Self::from_verdicts((found.critical_speeds.to_vec(), Verdicts { stretches })))
+        Self::from_verdicts((found.critical_speeds.to_vec(), Verdicts { stretches }))
     }
 
     /// What [`Stability::new`] gives where `f64` is not enough.

@@ -12,7 +12,7 @@ mod certain;
 #[cfg(feature = "serde")]
 mod complex;
 mod critical;
-mod fast;
+pub(crate) mod fast;
 #[cfg(feature = "std")]
 mod general;
 mod mode;

@@ -3,6 +3,7 @@
 //!
 //! What is timed, and how, is in `README.md` beside this folder.
 
+mod batches;
 mod derivatives;
 mod eigenvalues;
 mod matrices;
@@ -82,6 +83,7 @@ fn main() -> ExitCode {
     eigenvalues::add(&mut summary);
     stability::add(&mut summary);
     motion::add(&mut summary);
+    batches::add(&mut summary);
     print!("{}", summary.table);
     ExitCode::SUCCESS
 }

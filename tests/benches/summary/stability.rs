@@ -2,7 +2,8 @@
 
 use std::hint::black_box;
 
-use carvallo::{Coefficients, Model, Stability};
+use carvallo::batch::Batch;
+use carvallo::{Coefficients, Model, Stability, SystemError};
 use carvallo_compare::Task;
 use carvallo_models::{Whipple, WhippleMechanism};
 use carvallo_tests::facts::{RandomSystem, random_systems};
@@ -23,10 +24,31 @@ pub fn add(summary: &mut Summary) {
     add_random::<6>(summary);
 
     let designs: Vec<Whipple> = (0..summary.designs as u64 / 10).map(designs::numbered).collect();
+    add_batch(summary, &designs[..IN_A_ROUND]);
     let mechanisms: Vec<_> = designs.iter().map(|design| WhippleMechanism::from_array(design.to_array())).collect();
     let name = format!("Sweep: matrices, critical speeds and stable ranges of {} distinct designs", designs.len());
     let sweep = |design: &WhippleMechanism| Stability::new(&design.coefficients(), design.g);
     summary.run(Task::new(name, IN_A_ROUND).contender("ours, one by one", each(&mechanisms, IN_A_ROUND, sweep)));
+}
+
+/// Of designs in the cache whose matrices are known.
+fn add_batch(summary: &mut Summary, designs: &[Whipple]) {
+    let coefficients: Vec<Coefficients<f64, 2>> = designs.iter().map(Model::coefficients).collect();
+    let gravity: Vec<f64> = designs.iter().map(|design| design.g).collect();
+    let task = Task::new(format!("Critical speeds and stable ranges, {IN_A_ROUND} designs in the cache"), IN_A_ROUND);
+    let systems: Vec<_> = coefficients.iter().copied().zip(gravity.iter().copied()).collect();
+    let mut alone = vec![Err(SystemError::AtRest); IN_A_ROUND];
+    let mut found = alone.clone();
+    let task = task.contender("ours, one by one", move || {
+        for (found, (coefficients, gravity)) in alone.iter_mut().zip(black_box(&systems)) {
+            *found = Stability::new(coefficients, *gravity);
+        }
+    });
+    let batch = Batch::new();
+    summary.run(task.contender("ours, batch", move || {
+        let done = batch.stability(black_box(&coefficients), &gravity, &mut found);
+        done.expect("slices of equal length");
+    }));
 }
 
 /// Random systems with follower loads, gyroscopic ones and others.

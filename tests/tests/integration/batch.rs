@@ -130,6 +130,34 @@ fn angles_of_f32_are_computed_in_lanes_as_alone() {
     }
 }
 
+/// Columns too long for the cache are read line by line, so that what is before the first whole line and behind the last
+/// stretch comes by itself; here they begin at every place of a line.
+fn long_columns<T: InLanes>(designs: &[Whipple<T>]) {
+    let alone: Vec<Vec<T>> = designs.iter().map(entries).collect();
+    let column = |position: usize| -> Vec<T> { designs.iter().map(|design| design.to_array()[position]).collect() };
+    let columns: Vec<Vec<T>> = (0..26).map(column).collect();
+    for batch in Batch::levels() {
+        for skipped in [0, 1, 3, 8, 13] {
+            let inputs: Vec<&[T]> = columns.iter().map(|column| &column[skipped..]).collect();
+            let none = T::from_f64(f64::NAN);
+            let mut outputs = vec![vec![none; designs.len() - skipped]; alone[0].len()];
+            let mut borrowed: Vec<&mut [T]> = outputs.iter_mut().map(Vec::as_mut_slice).collect();
+            batch.matrices_of_columns::<2, Whipple<T>>(&inputs, &mut borrowed).unwrap();
+            for (i, expected) in alone[skipped..].iter().enumerate() {
+                let found: Vec<T> = outputs.iter().map(|column| column[i]).collect();
+                assert!(same(&found, expected), "{batch}, {i} behind {skipped}: {found:?} {expected:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn long_columns_are_computed_in_lanes_as_alone() {
+    let designs: Vec<Whipple> = (0..4200).map(designs::numbered).collect();
+    long_columns(&designs.iter().map(designs::narrowed).collect::<Vec<Whipple<f32>>>());
+    long_columns(&designs);
+}
+
 #[test]
 fn the_widest_lanes_are_the_last_level() {
     let levels: Vec<usize> = Batch::levels().map(|batch| batch.lanes()).collect();

@@ -2,7 +2,10 @@
 
 mod along_parameter;
 mod batch;
+mod batch_derivatives;
 mod batch_eigenvalues;
+mod batch_motion;
+mod batch_stability;
 mod bicycles;
 mod c;
 #[cfg(feature = "compiler")]

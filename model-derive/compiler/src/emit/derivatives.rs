@@ -10,11 +10,16 @@ use super::with_respect_to::{matrix_with_respect_to, tell_asked, with_respect_to
 use super::{derive, docs, states};
 use crate::derivatives::{Derivatives, Partial, entry_names};
 use crate::model::Model;
-use crate::program::Counts;
+use crate::program::{Counts, Program};
 
 /// The struct and the function, and then which value is which derivative; nothing for a model that does not ask for
 /// derivatives.
-pub fn emit(model: &Model, names: &GeneratedNames, computed: Option<&Derivatives>) -> [Option<TokenStream>; 2] {
+pub fn emit(
+    model: &Model,
+    names: &GeneratedNames,
+    computed: Option<&Derivatives>,
+    matrices_alone: Option<&Program>,
+) -> [Option<TokenStream>; 2] {
     let Some(asked) = &model.derivatives else { return [None, None] };
     let GeneratedNames { runtime, model: name, matrices, derivatives, scalar, .. } = names;
     let visibility = &model.visibility;
@@ -43,7 +48,8 @@ pub fn emit(model: &Model, names: &GeneratedNames, computed: Option<&Derivatives
         false => matrix_with_respect_to(model, asked, names, partials.len()),
     };
     // What takes any model needs all derivatives.
-    let differentiable = asked.is_all(model).then(|| differentiable(model, names, partials.len()));
+    let counts = [partials.len(), matrices_alone.map_or(0, |program| evaluator::entries(program).len())];
+    let differentiable = asked.is_all(model).then(|| differentiable(model, names, counts, &value_count));
     let computed = quote! {
         #struct_docs
         #allow
@@ -118,11 +124,16 @@ fn body(model: &Model, names: &GeneratedNames, computed: &Derivatives) -> TokenS
     }
 }
 
-fn differentiable(model: &Model, names: &GeneratedNames, count: usize) -> TokenStream {
-    let GeneratedNames { runtime, model: name, matrices: rows, derivatives, scalar, .. } = names;
+fn differentiable(
+    model: &Model,
+    names: &GeneratedNames,
+    [partials, entries]: [usize; 2],
+    value_count: &Literal,
+) -> TokenStream {
+    let GeneratedNames { runtime, model: name, matrices: rows, derivatives, scalar, other, .. } = names;
     let allow = names.allow();
-    let [n, parameters, count] =
-        [model.coordinates.len(), model.parameters.len(), count].map(Literal::usize_unsuffixed);
+    let [n, parameters, count, entries] =
+        [model.coordinates.len(), model.parameters.len(), partials, entries].map(Literal::usize_unsuffixed);
     let [matrices, values, all, position, zero] =
         ["matrices", "derivatives", "all", "position", "zero"].map(|name| names.variable(name));
     let coefficients = quote!(#runtime::Coefficients::from_rows(#rows::rows(&#matrices)));
@@ -132,6 +143,10 @@ fn differentiable(model: &Model, names: &GeneratedNames, count: usize) -> TokenS
         impl<#scalar: #runtime::Scalar> #runtime::Differentiable<#n> for #name<#scalar> {
             type Derivatives = [#runtime::Coefficients<#scalar, #n>; #parameters];
 
+            type WithDerivativesOver<#other: #runtime::Number> = #name<#other>;
+
+            const PARTIALS: &'static [#runtime::Partial] = <#derivatives>::PARTIALS;
+
             fn coefficients_and_derivatives(&self) -> (#runtime::Coefficients<#scalar, #n>, Self::Derivatives) {
                 let (#matrices, #values) = self.matrices_and_derivatives();
                 let #zero = <#scalar as #runtime::Scalar>::from_f64(0.0);
@@ -140,6 +155,17 @@ fn differentiable(model: &Model, names: &GeneratedNames, count: usize) -> TokenS
                     #runtime::Partial::write(&<#derivatives>::PARTIALS[#position], &#values.values, &mut #all);
                 }
                 (#coefficients, #all)
+            }
+        }
+
+        #allow
+        impl<#scalar: #runtime::Number> #runtime::EvaluatorWithDerivatives<#scalar, #n> for #name<#scalar> {
+            type Derivatives = [#scalar; #value_count];
+
+            #[inline(always)]
+            fn entries_and_derivatives(&self) -> ([#scalar; #entries], [#scalar; #value_count]) {
+                let (#matrices, #values) = self.matrices_and_derivatives();
+                (#rows::distinct_entries(&#matrices), #values.values)
             }
         }
     }

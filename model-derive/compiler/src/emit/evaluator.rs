@@ -60,14 +60,22 @@ pub fn emit(model: &Model, names: &GeneratedNames, program: Option<&Program>) ->
     }
 }
 
-/// How the struct of the matrices comes from their entries, and what it is among all matrices that there can be.
-pub fn emit_conversions(model: &Model, names: &GeneratedNames) -> TokenStream {
+/// How the struct of the matrices comes from their entries, which of these differ, and what it is among all matrices that
+/// there can be.
+pub fn emit_conversions(model: &Model, names: &GeneratedNames, program: Option<&Program>) -> TokenStream {
     let GeneratedNames { runtime, matrices, scalar, .. } = names;
     let allow = names.allow();
     let [entries, all] = ["entries", "matrices"].map(|name| names.variable(name));
     let fields = fields(model);
     let n = model.coordinates.len();
     let count = Literal::usize_unsuffixed(fields.len() * n * n);
+    let distinct = program.map(self::entries).unwrap_or_default().into_iter().map(|(_, places)| {
+        let field = &fields[places[0] / (n * n)];
+        let [row, column] = [places[0] / n % n, places[0] % n].map(Literal::usize_unsuffixed);
+        quote!(self.#field[#row][#column])
+    });
+    let distinct: Vec<TokenStream> = distinct.collect();
+    let distinct_count = Literal::usize_unsuffixed(distinct.len());
     let firsts = (0..fields.len()).map(|matrix| Literal::usize_unsuffixed(matrix * n * n));
     let size = Literal::usize_unsuffixed(n);
     let zeros = names.variable("zeros");
@@ -87,6 +95,12 @@ pub fn emit_conversions(model: &Model, names: &GeneratedNames) -> TokenStream {
             #[inline(always)]
             fn from_entries(#entries: [#scalar; #count]) -> Self {
                 Self { #(#fields: #runtime::rows(&#entries, #firsts),)* }
+            }
+
+            /// Those entries that differ and are not always zero.
+            #[inline(always)]
+            fn distinct_entries(&self) -> [#scalar; #distinct_count] {
+                [#(#distinct),*]
             }
 
             /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.

@@ -4,9 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::evaluator::entries;
-use super::fields::field_name;
 use super::names::GeneratedNames;
-use crate::matrix_name::MatrixName;
 use crate::model::Model;
 use crate::program::Program;
 
@@ -17,20 +15,8 @@ pub fn emit(model: &Model, names: &GeneratedNames, program: Option<&Program>) ->
     let fields: Vec<_> = model.parameters.iter().map(|parameter| &parameter.name).collect();
     let positions = (0..fields.len()).map(Literal::usize_unsuffixed);
     let size = Literal::usize_unsuffixed(n);
-    let (parameter, matrices) = (format_ident!("parameter"), names.variable("matrices"));
-    let declared: Vec<MatrixName> = model.matrices.iter().map(|(matrix, _)| *matrix).collect();
-    let entries: Vec<TokenStream> = program
-        .map(entries)
-        .unwrap_or_default()
-        .into_iter()
-        .map(|(_, places)| {
-            let place = places[0];
-            let field = format_ident!("{}", field_name(declared[place / (n * n)]));
-            let [row, column] = [place / n % n, place % n].map(Literal::usize_unsuffixed);
-            quote!(#matrices.#field[#row][#column])
-        })
-        .collect();
-    let count = Literal::usize_unsuffixed(entries.len());
+    let parameter = format_ident!("parameter");
+    let count = Literal::usize_unsuffixed(program.map_or(0, |program| entries(program).len()));
     let implementation = quote! {
         #allow
         impl<#scalar: #runtime::Number> #runtime::Evaluator<#scalar, #size> for #name<#scalar> {
@@ -43,8 +29,7 @@ pub fn emit(model: &Model, names: &GeneratedNames, program: Option<&Program>) ->
 
             #[inline(always)]
             fn entries(&self) -> Self::Entries {
-                let #matrices = self.matrices();
-                [#(#entries),*]
+                #all::distinct_entries(&self.matrices())
             }
 
             #[inline(always)]

@@ -85,14 +85,15 @@ fn emit_sections_with(model: &Model, programs: Option<&Programs>, driver: &Drive
     let requirements = programs.map(|programs| &programs.requirements);
     let [evaluator, matrix_arrays, trait_impl, described, lanes] = [
         sized.then(|| evaluator::emit(model, &names, matrices)),
-        sized.then(|| evaluator::emit_conversions(model, &names)),
+        sized.then(|| evaluator::emit_conversions(model, &names, matrices)),
         sized.then(|| trait_impl::emit(model, &names, matrices, requirements)),
         sized.then(|| described::emit(model, &names)),
         sized.then(|| lanes::emit(model, &names, matrices)),
     ];
     let kinematics = if sized { kinematics::emit(model, &names, rates) } else { None };
     let motion = if sized { motion::emit(model, &names, programs) } else { None };
-    let [derivatives, partials] = if sized { derivatives::emit(model, &names, computed) } else { [None, None] };
+    let [derivatives, partials] =
+        if sized { derivatives::emit(model, &names, computed, matrices) } else { [None, None] };
     let (structure, sets) = structure::emit(model, &names);
     let arrays = conversions::emit(model, &names);
     let compared = programs.and_then(|_| compared::emit(model));

@@ -17,7 +17,7 @@ use crate::program::{Counts, Program};
 pub fn emit(model: &Model, names: &GeneratedNames, programs: Option<&Programs>) -> Option<TokenStream> {
     let motion = model.motion.as_ref()?;
     let programs = programs.and_then(|programs| programs.motion.as_ref());
-    let GeneratedNames { runtime, model: name, motion: output, scalar, .. } = names;
+    let GeneratedNames { runtime, model: name, motion: output, scalar, other, .. } = names;
     let visibility = &model.visibility;
     let (allow, derive) = (names.allow(), derive());
     let count = Literal::usize_unsuffixed(programs.map_or(0, |programs| programs.constants.outputs.len()));
@@ -42,6 +42,7 @@ pub fn emit(model: &Model, names: &GeneratedNames, programs: Option<&Programs>) 
         // Beside a mistake in the declaration: nothing ever runs it.
         None => quote!(loop {}),
     };
+    let model_over = names.variable("model");
     let traits = emit_traits(model, names, motion, programs);
     let partials = linearization::emit(model, names, motion, programs);
     let n = Literal::usize_unsuffixed(model.coordinates.len());
@@ -54,8 +55,10 @@ pub fn emit(model: &Model, names: &GeneratedNames, programs: Option<&Programs>) 
         }
 
         #allow
-        impl<#scalar: #runtime::Scalar> #name<#scalar> {
+        impl<#scalar: #runtime::Number> #name<#scalar> {
             #function_docs
+            // Lanes are fast only inside the function that was compiled for them.
+            #[inline(always)]
             #[must_use]
             pub fn motion(&self) -> #output<#scalar> {
                 #made
@@ -66,8 +69,15 @@ pub fn emit(model: &Model, names: &GeneratedNames, programs: Option<&Programs>) 
         impl<#scalar: #runtime::Scalar> #runtime::Nonlinear<#n> for #name<#scalar> {
             type Motion = #output<#scalar>;
 
+            type MotionOver<#other: #runtime::Number> = #output<#other>;
+
             fn motion(&self) -> #output<#scalar> {
                 #name::motion(self)
+            }
+
+            #[inline(always)]
+            fn motion_over<#other: #runtime::Number>(#model_over: &#name<#other>) -> #output<#other> {
+                #name::motion(#model_over)
             }
         }
 
@@ -125,7 +135,7 @@ fn emit_traits(
 
         #allow
         #[allow(unused_variables)]
-        impl<#scalar: #runtime::Scalar> #runtime::motion::Unchecked for #output<#scalar> {
+        impl<#scalar: #runtime::Number> #runtime::motion::Unchecked for #output<#scalar> {
             type Scalar = #scalar;
             type Positions = [#scalar; #p];
             type Speeds = [#scalar; #n];
@@ -133,14 +143,17 @@ fn emit_traits(
             type Forces = [#scalar; #f];
             type ContactForces = [[#scalar; 3]; #w];
 
+            #[inline(always)]
             fn closure_unchecked(&self, #positions: &[#scalar; #p]) -> ([#scalar; #m], [#scalar; #m]) {
                 #closure
             }
 
+            #[inline(always)]
             fn rates_unchecked(&self, #positions: &[#scalar; #p], #speeds: &[#scalar; #n]) -> [#scalar; #p] {
                 #rates
             }
 
+            #[inline(always)]
             fn derivatives_unchecked(
                 &self,
                 #positions: &[#scalar; #p],
@@ -150,6 +163,7 @@ fn emit_traits(
                 #derivatives
             }
 
+            #[inline(always)]
             fn accelerations_unchecked(
                 &self,
                 #positions: &[#scalar; #p],

@@ -6,7 +6,7 @@
 //! there is no answer, and the careful search in double-double has to find one.
 
 mod certain_speeds;
-mod conditions;
+pub(crate) mod conditions;
 mod meeting;
 mod signs;
 mod simple_root;
@@ -36,7 +36,7 @@ pub(super) fn find_stability(
 }
 
 impl<const P: usize, const H: usize, const D: usize> Conditions<P, H, D> {
-    fn find_stability(&self, stability: &mut CertainStability) -> Option<()> {
+    pub(super) fn find_stability(&self, stability: &mut CertainStability) -> Option<()> {
         let signs = Signs::new(self);
         let mut found = CertainSpeeds::new();
         self.find_certain_speeds(&signs, &mut found)?;

@@ -1,14 +1,14 @@
-//! All models in the lanes of the processor that this runs on, in `f64` and in `f32`, from blocks, columns and structs, and
-//! eigenvalues: each must be what it is alone, to the last bit.
+//! All models in the lanes of the processor that this runs on, in `f64` and in `f32`, from blocks, columns and structs,
+//! eigenvalues, derivatives and nonlinear motions: each must be what it is alone, to the last bit.
 //!
 //! It prints the lanes, and a number that is made of the bits of all results, for which every processor has to give the same.
 //! `.ci/run` compares that of the host with those of ARM, under qemu, and of WebAssembly, in node.
 
 use std::process::ExitCode;
 
-use carvallo::batch::{Batch, Blocks, InLanes};
+use carvallo::batch::{Arrival, Batch, Blocks, Ensemble, InLanes, Limit};
 use carvallo::{Coefficients, EntryInfo, MatrixName, Model, Scalar};
-use carvallo_models::{Whipple, each_model};
+use carvallo_models::{Whipple, WhippleMechanism, each_model};
 
 /// Designs enough for columns that are read from memory, and lanes to spare.
 const DESIGNS: usize = 4101;
@@ -104,6 +104,50 @@ fn check_eigenvalues(design: &Whipple, sum: &mut Sum) -> usize {
     wrong.inspect(|batch| println!("{batch}: eigenvalues are not what they are alone")).count()
 }
 
+/// The derivatives of bicycles at every level.
+fn check_derivatives<T: InLanes>(designs: &[Whipple<T>], sum: &mut Sum) -> usize {
+    let alone: Vec<_> = designs.iter().map(|design| design.matrices_and_derivatives().1.values).collect();
+    alone.iter().flatten().for_each(|value| sum.add(value.to_f64()));
+    let wrong = Batch::levels().filter(|batch| {
+        let mut entries = Blocks::for_entries::<2, Whipple<T>>(designs.len());
+        let mut values = Blocks::for_derivatives::<2, Whipple<T>>(designs.len());
+        let parameters = Blocks::of_designs(designs);
+        batch.jacobians::<2, Whipple<T>>(&parameters, &mut entries, &mut values).expect("blocks that fit");
+        let mut all = alone.iter().enumerate();
+        all.any(|(design, alone)| alone.iter().enumerate().any(|(i, value)| !same(values.get(design, i), *value)))
+    });
+    wrong.inspect(|batch| println!("{batch}: derivatives are not what they are alone")).count()
+}
+
+/// Bicycles that are pushed, at every level: one after the other is what the lanes of each level have to give.
+fn check_motions<T: InLanes>(sum: &mut Sum) -> usize {
+    const RIDES: usize = 5;
+    let designs: Vec<WhippleMechanism<T>> = some(RIDES);
+    let mut begin = Blocks::for_states::<2, WhippleMechanism<T>>(RIDES);
+    for (ride, design) in designs.iter().enumerate() {
+        begin.set(ride, 8, T::from_f64(0.5 + 0.2 * ride as f64));
+        begin.set(ride, 10, T::from_f64(-3.0 / design.rR.to_f64()));
+    }
+    let limits = [Limit::symmetric(3, 0.4)];
+    let ensemble = Ensemble { duration: 0.6, tolerance: 1e-5, limits: &limits };
+    let run = |batch: Batch, rides: std::ops::Range<usize>| {
+        let mut states = Blocks::for_states::<2, WhippleMechanism<T>>(rides.len());
+        for (place, ride) in rides.clone().enumerate() {
+            (0..states.width()).for_each(|position| states.set(place, position, begin.get(ride, position)));
+        }
+        let mut outcomes = vec![Ok(Arrival::Reached); rides.len()];
+        let parameters = Blocks::of_designs(&designs[rides]);
+        let done = batch.simulate::<2, WhippleMechanism<T>>(&ensemble, &parameters, &mut states, &mut outcomes);
+        done.expect("blocks that fit");
+        let of_ride = |(ride, outcome)| (outcome, (0..states.width()).map(|i| states.get(ride, i)).collect::<Vec<T>>());
+        outcomes.into_iter().enumerate().map(of_ride).collect::<Vec<_>>()
+    };
+    let alone: Vec<_> = (0..RIDES).flat_map(|ride| run(Batch::new(), ride..ride + 1)).collect();
+    alone.iter().flat_map(|(_, state)| state).for_each(|number| sum.add(number.to_f64()));
+    let wrong = Batch::levels().filter(|batch| run(*batch, 0..RIDES) != alone);
+    wrong.inspect(|batch| println!("{batch}: motions are not what they are alone")).count()
+}
+
 /// A model in both precisions: how much of it is wrong, and the sum of its results.
 fn check_model<const N: usize, M: Model<N, Scalar = f64, Over<f32>: Model<N, Scalar = f32>>>() -> (usize, Sum) {
     let mut sum = Sum::default();
@@ -129,6 +173,9 @@ fn main() -> ExitCode {
     for bicycle in &bicycles[..FEW] {
         wrong += check_eigenvalues(bicycle, &mut sum);
     }
+    wrong += check_derivatives(&bicycles[..FEW], &mut sum);
+    wrong += check_derivatives(&bicycles[..FEW].iter().map(Whipple::cast::<f32>).collect::<Vec<_>>(), &mut sum);
+    wrong += check_motions::<f64>(&mut sum) + check_motions::<f32>(&mut sum);
     for batch in Batch::levels() {
         eprintln!("{batch}");
     }
