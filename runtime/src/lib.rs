@@ -91,6 +91,8 @@ pub use nalgebra::Complex;
 pub use notation::{Expression, Formula, FormulaNumber, Function, Notation};
 pub use number::{Number, Scalar, to_f32};
 #[cfg(feature = "std")]
+pub use numeric::sort_by;
+#[cfg(feature = "std")]
 pub use sensitivity::{
     Covariance, CriticalDerivative, EigenvalueDerivative, EigenvalueSensitivity, Gradient, NotDifferentiable,
     Sensitivity, SensitivityError, Sources, Uncertain, standard_deviation, variance_shares,

@@ -152,7 +152,7 @@ impl Design {
         let values: Option<Vec<f64>> =
             model.info.parameters.iter().map(|parameter| self.value(parameter.name)).collect();
         let values = values.ok_or(WithoutMachine::Equations)?;
-        if !cfg!(feature = "full") || self.feedback.is_empty() {
+        if self.feedback.is_empty() {
             let found = model.with_machine(&values, visitor).unwrap_or(false);
             return if found { Ok(()) } else { Err(WithoutMachine::Equations) };
         }

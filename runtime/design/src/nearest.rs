@@ -3,14 +3,23 @@
 /// The name nearest to `wanted`, if one is near enough to be a slip of the pen: at most one letter in three is missing,
 /// superfluous, another one or exchanged with its neighbour, or it is the beginning of the name.
 pub fn nearest<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    // Of one type for all that names come from.
+    nearest_of(wanted, &mut known.into_iter())
+}
+
+fn nearest_of<'a>(wanted: &str, known: &mut dyn Iterator<Item = &'a str>) -> Option<&'a str> {
     // Longer names than these are no slips, and would take long to compare.
     if wanted.len() > 64 {
         return None;
     }
-    let wanted = wanted.to_lowercase();
-    let near = known.into_iter().filter_map(|name| Some((distance(&wanted, &name.to_lowercase())?, name)));
+    let wanted = lowercase(wanted);
+    let near = known.filter_map(|name| Some((distance(&wanted, &lowercase(name))?, name)));
     // Of equals the first: `IBx` is more likely `IBxx` than `IBxz`.
     near.min_by(|a, b| a.0.cmp(&b.0)).map(|(_, name)| name)
+}
+
+fn lowercase(name: &str) -> String {
+    name.chars().flat_map(char::to_lowercase).collect()
 }
 
 /// The number of letters that differ, unless there are too many.

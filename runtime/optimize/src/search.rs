@@ -1,6 +1,7 @@
 //! The search: from several starts, each by sequential quadratic programming (Kraft 1988, 1994).
 
 use std::cell::{Cell, RefCell};
+use std::ops::ControlFlow;
 use std::rc::Rc;
 
 use carvallo_design::Failure;
@@ -32,19 +33,22 @@ const WORSE: f64 = 1e4;
 /// measured, such as a stable range, the largest real part of the eigenvalues is minimized first, at the speed that counts at
 /// which it is least, until one is stable.
 ///
+/// How far it has come is told at each design that is tried, and what is told may end the search.
+///
 /// # Errors
-/// If no design was found that keeps all constraints and has what is measured.
-pub fn optimize(problem: &Problem, progress: &dyn Fn(Progress)) -> Result<Optimum, Failure> {
-    let search = Search::new(problem);
+/// If no design was found that keeps all constraints and has what is measured; or if the search was ended.
+pub fn optimize(problem: &Problem, progress: &dyn Fn(Progress) -> ControlFlow<()>) -> Result<Optimum, Failure> {
+    let search = Search::new(problem, progress);
     let starts = search.starts();
-    let count = starts.len() as u32;
-    let best = || search.best.borrow().as_ref().map(|best: &Rc<Point>| best.value());
+    search.starts.set(starts.len() as u32);
     let mut reached = Vec::new();
-    for (done, start) in starts.into_iter().enumerate() {
-        progress(Progress { done: done as u32, starts: count, best: best() });
+    for start in starts {
         reached.push(search.descend(&start, Aim::Goal));
+        search.done.set(search.done.get() + 1);
     }
-    progress(Progress { done: count, starts: count, best: best() });
+    if search.has_ended.get() {
+        return Err(Failure::Run(format!("{}: the search was ended", problem.design.title())));
+    }
     search.finish(&reached)
 }
 
@@ -89,6 +93,12 @@ impl Point {
 
 struct Search<'a> {
     problem: &'a Problem<'a>,
+    progress: &'a dyn Fn(Progress) -> ControlFlow<()>,
+    /// How many starts there are, and how many of them are done.
+    starts: Cell<u32>,
+    done: Cell<u32>,
+    /// Whether nothing is to be computed any more.
+    has_ended: Cell<bool>,
     /// 1 or -1: searches minimize.
     sign: f64,
     scales: Vec<f64>,
@@ -100,12 +110,16 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn new(problem: &'a Problem<'a>) -> Self {
+    fn new(problem: &'a Problem<'a>, progress: &'a dyn Fn(Progress) -> ControlFlow<()>) -> Self {
         let (info, values) = (problem.design.info(), problem.design.values());
         let measures = Measures::new(problem.design.model, values.clone(), problem.settings.speeds).ok();
         let scales = problem.constraints.iter().map(|constraint| constraint.scale(info, &values, measures.as_ref()));
         Self {
             problem,
+            progress,
+            starts: Cell::new(problem.settings.starts),
+            done: Cell::new(0),
+            has_ended: Cell::new(false),
             sign: if problem.goal.maximize { -1.0 } else { 1.0 },
             scales: scales.collect(),
             best: RefCell::default(),
@@ -125,10 +139,11 @@ impl<'a> Search<'a> {
         if let Some(last) = self.last.borrow().as_ref().filter(|last| last.shares == shares) {
             return last.clone();
         }
-        self.evaluations.set(self.evaluations.get() + 1);
         let problem = self.problem;
         let varied = problem.at(shares);
-        let values = problem.values(&varied).ok();
+        // The solver, which knows no way to be ended, soon has enough of designs of which nothing is known.
+        let values = if self.ends() { None } else { problem.values(&varied).ok() };
+        self.evaluations.set(self.evaluations.get() + u64::from(!self.has_ended.get()));
         let measures = values.as_ref().and_then(|values| self.measures(values.clone()));
         let measured = measures.as_ref().and_then(|measures| measures.take(problem.goal.measure).ok().flatten());
         let excess = |(constraint, scale): (&crate::Constraint, &f64)| {
@@ -144,6 +159,16 @@ impl<'a> Search<'a> {
         }
         *self.last.borrow_mut() = Some(point.clone());
         point
+    }
+
+    /// Tells how far the search has come; whether it is to end.
+    fn ends(&self) -> bool {
+        let best = self.best.borrow().as_ref().map(|best| best.value());
+        let progress = Progress { done: self.done.get(), starts: self.starts.get(), best };
+        if !self.has_ended.get() && (self.progress)(progress).is_break() {
+            self.has_ended.set(true);
+        }
+        self.has_ended.get()
     }
 
     fn is_better(&self, point: &Point) -> bool {
@@ -287,6 +312,10 @@ impl<'a> Search<'a> {
     /// By differences into the range.
     fn instability_slopes(&self, point: &Point, instability: f64, gradient: &mut [f64]) {
         const STEP: f64 = 1e-6;
+        if self.has_ended.get() {
+            gradient.fill(0.0);
+            return;
+        }
         for (index, slope) in gradient.iter_mut().enumerate() {
             let mut shares = point.shares.clone();
             let step = if shares[index] > 0.5 { -STEP } else { STEP };

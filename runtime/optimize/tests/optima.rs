@@ -1,6 +1,9 @@
 //! Optima with constraints, against those that SciPy 1.17.1 found by differential evolution and SLSQP over formulas of its own:
 //! `optima.py`, beside this file, prints the numbers.
 
+use std::cell::Cell;
+use std::ops::ControlFlow;
+
 use carvallo_design::input::{Request, load};
 use carvallo_optimize::{Goal, Measure, Optimum, Problem, Range, Settings, optimize};
 
@@ -15,7 +18,7 @@ fn best(bicycle: &str, vary: &[&str], goal: Goal, keep: &[&str], speeds: [f64; 2
     let problem = Problem::new(&design, ranges, goal, &owned(keep)).unwrap();
     let settings = Settings { speeds, ..problem.settings };
     let problem = problem.with(settings).unwrap();
-    let optimum = optimize(&problem, &|_| {}).unwrap();
+    let optimum = optimize(&problem, &|_| ControlFlow::Continue(())).unwrap();
     assert_eq!(optimum.violations(&problem), Vec::<String>::new());
     optimum
 }
@@ -52,4 +55,19 @@ fn the_heaviest_rider_with_a_stable_range() {
     let mass = Measure::called("mB", design.info()).unwrap();
     let optimum = best("benchmark", &vary, Goal::maximize(mass), &keep, [0.0, 20.0]);
     check(&optimum, 78.613_574_249_6, &[78.613_574_2, -0.8, 0.231_419_359, 0.12]);
+}
+
+#[test]
+fn a_search_ends_when_it_is_told_to() {
+    let design = load(&Request::default()).unwrap();
+    let ranges = Range::parse(&["w=0.9:1.3".to_owned(), "c=0:15 cm".to_owned()], design.info()).unwrap();
+    let problem = Problem::new(&design, ranges, Goal::minimize(Measure::WeaveSpeed), &[]).unwrap();
+    let told = Cell::new(0);
+    let progress = |_| {
+        told.set(told.get() + 1);
+        if told.get() < 200 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    };
+    let failure = optimize(&problem, &progress).unwrap_err();
+    assert!(failure.to_string().contains("benchmark: the search was ended"), "{failure}");
+    assert_eq!(told.get(), 200);
 }

@@ -10,6 +10,7 @@ use pyo3::prelude::*;
 use crate::designs::Designs;
 use crate::loaded::raise;
 use crate::one::{About, Described};
+use crate::signals::{Signals, listening};
 
 /// Each design with what is known of it and what it is called.
 type Labelled<'py> = Vec<(PyRef<'py, Designs>, About, String)>;
@@ -71,18 +72,18 @@ impl Designs {
     /// The best design within ranges: the optimum as JSON, and all its parameters.
     fn optimize(&self, py: Python<'_>, about: About, search: Search) -> PyResult<(String, Vec<f64>)> {
         let described: Described = self.described(py, about)?;
-        py.detach(|| best(&described.build()?, &search)).map_err(raise)
+        listening(py, |signals| best(&described.build()?, &search, signals))
     }
 }
 
-fn best(design: &Design, search: &Search) -> Result<(String, Vec<f64>), Failure> {
+fn best(design: &Design, search: &Search, signals: &Signals) -> Result<(String, Vec<f64>), Failure> {
     let Search { vary, measure, maximize, keep, speeds: (low, high), starts, seed } = search;
     let info = design.info();
     let ranges = Range::parse(vary, info)?;
     let measure = Measure::called(measure, info).map_err(Failure::usage)?;
     let settings = Settings { speeds: [*low, *high], starts: *starts, seed: *seed };
     let problem = Problem::new(design, ranges, Goal { measure, maximize: *maximize }, keep)?.with(settings)?;
-    let optimum = optimize(&problem, &|_| {})?;
+    let optimum = optimize(&problem, &|_| signals.look())?;
     let analysis = Analysis::new(optimum.design(&problem)?)?;
     let mut output = Vec::new();
     let written = data::optimum::write_json(&problem, &optimum, &analysis, &mut output);

@@ -2,17 +2,16 @@
 
 use carvallo::nalgebra::DMatrix;
 use carvallo::{Complex, SystemError, Verdict};
-use carvallo_control::{
-    FrequencyResponse, Margins, Output, Ports, Signal, StateSpace, TransferFunction, transmission_zeros,
-};
+use carvallo_control::{FrequencyResponse, Margins, Ports, Signal, StateSpace, TransferFunction, transmission_zeros};
 use carvallo_design::number::shortest;
-use carvallo_design::{Design, Failure, Place, Problem};
+use carvallo_design::{Design, Failure};
 use numpy::{PyArray1, PyArray3, PyArrayMethods as _};
 use pyo3::prelude::*;
 
 use crate::designs::Designs;
 use crate::loaded::raise;
 use crate::one::About;
+use crate::ports::{Asked, Names};
 
 /// A, B, C and D at each of several speeds, and the names of states, inputs and outputs.
 type Spaces<'py> = (Vec<Bound<'py, PyArray3<f64>>>, [Vec<String>; 3]);
@@ -23,61 +22,7 @@ type Roots<'py> = (Bound<'py, PyArray1<Complex<f64>>>, Bound<'py, PyArray1<Compl
 /// Frequencies with factors of gain or angles of phase.
 type Crossings = Vec<(f64, f64)>;
 
-/// The inputs by their names, or all of them, and the outputs, or those that are usual.
-///
-/// # Errors
-/// All names that there are none of, or that stand twice.
-pub fn ports(
-    design: &Design,
-    inputs: Option<&[String]>,
-    outputs: Option<&[String]>,
-    usual: fn(&Ports) -> Vec<Output>,
-) -> Result<(Vec<usize>, Vec<Output>), Failure> {
-    let ports = Ports::of(design);
-    let mut problems = Vec::new();
-    let inputs = inputs.map(|names| named(names, |name| ports.input(name), &mut problems));
-    let outputs = outputs.map(|names| named(names, |name| ports.output(name), &mut problems));
-    if !problems.is_empty() {
-        return Err(Failure::Input(problems));
-    }
-    Ok((inputs.unwrap_or_else(|| ports.all_inputs()), outputs.unwrap_or_else(|| usual(&ports))))
-}
-
-/// What names stand for, each once.
-fn named<T: PartialEq>(
-    names: &[String],
-    find: impl Fn(&str) -> Result<T, String>,
-    problems: &mut Vec<Problem>,
-) -> Vec<T> {
-    let mut found = Vec::new();
-    for name in names {
-        match find(name) {
-            Ok(port) if found.contains(&port) => {
-                problems.push(Problem { place: Place::Nowhere, message: format!("`{}` is named twice", name.trim()) });
-            }
-            Ok(port) => found.push(port),
-            Err(message) => problems.push(Problem { place: Place::Nowhere, message }),
-        }
-    }
-    found
-}
-
-/// One design at a speed, with inputs and outputs by their names.
-///
-/// # Errors
-/// All names that there are none of; or that there are no equations of motion.
-pub fn space(
-    design: &Design,
-    speed: f64,
-    inputs: Option<&[String]>,
-    outputs: Option<&[String]>,
-    usual: fn(&Ports) -> Vec<Output>,
-) -> Result<StateSpace, Failure> {
-    let (inputs, outputs) = ports(design, inputs, outputs, usual)?;
-    StateSpace::new(design, speed, &inputs, &outputs)
-}
-
-fn names(signals: &[Signal]) -> Vec<String> {
+fn named(signals: &[Signal]) -> Vec<String> {
     signals.iter().map(|signal| signal.name.clone()).collect()
 }
 
@@ -93,13 +38,12 @@ impl Designs {
         py: Python<'py>,
         about: About,
         speeds: Vec<f64>,
-        inputs: Option<Vec<String>>,
-        outputs: Option<Vec<String>>,
+        names: Names,
     ) -> PyResult<Spaces<'py>> {
         let design = self.described(py, about)?;
         let found = py.detach(|| {
             let design = design.build()?;
-            let at = |speed: &f64| space(&design, *speed, inputs.as_deref(), outputs.as_deref(), Ports::states);
+            let at = |speed: &f64| names.shown(&design, *speed, Ports::states);
             // What there is is the same at every speed.
             let any = at(speeds.first().unwrap_or(&1.0))?;
             let each = speeds.iter().map(at).collect::<Result<Vec<_>, _>>()?;
@@ -117,23 +61,16 @@ impl Designs {
             stacked(|space| &space.d),
         ];
         let arrays = arrays.into_iter().collect::<PyResult<_>>()?;
-        Ok((arrays, [&any.states, &any.inputs, &any.outputs].map(|signals| names(signals))))
+        Ok((arrays, [&any.states, &any.inputs, &any.outputs].map(|signals| named(signals))))
     }
 
     /// The transfer function of one design at a speed.
-    fn transfer_function<'py>(
-        &self,
-        py: Python<'py>,
-        about: About,
-        speed: f64,
-        input: String,
-        output: String,
-    ) -> PyResult<Roots<'py>> {
+    fn transfer_function<'py>(&self, py: Python<'py>, about: About, asked: Asked) -> PyResult<Roots<'py>> {
         let design = self.described(py, about)?;
         let found = py.detach(|| {
             let design = design.build()?;
-            let space = space(&design, speed, Some(&[input]), Some(&[output]), Ports::states)?;
-            TransferFunction::new(&space, 0, 0).map_err(|error| fail(&design, speed, error))
+            let space = asked.shown(&design, Ports::states)?;
+            TransferFunction::new(&space, 0, 0).map_err(|error| fail(&design, asked.speed, error))
         });
         let TransferFunction { zeros, poles, gain, .. } = found.map_err(raise)?;
         Ok((PyArray1::from_vec(py, zeros), PyArray1::from_vec(py, poles), gain))
@@ -144,33 +81,24 @@ impl Designs {
         &self,
         py: Python<'py>,
         about: About,
-        speed: f64,
-        inputs: Option<Vec<String>>,
-        outputs: Option<Vec<String>>,
+        asked: Asked,
     ) -> PyResult<Option<Bound<'py, PyArray1<Complex<f64>>>>> {
         let design = self.described(py, about)?;
         let found = py.detach(|| {
             let design = design.build()?;
-            let space = space(&design, speed, inputs.as_deref(), outputs.as_deref(), Ports::coordinates)?;
-            transmission_zeros(&space).map_err(|error| fail(&design, speed, error))
+            let space = asked.shown(&design, Ports::coordinates)?;
+            transmission_zeros(&space).map_err(|error| fail(&design, asked.speed, error))
         });
         Ok(found.map_err(raise)?.map(|zeros| PyArray1::from_vec(py, zeros)))
     }
 
     /// The gain and phase margins of one design at a speed, and whether the loop is stable.
-    fn margins(
-        &self,
-        py: Python<'_>,
-        about: About,
-        speed: f64,
-        input: String,
-        output: String,
-    ) -> PyResult<(Crossings, Crossings, bool)> {
+    fn margins(&self, py: Python<'_>, about: About, asked: Asked) -> PyResult<(Crossings, Crossings, bool)> {
         let design = self.described(py, about)?;
         let found = py.detach(|| {
             let design = design.build()?;
-            let space = space(&design, speed, Some(&[input]), Some(&[output]), Ports::states)?;
-            Margins::new(&space, 0, 0).map_err(|error| fail(&design, speed, error))
+            let space = asked.shown(&design, Ports::states)?;
+            Margins::new(&space, 0, 0).map_err(|error| fail(&design, asked.speed, error))
         });
         let Margins { gain, phase, closed_loop } = found.map_err(raise)?;
         let gain = gain.iter().map(|margin| (margin.frequency, margin.factor)).collect();

@@ -9,10 +9,10 @@ use carvallo_plot::picture::draw_controllability;
 use numpy::{Element, PyArray1, PyArrayMethods as _};
 use pyo3::prelude::*;
 
-use crate::control::ports;
 use crate::designs::{Array, Designs};
 use crate::loaded::raise;
 use crate::one::{About, Described};
+use crate::ports::ports;
 
 /// Inputs and outputs by their names; without names all forces, and the coordinates.
 #[derive(FromPyObject)]

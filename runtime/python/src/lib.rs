@@ -23,6 +23,7 @@ mod one;
 mod parameterizations;
 mod parts;
 mod pictures;
+mod ports;
 mod regulators;
 mod responses;
 mod sheet;

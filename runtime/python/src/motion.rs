@@ -9,9 +9,8 @@ use pyo3::prelude::*;
 
 use crate::designs::Designs;
 use crate::events::Event;
-use crate::loaded::raise;
 use crate::one::About;
-use crate::signals::Signals;
+use crate::signals::{Signals, listening};
 use crate::words::in_python;
 
 /// What a motion begins with, what acts on it, and by which equations it goes.
@@ -185,16 +184,6 @@ impl Rows {
             notes: self.notes,
         })
     }
-}
-
-/// What is computed while others run, and until Ctrl-C ends it.
-fn listening<T: Send>(py: Python<'_>, compute: impl FnOnce(&Signals) -> Result<T, Failure> + Send) -> PyResult<T> {
-    py.detach(|| {
-        let signals = Signals::new();
-        let computed = compute(&signals);
-        signals.finish()?;
-        computed.map_err(raise)
-    })
 }
 
 #[pymethods]

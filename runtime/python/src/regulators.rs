@@ -2,14 +2,15 @@
 
 use carvallo::Complex;
 use carvallo_control::{Code, Ports, Schedule, Signal, Weights};
+use carvallo_design::units::Units;
 use carvallo_design::{Design, Failure};
 use numpy::{PyArray1, PyArrayMethods as _};
 use pyo3::prelude::*;
 
-use crate::control::ports;
 use crate::designs::{Array, Designs};
 use crate::loaded::raise;
 use crate::one::About;
+use crate::ports::ports;
 
 /// What regulators are asked for.
 #[derive(FromPyObject)]
@@ -23,6 +24,9 @@ pub struct Asked {
     /// `NAME=VALUE`.
     #[pyo3(item)]
     weights: Vec<String>,
+    /// As `deg,km/h`, or `si`.
+    #[pyo3(item)]
+    units: String,
 }
 
 impl Asked {
@@ -50,7 +54,11 @@ impl Designs {
     /// Regulators at speeds.
     fn lqr<'py>(&self, py: Python<'py>, about: About, asked: Asked) -> PyResult<Told<'py>> {
         let described = self.described(py, about)?;
-        let schedule = py.detach(|| Ok(asked.schedule(&described.build()?)?.0)).map_err(raise)?;
+        let find = || {
+            let units = Units::parse(&asked.units)?;
+            Ok(asked.schedule(&described.build()?)?.0.in_units(&|declared| units.of(declared)))
+        };
+        let schedule = py.detach(find).map_err(raise)?;
         let all = &schedule.regulators;
         let space = &all[0].space;
         let [count, inputs, states] = [all.len(), space.inputs.len(), space.states.len()];
@@ -66,6 +74,29 @@ impl Designs {
             eigenvalues: PyArray1::from_iter(py, values).reshape([count, states])?.to_dyn().clone(),
             unstable: schedule.unstable,
         })
+    }
+
+    /// The derivatives of the gains by each parameter: an array that runs over the speeds, the parameters, the inputs and the states.
+    fn lqr_sensitivities<'py>(&self, py: Python<'py>, about: About, asked: Asked) -> PyResult<Array<'py, f64>> {
+        let described = self.described(py, about)?;
+        let find = || {
+            let units = Units::parse(&asked.units)?;
+            let design = described.build()?;
+            let (schedule, weights) = asked.schedule(&design)?;
+            let mut shape = vec![schedule.regulators.len(), design.info().parameters.len()];
+            let gains = &schedule.regulators[0].gains;
+            shape.extend([gains.nrows(), gains.ncols()]);
+            let mut numbers = Vec::with_capacity(shape.iter().product());
+            for regulator in &schedule.regulators {
+                for gains in regulator.sensitivities(&design, &weights)? {
+                    let gains = regulator.gains_in_units(&gains, &|declared| units.of(declared));
+                    numbers.extend_from_slice(gains.transpose().as_slice());
+                }
+            }
+            Ok((numbers, shape))
+        };
+        let (numbers, shape) = py.detach(find).map_err(raise)?;
+        PyArray1::from_vec(py, numbers).reshape(shape)
     }
 
     /// The same as a module of `rust`, or else of C99.

@@ -8,24 +8,17 @@ use carvallo_plot::picture::draw_response;
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _};
 use pyo3::prelude::*;
 
-use crate::control::space;
 use crate::designs::Designs;
 use crate::loaded::raise;
 use crate::one::About;
+use crate::ports;
 use crate::words::in_python;
 
 /// What is asked of a response.
 #[derive(FromPyObject)]
 pub struct Asked {
-    /// In m/s.
     #[pyo3(item)]
-    speed: f64,
-    /// By their names; without names all of them.
-    #[pyo3(item)]
-    inputs: Option<Vec<String>>,
-    /// By their names; without names the coordinates.
-    #[pyo3(item)]
-    outputs: Option<Vec<String>>,
+    ports: ports::Asked,
     /// `step`, `impulse` or `initial`.
     #[pyo3(item)]
     kind: String,
@@ -41,16 +34,18 @@ pub struct Asked {
 const DRAWN: u32 = 800;
 
 impl Asked {
-    fn space(&self, design: &Design) -> Result<StateSpace, Failure> {
-        space(design, self.speed, self.inputs.as_deref(), self.outputs.as_deref(), Ports::coordinates)
-    }
-
-    fn excitation(&self, design: &Design, space: &StateSpace) -> Result<Excitation, Failure> {
-        match (self.kind.as_str(), &self.given[..]) {
-            ("step", [size]) => Excitation::step(size, space),
-            ("impulse", [size]) => Excitation::impulse(size, space),
-            (_, given) => Excitation::initial(given, design, space),
-        }
+    /// The design in the units that are asked for, and what it responds to in the same.
+    fn space(&self, design: &Design) -> Result<(StateSpace, Excitation), Failure> {
+        let ports::Asked { speed, names } = &self.ports;
+        let units = names.units()?;
+        let shown = |declared: &str| units.of(declared);
+        let space = names.space(design, *speed, Ports::coordinates)?;
+        let excitation = match (self.kind.as_str(), &self.given[..]) {
+            ("step", [size]) => Excitation::step(size, &space),
+            ("impulse", [size]) => Excitation::impulse(size, &space),
+            (_, given) => Excitation::initial(given, design, &space),
+        }?;
+        Ok((space.in_units(&shown), excitation.in_units(&space, &shown)))
     }
 }
 
@@ -73,8 +68,7 @@ impl Designs {
         let described = self.described(py, about)?;
         let find = || {
             let design = described.build()?;
-            let space = asked.space(&design)?;
-            let excitation = asked.excitation(&design, &space)?;
+            let (space, excitation) = asked.space(&design)?;
             let found = Responses::new(&design, &space, excitation, &asked.times)?;
             let outputs = space.outputs.iter().map(|signal| (signal.name.clone(), signal.unit.clone()));
             let end = found.end.as_deref().map(in_python);
@@ -94,8 +88,7 @@ impl Designs {
         let described = self.described(py, about)?;
         let draw = || {
             let design = described.build()?;
-            let space = asked.space(&design)?;
-            let excitation = asked.excitation(&design, &space)?;
+            let (space, excitation) = asked.space(&design)?;
             let told = Responses::new(&design, &space, excitation.clone(), &asked.times)?;
             let end = told.response.times.last().copied().unwrap_or(0.0);
             let fine: Vec<f64> = (0..=DRAWN).map(|row| end * f64::from(row) / f64::from(DRAWN)).collect();

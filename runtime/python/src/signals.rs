@@ -4,7 +4,10 @@ use std::cell::{Cell, RefCell};
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
+use carvallo_design::Failure;
 use pyo3::prelude::*;
+
+use crate::loaded::raise;
 
 /// Between two looks at whether the user pressed Ctrl-C.
 const PATIENCE: Duration = Duration::from_millis(50);
@@ -52,4 +55,14 @@ impl Signals {
     pub fn finish(self) -> PyResult<()> {
         self.raised.into_inner().map_or(Ok(()), Err)
     }
+}
+
+/// What is computed while others run, and until Ctrl-C ends it.
+pub fn listening<T: Send>(py: Python<'_>, compute: impl FnOnce(&Signals) -> Result<T, Failure> + Send) -> PyResult<T> {
+    py.detach(|| {
+        let signals = Signals::new();
+        let computed = compute(&signals);
+        signals.finish()?;
+        computed.map_err(raise)
+    })
 }

@@ -52,6 +52,45 @@ def test_transmission_zeros_are_those_of_python_control(benchmark):
     assert benchmark.transmission_zeros(5.0, "Tdelta", ["phi", "delta"]) is None
 
 
+def test_singular_values_are_those_of_numpy(benchmark):
+    """numpy.linalg.svd of ``C (iω - A)^-1 B + D``."""
+    ports = {"inputs": ["Tphi", "Tdelta"], "outputs": ["phi", "delta", "psi_rate"]}
+    omega = np.array([0.02, 0.5, 3.0, 40.0])
+    a, b, c, d = benchmark.state_space(5.0, **ports)
+    matrices = [c @ np.linalg.solve(1j * at * np.eye(4) - a, b) + d for at in omega]
+    found = benchmark.singular_values(5.0, **ports, omega=omega)
+    np.testing.assert_array_equal(found.omega, omega)
+    np.testing.assert_allclose(found.values, [np.linalg.svd(own, compute_uv=False) for own in matrices], rtol=1e-11)
+    everything = benchmark.singular_values(5.0, **ports)
+    assert len(everything.omega) > 100 and (np.diff(everything.omega) > 0).all() and everything.values.shape[1] == 2
+    assert "singular values" in benchmark.sigma(5.0, **ports).svg
+    with pytest.raises(ValueError, match="`omega` has 0 rad/s; it must be finite and above 0"):
+        benchmark.singular_values(5.0, omega=[1.0, 0.0])
+
+
+def test_signals_have_the_units_that_are_asked_for(benchmark):
+    """A degree is pi/180 rad, and a pound-force foot 4.4482216152605 * 0.3048 N m (NIST SP 811)."""
+    degree, foot = np.pi / 180, 4.4482216152605 * 0.3048
+    ports = {"inputs": "Tdelta", "outputs": ["phi", "phi_rate"]}
+    si, other = benchmark.state_space(5.0, **ports), benchmark.state_space(5.0, **ports, units="deg,lbf*ft")
+    np.testing.assert_allclose(other.A, si.A, rtol=1e-14)
+    np.testing.assert_allclose(other.B, si.B * foot / degree, rtol=1e-14)
+    np.testing.assert_allclose(other.C, si.C, rtol=1e-14)
+    gains = [benchmark.transfer_function(5.0, "Tdelta", "phi", units=units).gain for units in ("si", "deg,lbf*ft")]
+    assert gains[1] == pytest.approx(gains[0] * foot / degree, rel=1e-14)
+    values = [benchmark.singular_values(5.0, omega=[1.0], units=units).values for units in ("si", "deg")]
+    np.testing.assert_allclose(values[1], values[0] / degree, rtol=1e-12)
+    steps = [benchmark.step_response(5.0, "Tdelta", size="2 N m", units=units) for units in ("si", "deg,lbf*ft")]
+    assert steps[1].units == {"phi": "deg", "delta": "deg"}
+    np.testing.assert_allclose(steps[1]["phi"], steps[0]["phi"] / degree, rtol=1e-12)
+    starts = [benchmark.initial_response(5.0, {"phi": "5 deg"}, units=units)["phi"][0] for units in ("si", "deg")]
+    assert starts == pytest.approx([5 * degree, 5.0], rel=1e-14)
+    with pytest.raises(ValueError, match="the units deg,parsecs: `parsecs` is no unit"):
+        benchmark.margins(5.0, "Tdelta", "phi", units="deg,parsecs")
+    with pytest.raises(ValueError, match="expected `inputs` or `outputs`"):
+        benchmark.state_space(5.0, units="deg")
+
+
 def test_scipy_takes_the_transfer_function(benchmark):
     signal = pytest.importorskip("scipy.signal", reason="SciPy is not installed")
     function = benchmark.transfer_function(5.0, "steer", "lean")

@@ -73,3 +73,27 @@ def test_regulators_are_those_of_scipy():
     weighted = carvallo.Whipple("benchmark").lqr(2.0, inputs=["Tdelta"], weights={"phi": 10.0, "Tdelta": 0.5})
     assert weighted.gains.shape == (1, 1, 4)
     assert carvallo.DoublePendulum("rods").lqr().v is None
+
+
+def test_sensitivities_of_gains_are_differences_of_scipys():
+    """Sixth-order differences of scipy.linalg.solve_continuous_are, all weights 1."""
+    linalg = pytest.importorskip("scipy.linalg", reason="SciPy is not installed")
+    benchmark = carvallo.Whipple("benchmark")
+    regulators = benchmark.lqr([3.0, 6.0], inputs="Tdelta")
+    found = regulators.sensitivities()
+    assert list(found) == list(benchmark) and found["w"].shape == regulators.gains.shape == (2, 1, 4)
+
+    def gains(name, value, v):
+        a, b = benchmark.replace(**{name: value}).state_space(v)
+        return b[:, 1:].T @ linalg.solve_continuous_are(a, b[:, 1:], np.eye(4), np.eye(1))
+
+    for name in ("w", "c", "lam", "mB", "IFyy"):
+        step = 1e-3 * benchmark[name]
+        for place, v in enumerate(regulators.v):
+            at = {k: gains(name, benchmark[name] + k * step, v) for k in (-3, -2, -1, 1, 2, 3)}
+            expected = ((at[3] - at[-3]) - 9 * (at[2] - at[-2]) + 45 * (at[1] - at[-1])) / (60 * step)
+            assert_allclose(found[name][place], expected, rtol=1e-6, atol=1e-7 * np.abs(expected).max())
+    degree = np.pi / 180
+    in_degrees = benchmark.lqr([3.0, 6.0], inputs="Tdelta", units="deg")
+    assert_allclose(in_degrees.gains, regulators.gains * degree, rtol=1e-13)
+    assert_allclose(in_degrees.sensitivities()["w"], found["w"] * degree, rtol=1e-13)

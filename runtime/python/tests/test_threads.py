@@ -30,6 +30,8 @@ print("done", flush=True)
     "designs.stability(threads=2)",
     # One motion: it circles for weeks.
     'bicycle.simulate(4.6, 1e6, initial={"phi_rate": 0.1})',
+    # Ten thousand searches.
+    'carvallo.optimize(carvallo.Whipple(), {"w": (0.8, 1.2), "c": (0.02, 0.12), "mB": (60, 90)}, maximize="stable-range", starts=10_000)',
 ])
 def test_ctrl_c_ends_it(work):
     environment = os.environ | {"PYTHONPATH": str(Path(carvallo.__file__).parents[1])}

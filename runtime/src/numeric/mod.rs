@@ -30,7 +30,7 @@ pub(crate) use polynomial::Polynomial;
 #[cfg(feature = "std")]
 pub(crate) use roots::{Root, candidates, positive_roots};
 #[cfg(feature = "std")]
-pub(crate) use sort::sort_by;
+pub use sort::sort_by;
 #[cfg(feature = "std")]
 pub(crate) use square::Square;
 pub(crate) use taylor::expand_taylor;

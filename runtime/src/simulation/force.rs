@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::numeric::sort_by;
+
 /// A force or torque by time, linear between points; before the first and after the last of them it stays as it is there.
 ///
 /// Of two points at one time the second holds from that time on: the force jumps.
@@ -95,7 +97,7 @@ impl Force {
 pub(super) fn pieces(forces: &[Force], from: f64, to: f64) -> Vec<f64> {
     let mut times: Vec<f64> = forces.iter().flat_map(|force| force.knots(from, to)).collect();
     times.push(to);
-    times.sort_by(f64::total_cmp);
+    sort_by(&mut times, f64::total_cmp);
     times.dedup();
     times
 }

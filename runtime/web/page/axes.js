@@ -1,6 +1,6 @@
 // Axes with ticks, grid and labels, and the way from values to the page.
 
-import { line, tag, text, through } from "carvallo/svg.js";
+import { round, tag, text, through } from "carvallo/svg.js";
 
 const MARGIN = { left: 52, right: 12, top: 10, bottom: 40 };
 
@@ -18,13 +18,13 @@ export function axes({ width, height, x, y, labels }) {
   return { x, y, left, right, top, bottom, across, upward, labels, width, height };
 }
 
-/** The grid, behind everything. */
+/** The grid, behind everything: of few elements, since a browser makes them anew in each step of a slider. */
 export function grid({ x, y, left, right, top, bottom, across, upward }) {
-  const verticals = ticks(x, (right - left) / ACROSS).map((value) => line(across(value), top, across(value), bottom));
-  const levels = ticks(y, (bottom - top) / UPWARD).map((value) => line(left, upward(value), right, upward(value)));
-  const zero = (inside, drawn) => (inside[0] < 0 && inside[1] > 0 ? drawn : "");
-  const zeros = zero(y, line(left, upward(0), right, upward(0))) + zero(x, line(across(0), top, across(0), bottom));
-  return tag("g", { class: "grid" }, verticals.concat(levels).join("")) + tag("g", { class: "zero" }, zeros);
+  const vertical = (value) => `M${round(across(value))} ${top}V${bottom}`;
+  const level = (value) => `M${left} ${round(upward(value))}H${right}`;
+  const lines = [...ticks(x, (right - left) / ACROSS).map(vertical), ...ticks(y, (bottom - top) / UPWARD).map(level)];
+  const zero = (inside, drawn) => (inside[0] < 0 && inside[1] > 0 ? drawn(0) : "");
+  return tag("path", { class: "grid", d: lines.join("") }) + tag("path", { class: "zero", d: zero(y, level) + zero(x, vertical) });
 }
 
 /** The frame with numbers and labels, before everything. */

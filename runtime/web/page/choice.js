@@ -36,8 +36,8 @@ export function showTabs(titles, turn) {
 const focusOf = ({ dataset, id }) => (dataset.tab !== undefined ? `[data-tab="${dataset.tab}"]` : id ? `#${id}` : "[aria-pressed=true]");
 
 function add() {
-  const { base, changes } = state.designs[state.active];
-  state.designs.push(design(base, { ...changes }));
+  const { base, changes, feedback } = state.designs[state.active];
+  state.designs.push(design(base, { ...changes }, feedback));
   state.active = state.designs.length - 1;
 }
 

@@ -2,6 +2,7 @@
 
 import { ask } from "carvallo/engine.js";
 import { around, axes, frame, grid, inside, path } from "carvallo/axes.js";
+import { kept } from "carvallo/kept.js";
 import { names } from "carvallo/labels.js";
 import { legend } from "carvallo/legend.js";
 import { picture, tag } from "carvallo/svg.js";
@@ -9,6 +10,9 @@ import { state, subject } from "carvallo/state.js";
 
 const STEPS = 200;
 const COLORS = ["#1f6fb4", "#c0283c", "#2e7d32", "#b46a00", "#7a3f9d", "#555d66"];
+
+/** What is drawn in one graph, by its unit. */
+const LABELS = { rad: "angles (°)", m: "positions (m)", "N*m": "torques (N m)", N: "forces (N)" };
 
 /** What begins a motion of a model, where nothing else is given: a push to the side, or of the first coordinate. */
 export function usual(coordinates) {
@@ -21,8 +25,6 @@ export function asked(initial) {
   return { speed: state.speed, duration: state.duration, steps: STEPS, initial: given };
 }
 
-const cache = new Map();
-
 /** Enough for the designs that lie over each other. */
 const KEPT = 8;
 
@@ -31,19 +33,15 @@ const KEPT = 8;
  * @throws {Mistake} what is wrong with the start, or why there is no motion
  */
 export function simulate(design, initial) {
-  const question = { ask: "simulate", design: subject(design), motion: asked(initial) };
-  const key = JSON.stringify(question);
-  if (!cache.has(key)) {
-    if (cache.size >= KEPT) cache.delete(cache.keys().next().value);
-    cache.set(key, told(ask(question)));
-  }
-  return cache.get(key);
+  return answer({ ask: "simulate", design: subject(design), motion: asked(initial) });
 }
 
+const answer = kept(KEPT, (question) => told(ask(question)));
+
 function told({ reply, numbers }) {
-  const width = 1 + reply.quantities.length;
-  const rows = Array.from({ length: reply.rows }, (_, index) => numbers.subarray(index * width, (index + 1) * width));
-  return { ...reply, rows };
+  const forces = reply.forces.map((force) => ({ ...force, label: force.name, isForce: true }));
+  const quantities = [...reply.quantities, ...forces];
+  return { ...reply, quantities, numbers };
 }
 
 /**
@@ -51,14 +49,15 @@ function told({ reply, numbers }) {
  * @param {{motion: object, place: number, title: string}[]} beside those of the others
  */
 export function drawMotion(title, motion, beside, width) {
-  const shown = motion.quantities.filter(({ name }) => !hasPath(motion) || ["phi", "delta"].includes(name));
+  const shown = motion.quantities.filter(({ name, isForce }) => isForce || !hasPath(motion) || ["phi", "delta"].includes(name))
+    .map((quantity, index) => ({ ...quantity, color: COLORS[index % COLORS.length] }));
   const units = [...new Set(shown.map(({ unit }) => unit))];
   const graphs = units.map((unit, index) => graph(title, motion, beside, shown.filter((quantity) => quantity.unit === unit), unit, width, index));
   const ground = hasPath(motion) ? [track(title, motion, beside, width)] : [];
   const kind = motion.is_linear ? "by the linear equations" : "by the nonlinear equations";
   const said = [motion.end, ...motion.notes].filter(Boolean).map((note) => tag("li", {}, note));
   const entries = [
-    ...shown.map((quantity) => ({ name: named(quantity), color: color(shown, quantity) })),
+    ...shown.map((quantity) => ({ name: named(quantity), color: quantity.color })),
     ...beside.map(({ title, place }) => ({ name: title, className: `beside design-${place}` })),
   ];
   return [...graphs, legend(entries), ...ground].join("") + `<p class="hint">At ${state.speed} m/s, ${kind}.</p><ul class="said">${said.join("")}</ul>`;
@@ -67,22 +66,25 @@ export function drawMotion(title, motion, beside, width) {
 const hasPath = ({ quantities }) => ["x", "y", "delta"].every((name) => quantities.some((quantity) => quantity.name === name));
 const named = ({ name, label }) => (name === label ? name : `${label} ${symbol(name)}`);
 const symbol = (name) => ({ phi: "φ", delta: "δ", psi: "ψ", theta: "θ" })[name] ?? name;
-const color = (shown, quantity) => COLORS[shown.indexOf(quantity) % COLORS.length];
 
-function column({ quantities, rows }, name, scale) {
+/** A quantity over the time, point by point; none of one that the motion has not. */
+function column({ quantities, rows, numbers }, name, scale) {
   const place = 1 + quantities.findIndex((quantity) => quantity.name === name);
-  return place > 0 ? rows.map((row) => [row[0], scale * row[place]]) : [];
+  const width = 1 + quantities.length;
+  const points = [];
+  for (let row = 0; place > 0 && row < rows; row++) points.push([numbers[row * width], scale * numbers[row * width + place]]);
+  return points;
 }
 
 function graph(title, motion, beside, shown, unit, width, index) {
   const scale = unit === "rad" ? 180 / Math.PI : 1;
   const curves = shown.map((quantity) => column(motion, quantity.name, scale));
   const values = curves.flat().map(([, value]) => value);
-  const label = unit === "rad" ? "angles (°)" : unit === "m" ? "positions (m)" : "positions";
+  const label = LABELS[unit] ?? "positions";
   const of = axes({ width, height: 220, x: [0, state.duration], y: around([0, ...values]), labels: ["time t (s)", label] });
   const thin = beside.flatMap(({ motion: other, place }) =>
     shown.map(({ name }) => tag("path", { class: `curve beside design-${place}`, d: path(of, column(other, name, scale)) })));
-  const attributes = (quantity) => ({ style: `--c:${color(shown, quantity)}` });
+  const attributes = (quantity) => ({ style: `--c:${quantity.color}` });
   const thick = curves.map((curve, which) => tag("path", { class: "curve", ...attributes(shown[which]), d: path(of, curve) }));
   const lines = curves.map((curve, which) =>
     [curve.map(([x, y]) => [of.across(x), of.upward(y)]), named(shown[which]), attributes(shown[which])]);

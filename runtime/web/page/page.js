@@ -4,6 +4,7 @@ import { analyze } from "carvallo/analysis.js";
 import { onBase, showBase, showBases, showTabs } from "carvallo/choice.js";
 import { drawCurves } from "carvallo/curves.js";
 import { Mistake, ask, load } from "carvallo/engine.js";
+import { blameFeedback, onFeedback, showFeedback } from "carvallo/feedback.js";
 import { onFile, showDownloads, toml } from "carvallo/files.js";
 import { drawLocus } from "carvallo/locus.js";
 import { drawMotion, simulate, usual } from "carvallo/motion.js";
@@ -35,7 +36,8 @@ function update() {
     if (!(error instanceof Mistake)) throw error;
     fail(error.message);
     blame(active().changes, error.message);
-    titles(undefined);
+    blameFeedback(error.message);
+    titles();
     return;
   }
   fail(undefined);
@@ -48,17 +50,21 @@ function update() {
       return [];
     }
   });
-  titles(known);
+  titles();
+  showFeedback(known);
   showParameters(known);
   showNotes([...known.warnings, ...known.notes]);
   showSpeed(known);
   draw(known, beside, widths);
 }
 
-function titles(known) {
-  const title = (other, place) => {
-    if (place === state.active && known) return withChanges(known.title, other);
-    return withChanges(other.base.set ?? other.base.label, other);
+function titles() {
+  const title = (other) => {
+    try {
+      return withChanges(analyze(other, state.speed).title, other);
+    } catch {
+      return withChanges(other.base.set ?? other.base.label, other);
+    }
   };
   showTabs(state.designs.map(title), changed);
   showBase(active());
@@ -196,6 +202,7 @@ function read(label, text) {
 
 function listen() {
   onBase(start);
+  onFeedback(changed);
   onFile(read, (message) => {
     say("");
     fail(message);

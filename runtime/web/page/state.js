@@ -1,7 +1,7 @@
 // What the page shows: designs, the chosen one, the speed and the start of the motion; and the same as an address.
 //
 // The address is `#design=MODEL,SET,NAME:VALUE,…&file=LABEL,TEXT,NAME:VALUE,…&active=1&speed=4.6&…`: designs in their order,
-// each with what was changed, in the spelling of files.
+// each with what was changed, in the spelling of files; `feedback` among the names has laws, with `;` between them.
 
 const KEYS = ["active", "speed", "initial", "duration"];
 
@@ -9,7 +9,7 @@ const KEYS = ["active", "speed", "initial", "duration"];
 export const MOST = 5;
 
 export const state = {
-  /** @type {{base: object, changes: Record<string, string>}[]} */
+  /** @type {{base: object, changes: Record<string, string>, feedback: string | undefined}[]} */
   designs: [],
   active: 0,
   /** In m/s. */
@@ -20,23 +20,24 @@ export const state = {
   duration: 5,
 };
 
-/** A design that ships, or of a file. */
-export function design(base, changes = {}) {
-  return { base, changes };
+/** A design that ships, or of a file; with laws of feedback in the place of those of the file, if they are not undefined. */
+export function design(base, changes = {}, feedback = undefined) {
+  return { base, changes, feedback };
 }
 
 /** What the engine calls a design. */
-export function subject({ base, changes }) {
-  return { ...base, changes: Object.entries(changes) };
+export function subject({ base, changes, feedback }) {
+  return { ...base, changes: Object.entries(changes), feedback: feedback?.split(";").map((law) => law.trim()).filter(Boolean) };
 }
 
 export const active = () => state.designs[state.active];
 
 /** What stands behind `#`. */
 export function toHash() {
-  const parts = state.designs.map(({ base, changes }) => {
+  const parts = state.designs.map(({ base, changes, feedback }) => {
     const [key, fields] = base.set !== undefined ? ["design", [base.model, base.set]] : ["file", [base.label, base.text]];
-    const changed = Object.entries(changes).map((pair) => pair.map(encodeURIComponent).join(":"));
+    const laws = feedback === undefined ? [] : [["feedback", feedback]];
+    const changed = [...Object.entries(changes), ...laws].map((pair) => pair.map(encodeURIComponent).join(":"));
     return `${key}=${[...fields.map(encodeURIComponent), ...changed].join(",")}`;
   });
   return [...parts, ...KEYS.map((key) => `${key}=${encodeURIComponent(state[key])}`)].join("&");
@@ -56,7 +57,8 @@ export function fromHash(hash) {
       const [a, b] = [decode(first), decode(second)];
       const base = key === "design" ? { model: a, set: b } : { label: a, text: b };
       const pairs = changed.map((pair) => split(pair, ":").map(decode)).filter(([, value]) => value !== undefined);
-      found.designs.push(design(base, Object.fromEntries(pairs)));
+      const { feedback, ...changes } = Object.fromEntries(pairs);
+      found.designs.push(design(base, changes, feedback));
     } else if (key === "initial") {
       found.initial = decode(text);
     } else if (KEYS.includes(key)) {

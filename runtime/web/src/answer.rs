@@ -1,9 +1,10 @@
 //! The questions, and what answers each.
 
 use carvallo_design::Failure;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use crate::motion::Asked;
+use crate::question::{Question, missing};
 use crate::subject::Subject;
 use crate::{catalogue, eigenvalues, files, motion};
 
@@ -16,36 +17,20 @@ pub struct Answer {
     pub numbers: Vec<f64>,
 }
 
-/// What may be asked: one of
-///
-/// - `catalogue`: the models that are there, with their parameters and sets;
-/// - `analyze`: everything about a design along speed, and the eigenvalues at one speed;
-/// - `simulate`: a motion of a design;
-/// - `write`: a file of a design, as the command line writes it.
-#[derive(Deserialize)]
-struct Question {
-    ask: String,
-    design: Option<Subject>,
-    /// From where to where in m/s; otherwise as far as there is something to see.
-    range: Option<[f64; 2]>,
-    /// In m/s.
-    speed: Option<f64>,
-    motion: Option<Asked>,
-    file: Option<String>,
-}
-
 #[derive(Serialize)]
 struct Error {
     error: String,
 }
 
-/// Answers a question, JSON in UTF-8.
+/// Answers a question, JSON in UTF-8. What may be asked, as `ask`, is one of
+///
+/// - `catalogue`: the models that are there, with their parameters and sets;
+/// - `analyze`: everything about a `design` along speed, and the eigenvalues at one `speed` in m/s, if there is one;
+/// - `simulate`: a `motion` of a `design`;
+/// - `write`: a `file` of a `design`, as the command line writes it.
 pub fn answer(question: &[u8]) -> Answer {
     let mut numbers = Vec::new();
-    let text = match serde_json::from_slice(question) {
-        Ok(question) => reply(question, &mut numbers),
-        Err(error) => Err(Failure::Run(format!("this is no question: {error}"))),
-    };
+    let text = Question::read(question).and_then(|question| reply(question, &mut numbers));
     let text = text.unwrap_or_else(|failure| {
         numbers.clear();
         json(&Error { error: failure.to_string() }).unwrap_or_default()
@@ -53,15 +38,21 @@ pub fn answer(question: &[u8]) -> Answer {
     Answer { text, numbers }
 }
 
-fn reply(question: Question, numbers: &mut Vec<f64>) -> Result<String, Failure> {
-    let Question { ask, design, range, speed, motion, file } = question;
-    let missing = |what: &str| Failure::usage(format!("`{ask}` needs `{what}`"));
-    let design = || design.as_ref().ok_or_else(|| missing("design"));
+fn reply(mut question: Question, numbers: &mut Vec<f64>) -> Result<String, Failure> {
+    let ask = question.text("ask")?.ok_or_else(|| missing("ask"))?;
+    if ask == "catalogue" {
+        return json(&catalogue::catalogue());
+    }
+    let design = question.object("design")?.ok_or_else(|| missing("design"))?;
+    let design = Subject::read(design)?.load()?;
+    let motion = question.object("motion")?.map(Asked::read).transpose()?;
     match ask.as_str() {
-        "catalogue" => json(&catalogue::catalogue()),
-        "analyze" => json(&eigenvalues::analyze(design()?, range, speed, numbers)?),
-        "simulate" => json(&motion::simulate(design()?, &motion.ok_or_else(|| missing("motion"))?, numbers)?),
-        "write" => json(&files::write(design()?, &file.ok_or_else(|| missing("file"))?, motion.as_ref())?),
+        "analyze" => json(&eigenvalues::analyze(design, question.number("speed")?, numbers)?),
+        "simulate" => json(&motion::simulate(&design, &motion.ok_or_else(|| missing("motion"))?, numbers)?),
+        "write" => {
+            let file = question.text("file")?.ok_or_else(|| missing("file"))?;
+            json(&files::write(design, &file, motion.as_ref())?)
+        }
         _ => Err(Failure::usage(format!("nothing answers `{ask}`"))),
     }
 }

@@ -8,7 +8,6 @@ use carvallo_plot::picture::{Color, Paint, Panel, Series, panels, samples};
 use serde::Serialize;
 
 use crate::catalogue::{Parameter, parameters};
-use crate::subject::Subject;
 
 /// What is known of a design.
 #[derive(Serialize)]
@@ -23,6 +22,8 @@ pub struct Known {
     written: Vec<String>,
     /// The names of the coordinates.
     coordinates: Vec<&'static str>,
+    /// The laws of feedback, as they were written.
+    feedback: Vec<String>,
     notes: Vec<String>,
     warnings: Vec<String>,
     /// Whether anything depends on the speed.
@@ -77,24 +78,10 @@ struct Eigenvalue {
 ///
 /// # Errors
 /// Everything that is wrong with the parameters, or that there is no answer.
-pub fn analyze(
-    subject: &Subject,
-    range: Option<[f64; 2]>,
-    speed: Option<f64>,
-    numbers: &mut Vec<f64>,
-) -> Result<Known, Failure> {
-    let analysis = Analysis::new(subject.load()?)?;
+pub fn analyze(design: Design, speed: Option<f64>, numbers: &mut Vec<f64>) -> Result<Known, Failure> {
+    let analysis = Analysis::new(design)?;
     let moves = analysis.design.model.depends_on_speed();
-    let [low, high] = match range {
-        Some([low, high]) if 0.0 <= low && low < high && high.is_finite() => [low, high],
-        Some([low, high]) => {
-            let (low, high) = (shortest(low), shortest(high));
-            return Err(Failure::usage(format!(
-                "the speeds are from {low} to {high} m/s; the second must be above the first, and neither below 0"
-            )));
-        }
-        None => [0.0, analysis.reach],
-    };
+    let (low, high) = (0.0, analysis.reach);
     let turns = analysis.critical_speeds().iter().map(|critical| critical.speed).chain(analysis.meetings());
     let rows = analysis.rows(&samples((low, high), turns))?;
     // Against what nothing depends on there is no graph.
@@ -106,7 +93,7 @@ pub fn analyze(
         Some(speed) => return Err(Failure::usage(format!("the speed is {}; it must be >= 0", shortest(speed)))),
         None => analysis.rows(&[])?,
     };
-    let Design { kind, source, parameters: given, notes, warnings, .. } = &analysis.design;
+    let Design { kind, source, parameters: given, feedback, notes, warnings, .. } = &analysis.design;
     let info = analysis.design.info();
     let ships = carvallo_design::Shipped::called(info.name).is_ok();
     Ok(Known {
@@ -118,6 +105,7 @@ pub fn analyze(
         values: analysis.design.values(),
         written: given.iter().map(|given| written(&given.written, given.value)).collect(),
         coordinates: info.coordinates.iter().map(|coordinate| coordinate.name).collect(),
+        feedback: feedback.iter().map(|law| law.written.clone()).collect(),
         notes: notes.clone(),
         warnings: warnings.clone(),
         moves,

@@ -1,12 +1,12 @@
 //! Files to take away, byte for byte as the command line writes them.
 
-use carvallo_design::{Failure, file};
+use carvallo_design::{Design, Failure, file};
 use carvallo_plot::analysis::{Analysis, reach};
 use carvallo_plot::data;
 use serde::Serialize;
 
 use crate::motion::{Asked, move_by};
-use crate::subject::Subject;
+use crate::question::missing;
 
 /// A file that was written.
 #[derive(Serialize)]
@@ -22,9 +22,8 @@ pub struct Written {
 ///
 /// # Errors
 /// Everything that is wrong with the parameters, or that there is no such file.
-pub fn write(subject: &Subject, kind: &str, asked: Option<&Asked>) -> Result<Written, Failure> {
-    let design = subject.load()?;
-    let asked = || asked.ok_or_else(|| Failure::usage("`motion` is missing"));
+pub fn write(design: Design, kind: &str, asked: Option<&Asked>) -> Result<Written, Failure> {
+    let asked = || asked.ok_or_else(|| missing("motion"));
     let contents = match kind {
         "toml" => file::write(&design, &str::to_owned),
         "json" | "csv" => {

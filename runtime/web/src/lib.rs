@@ -9,6 +9,7 @@ mod eigenvalues;
 pub mod exports;
 mod files;
 mod motion;
+mod question;
 mod subject;
 
 pub use self::answer::Answer;

@@ -4,12 +4,11 @@ use std::ops::ControlFlow;
 
 use carvallo_design::{Design, Failure, Problem};
 use carvallo_plot::analysis::simulation::{Linear, Motion, Nonlinear, Solver, read};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
-use crate::subject::Subject;
+use crate::question::{Question, missing};
 
 /// The motion that is asked for.
-#[derive(Deserialize)]
 pub struct Asked {
     /// In m/s.
     pub speed: f64,
@@ -18,20 +17,29 @@ pub struct Asked {
     /// How many steps the rows are of.
     pub steps: u32,
     /// Positions and rates at the beginning, such as `phi_rate=0.5` or `phi=5 deg`.
-    #[serde(default)]
     pub initial: Vec<String>,
-    /// Whether by the linear equations, where there are others as well.
-    #[serde(default)]
-    pub is_linear: bool,
 }
 
-/// A motion. The numbers are row by row: the time in s, then the positions of all quantities; where the paths of wheels are
-/// known they are among them, as `x` and `y`.
+impl Asked {
+    /// What a question has of it.
+    ///
+    /// # Errors
+    /// If something is missing, or of another kind.
+    pub fn read(mut question: Question) -> Result<Self, Failure> {
+        let mut number = |name: &str| question.number(name)?.ok_or_else(|| missing(name));
+        let (speed, duration, steps) = (number("speed")?, number("duration")?, number("steps")? as u32);
+        Ok(Self { speed, duration, steps, initial: question.texts("initial")?.unwrap_or_default() })
+    }
+}
+
+/// A motion. The numbers are row by row: the time in s, then the positions of all quantities, and the forces of feedback; where
+/// the paths of wheels are known they are among the positions, as `x` and `y`.
 #[derive(Serialize)]
 pub struct Told {
     is_linear: bool,
     rows: usize,
     quantities: Vec<Named>,
+    forces: Vec<Force>,
     end: Option<String>,
     notes: Vec<String>,
 }
@@ -43,16 +51,22 @@ struct Named {
     unit: &'static str,
 }
 
+/// What follows from the motion by a law.
+#[derive(Serialize)]
+struct Force {
+    name: String,
+    unit: &'static str,
+}
+
 /// Simulates a design.
 ///
 /// # Errors
 /// Everything that is wrong with the parameters or the state at the beginning, or that there is no motion.
-pub fn simulate(subject: &Subject, asked: &Asked, numbers: &mut Vec<f64>) -> Result<Told, Failure> {
-    let design = subject.load()?;
-    move_by(&design, asked, &mut |motion| {
+pub fn simulate(design: &Design, asked: &Asked, numbers: &mut Vec<f64>) -> Result<Told, Failure> {
+    move_by(design, asked, &mut |motion| {
         for row in &motion.rows {
             numbers.push(row.t);
-            numbers.extend(&row.positions);
+            numbers.extend(row.positions.iter().chain(&row.feedback));
         }
         let named = |quantity: &carvallo_plot::analysis::simulation::Quantity| Named {
             name: quantity.name,
@@ -63,6 +77,7 @@ pub fn simulate(subject: &Subject, asked: &Asked, numbers: &mut Vec<f64>) -> Res
             is_linear: motion.is_linear,
             rows: motion.rows.len(),
             quantities: motion.quantities.iter().map(named).collect(),
+            forces: motion.feedback().into_iter().map(|(name, unit)| Force { name, unit }).collect(),
             end: motion.end.clone(),
             notes: motion.notes.clone(),
         })
@@ -79,14 +94,16 @@ pub fn move_by<T>(
     tell: &mut dyn FnMut(&Motion) -> Result<T, Failure>,
 ) -> Result<T, Failure> {
     let mut told = None;
-    if !asked.is_linear {
-        // Without nonlinear equations it is the motion of the linear ones.
-        let _ = design.with_machine(&mut |machine| {
-            let motion = solve(&Nonlinear::new(machine), design, asked);
-            told = Some(motion.and_then(|motion| tell(&motion)));
-        });
-    }
-    told.unwrap_or_else(|| tell(&solve(&Linear::new(design), design, asked)?))
+    let machine = design.with_machine(&mut |machine| {
+        let motion = solve(&Nonlinear::new(machine), design, asked);
+        told = Some(motion.and_then(|motion| tell(&motion)));
+    });
+    let note = machine.err().map(|without| format!("{}; these are the linear ones", design.explain(&without)));
+    told.unwrap_or_else(|| {
+        let mut motion = solve(&Linear::new(design), design, asked)?;
+        motion.notes.extend(note);
+        tell(&motion)
+    })
 }
 
 fn solve<'a>(solver: &dyn Solver, design: &'a Design, asked: &Asked) -> Result<Motion<'a>, Failure> {

@@ -74,7 +74,7 @@ test("every figure is there, with labels and a grid", async () => {
   const page = await open();
   for (const id of ["eigenvalues", "locus", "motion"]) {
     assert.ok((await page.$$(`#${id} .curve`)).length > 2, id);
-    assert.ok((await page.$$(`#${id} .grid path`)).length > 5, id);
+    assert.ok((await page.getAttribute(`#${id} .grid`, "d")).split("M").length > 6, id);
     assert.ok((await page.$$(`#${id} text.label`)).length >= 2, id);
   }
   const names = await page.$$eval("#eigenvalues .legend li", (items) => items.map((item) => item.textContent));
@@ -172,6 +172,42 @@ test("bad files, values and addresses say so, and the page goes on", async () =>
   await page.evaluate(() => { location.hash = "#colour=red"; });
   await page.waitForFunction(() => document.getElementById("error").textContent.includes("`colour=red`"));
   await close(page);
+});
+
+test("a law of feedback closes the loop, in the address and in the files too", async () => {
+  const law = "Tdelta = 10*(4.7 - v)*phi_rate";
+  const page = await open("#design=Whipple,benchmark&speed=3");
+  await page.click("#add");
+  await page.fill("#feedback", law);
+  await page.press("#feedback", "Enter");
+  await settled(page);
+  const closed = JSON.parse(carvallo("analyze", "--feedback", law, "--speeds", "3", "--format", "json"));
+  assert.deepEqual(await values(page, "critical"), closed.critical_speeds.map(({ speed }) => speed));
+  assert.deepEqual(await values(page, "at-speed"), closed.eigenvalues[0].values.flatMap(({ re, im }) => [re, im]));
+  const [[from]] = closed.stable_ranges;
+  assert.match(await page.textContent("#stable"), new RegExp(`benchmark with feedback: Stable from ${Number(from.toPrecision(6))} `));
+  // The open loop lies below it, and the force has a graph.
+  assert.ok((await page.$$("#eigenvalues .curve.beside")).length > 0);
+  const graphs = await page.$$eval("#motion svg[role=img]", (graphs) => graphs.map((graph) => graph.getAttribute("aria-label")));
+  assert.ok(graphs.some((label) => label.startsWith("torques (N m)")), graphs);
+  await page.waitForFunction(() => location.hash.includes("feedback:Tdelta"));
+  const [loaded] = await Promise.all([page.waitForEvent("download"), page.click('[data-file="json"]')]);
+  assert.equal(readFileSync(await loaded.path(), "utf8"), carvallo("analyze", "--feedback", law, "--format", "json"));
+  const other = await open("", page.url());
+  assert.equal(await other.inputValue("#feedback"), law);
+  assert.equal(await drawn(other, "numbers"), await drawn(page, "numbers"));
+  await other.fill("#feedback", "Tdelt = phi");
+  await other.press("#feedback", "Enter");
+  await settled(other);
+  assert.match(await error(other), /`Tdelt` is no force on Whipple; did you mean `Tdelta`\?/);
+  assert.equal(await other.getAttribute("#feedback", "aria-invalid"), "");
+  await other.click("#open-loop");
+  await settled(other);
+  assert.equal(await error(other), "");
+  assert.equal(await other.inputValue("#feedback"), "");
+  assert.match(await other.textContent("#stable"), /benchmark: Stable from 4\.29238/);
+  await page.close();
+  await close(other);
 });
 
 test("a file that is dropped is shown", async () => {

@@ -2,6 +2,7 @@
 
 use std::cell::OnceCell;
 use std::io::IsTerminal as _;
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -102,7 +103,10 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         note(WARNING, "note", &format!("{}: {kept}", design.name));
     }
     let bar = Bar::new();
-    let optimum = optimize(&problem, &|progress| bar.tell(progress));
+    let optimum = optimize(&problem, &|progress| {
+        bar.tell(progress);
+        ControlFlow::Continue(())
+    });
     bar.finish();
     let optimum = optimum?;
     let best = optimum.design(&problem)?;

@@ -32,8 +32,6 @@ pub struct Gain {
 
 /// Closes the loop: forces stand on the other side of the equation than the matrices.
 ///
-/// Without the feature `full` nothing is closed.
-///
 /// ```
 /// use carvallo::{Model, Stability};
 /// use carvallo_design::feedback::{self, Gain};
@@ -51,7 +49,6 @@ pub struct Gain {
 /// # Panics
 /// If a gain is of a coordinate that there is none of.
 pub fn close<const N: usize>(mut open: Coefficients<f64, N>, gains: &[Gain]) -> Coefficients<f64, N> {
-    let gains = if cfg!(feature = "full") { gains } else { &[] };
     for Gain { matrix, row, column, value } in gains {
         open.matrix_mut(*matrix)[(*row, *column)] -= value;
     }
@@ -60,10 +57,7 @@ pub fn close<const N: usize>(mut open: Coefficients<f64, N>, gains: &[Gain]) -> 
 
 /// The force of each law, in their order, at a speed in m/s, and at the position and the rate of each coordinate by its place; in SI
 /// units.
-///
-/// Without the feature `full` there are none.
 pub fn forces(laws: &[Law], speed: f64, motion: impl Fn(usize) -> (f64, f64)) -> Vec<f64> {
-    let laws = if cfg!(feature = "full") { laws } else { &[] };
     let part = |gain: &Gain| {
         let (position, rate) = motion(gain.column);
         gain.force(speed, position, rate)

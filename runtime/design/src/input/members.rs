@@ -63,7 +63,7 @@ impl Written {
 }
 
 fn unknown(member: &str, name: &str) -> String {
-    let meant = match member.to_lowercase().as_str() {
+    let meant = match member.to_ascii_lowercase().as_str() {
         "sigma" | "uncertainty" | "error" | "deviation" | "sd" | "stdev" | "stddev" | "std_dev" => Some("std"),
         "units" => Some("unit"),
         _ => nearest(member, MEMBERS),

@@ -90,6 +90,18 @@ struct Changes {
     bodies: Vec<Body>,
 }
 
+impl Changes {
+    /// Of values and laws alone.
+    fn new(overrides: Vec<Entry>, laws: Vec<(Place, String)>) -> Self {
+        Self {
+            overrides,
+            laws,
+            #[cfg(feature = "full")]
+            bodies: Vec::new(),
+        }
+    }
+}
+
 /// What the parameters of a real machine would hardly be.
 #[cfg(feature = "full")]
 pub(crate) fn warnings(info: &carvallo::ModelInfo, values: &[f64]) -> Vec<String> {
@@ -124,7 +136,7 @@ pub fn load(request: &Request) -> Result<Design, Failure> {
         )));
     };
     let (label, document) = open(shipped, name)?;
-    let laws = request.feedback.iter().map(|(option, law)| (Place::Option(option.clone()), law.clone())).collect();
+    let laws = placed(&request.feedback);
     #[cfg(feature = "full")]
     let bodies = bodies(&request.bodies)?;
     let changes = Changes {
@@ -207,22 +219,36 @@ fn contents(name: &str) -> Result<Option<(&str, Vec<u8>)>, Failure> {
 /// # Errors
 /// Everything that is wrong with it.
 pub fn read(label: &str, bytes: Vec<u8>) -> Result<Design, Failure> {
-    read_changed(label, bytes, &[])
+    read_changed(label, bytes, &[], None)
 }
 
-/// The same with values that replace those of the file: each with what messages call it, its name and the value.
+/// The same with values that replace those of the file, each with what messages call it, its name and the value; and with laws
+/// of feedback that replace all of the file, each with what messages call it.
 ///
 /// # Errors
-/// Everything that is wrong with the file or the values.
-pub fn read_changed(label: &str, bytes: Vec<u8>, overrides: &[(String, String, String)]) -> Result<Design, Failure> {
-    let changes = Changes { overrides: entries(overrides), ..Changes::default() };
-    resolve(parse(label, bytes)?, label, None, changes)
+/// Everything that is wrong with the file, the values or the laws.
+pub fn read_changed(
+    label: &str,
+    bytes: Vec<u8>,
+    overrides: &[(String, String, String)],
+    feedback: Option<&[(String, String)]>,
+) -> Result<Design, Failure> {
+    let mut document = parse(label, bytes)?;
+    if feedback.is_some() {
+        document.feedback.clear();
+    }
+    let laws = placed(feedback.unwrap_or_default());
+    resolve(document, label, None, Changes::new(entries(overrides), laws))
 }
 
 fn entries(overrides: &[(String, String, String)]) -> Vec<Entry> {
     let entry =
         |(option, name, value): &(String, String, String)| Entry::from_text(name, Place::Option(option.clone()), value);
     overrides.iter().map(entry).collect()
+}
+
+fn placed(laws: &[(String, String)]) -> Vec<(Place, String)> {
+    laws.iter().map(|(option, law)| (Place::Option(option.clone()), law.clone())).collect()
 }
 
 /// Judges the parameters by the model that was asked for, or else the one that they name themselves.
@@ -330,7 +356,7 @@ enum Form {
 
 impl Form {
     fn of(file: File) -> Self {
-        let ending = Path::new(file.label).extension().and_then(|ending| ending.to_str()).map(str::to_lowercase);
+        let ending = Path::new(file.label).extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase);
         let begins = without_comments(file.text);
         match ending.as_deref() {
             // Neither TOML nor a YAML of lines begins so, and no JSON assigns: such a file has the wrong ending.

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 #[cfg(feature = "full")]
 use carvallo::Covariance;
-use carvallo::ModelInfo;
+use carvallo::{ModelInfo, sort_by};
 
 #[cfg(feature = "full")]
 use super::correlations::Names;
@@ -111,7 +111,7 @@ pub fn resolve(
     remarks.notes.extend(neutral::note(label, &defaults, info));
     if !remarks.problems.is_empty() {
         remarks.problems.extend(zero_radii.into_iter().map(|(_, problem)| problem));
-        remarks.problems.sort_by(|a, b| a.place.cmp(&b.place));
+        sort_by(&mut remarks.problems, |a, b| a.place.cmp(&b.place));
         // A parser that recovers may meet the same mistake again.
         remarks.problems.dedup();
         return Err(remarks.problems);
@@ -179,11 +179,6 @@ fn resolve_laws(
     info: &ModelInfo,
     problems: &mut Vec<Problem>,
 ) -> Vec<Law> {
-    if !cfg!(feature = "full") {
-        let message = "this program was built without feedback";
-        problems.extend(of_file.iter().map(|(place, _)| Problem { place: place.clone(), message: message.to_owned() }));
-        return Vec::new();
-    }
     let [mut laws, others] = [of_file, of_options].map(|laws| {
         feedback::read(laws, info).unwrap_or_else(|found| {
             problems.extend(found);

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_4;
 
-use carvallo::ModelInfo;
+use carvallo::{ModelInfo, sort_by};
 
 use crate::bodies::body;
 use crate::number::{fixed, shortest};
@@ -44,7 +44,7 @@ pub fn warnings(info: &ModelInfo, values: &[f64]) -> Vec<String> {
 }
 
 fn check_moments(body: &str, mut moments: [f64; 3]) -> Option<String> {
-    moments.sort_by(f64::total_cmp);
+    sort_by(&mut moments, f64::total_cmp);
     let [small, middle, large] = moments;
     let sum = small + middle;
     if small < -TOLERANCE * large.abs() {

@@ -1,5 +1,6 @@
 //! Parameter files in TOML: the format of the bicycles that ship with Carvallo.
 
+use carvallo::sort_by;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -39,7 +40,7 @@ fn of_table(file: File, table: &DeTable) -> Vec<Named> {
         Named { name: AsRef::<str>::as_ref(key.get_ref()).to_owned(), node }
     };
     let mut members: Vec<_> = table.iter().collect();
-    members.sort_by_key(|(key, _)| key.span().start);
+    sort_by(&mut members, |(a, _), (b, _)| a.span().start.cmp(&b.span().start));
     members.into_iter().map(named).collect()
 }
 

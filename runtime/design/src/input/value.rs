@@ -108,7 +108,7 @@ fn read(written: &Written, info: &ParameterInfo, names: &Lookup) -> Result<Measu
 
 /// Whether it is the standard deviation that is wrong; and what was found and what was expected.
 fn found(Mistake { text, is_deviation, reason }: Mistake, info: &ParameterInfo) -> (bool, String) {
-    let found = match text.trim_start_matches(['+', '-', '.']).to_lowercase().as_str() {
+    let found = match text.trim_start_matches(['+', '-', '.']).to_ascii_lowercase().as_str() {
         "" if text.is_empty() => format!("empty; {EXPECTED}"),
         "nan" | "inf" | "infinity" => format!("`{text}`; expected a finite number"),
         _ => match reason {

@@ -3,6 +3,7 @@
 mod check;
 
 use std::array;
+use std::sync::{Mutex, PoisonError};
 
 use carvallo::{
     Coefficients, CoordinateInfo, Domain, Matrix, MatrixName, ModelInfo, ParameterInfo, ParameterStability, States,
@@ -28,7 +29,7 @@ pub const NO_PARAMETERS: &str =
 pub const MOST: usize = if cfg!(feature = "full") { 12 } else { 2 };
 
 /// What matrices are given, without their entries.
-#[derive(Debug)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Form {
     /// The first one is M.
     pub matrices: Vec<MatrixName>,
@@ -37,7 +38,7 @@ pub struct Form {
 }
 
 /// A coordinate of given matrices.
-#[derive(Debug)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Coordinate {
     /// What it is called.
     pub name: String,
@@ -56,9 +57,19 @@ pub fn entry_name(matrix: MatrixName, row: usize, column: usize, count: usize) -
     format!("{matrix}_{}{between}{}", row + 1, column + 1)
 }
 
-/// The model of given matrices. It stays as long as the program runs, as other models do; there is one for each file that is
-/// read.
+/// The model of given matrices. It stays as long as the program runs, as other models do; there is one for each form.
 pub fn model(form: &Form) -> &'static Shipped {
+    static MODELS: Mutex<Vec<(Form, &Shipped)>> = Mutex::new(Vec::new());
+    let mut models = MODELS.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((_, model)) = models.iter().find(|(own, _)| own == form) {
+        return model;
+    }
+    let model = made(form);
+    models.push((form.clone(), model));
+    model
+}
+
+fn made(form: &Form) -> &'static Shipped {
     macro_rules! model_of {
         ($($n:literal)+) => {
             match form.coordinates.len() {

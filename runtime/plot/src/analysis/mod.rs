@@ -25,7 +25,7 @@ use std::ops::RangeInclusive;
 
 use carvallo::{
     Branches, Complex, CriticalKind, CriticalSpeed, Mode, ModeValue, ModelInfo, Stability, StableRange, SystemError,
-    Verdict,
+    Verdict, sort_by,
 };
 use carvallo_design::number::shortest;
 use carvallo_design::{Design, DisplayUnit, Failure, Shape};
@@ -236,7 +236,7 @@ impl Analysis {
         let mut values = self.design.equations.eigenvalues(0.0, self.design.gravity().unwrap_or(0.0))?;
         let unit = (ROUNDING * largest(values.iter().copied())).max(f64::MIN_POSITIVE);
         let key = |value: &Complex<f64>| [(value.re / unit).round(), value.im.abs(), value.im];
-        values.sort_by(|a, b| key(a).partial_cmp(&key(b)).unwrap_or(Ordering::Equal));
+        sort_by(&mut values, |a, b| key(a).partial_cmp(&key(b)).unwrap_or(Ordering::Equal));
         let mode = |value: Complex<f64>| if value.im == 0.0 { Mode::Real } else { Mode::Oscillatory };
         let values = values.into_iter().map(|value| ModeValue { mode: mode(value), value }).collect();
         Ok(Eigenvalues { values, verdict: self.stability.verdict(0.0)? })

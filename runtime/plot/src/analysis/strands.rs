@@ -1,6 +1,6 @@
 //! Branches of eigenvalues that are shown together: those that are pairs at some speed.
 
-use carvallo::{Mode, ModeValue};
+use carvallo::{Mode, ModeValue, sort_by};
 
 use crate::analysis::{Eigenvalues, Row};
 
@@ -28,13 +28,13 @@ pub fn strands(rows: &[Row<Eigenvalues>]) -> Vec<Strand> {
         }
     }
     let mut firsts = heads.clone();
-    firsts.sort_unstable();
+    sort_by(&mut firsts, usize::cmp);
     firsts.dedup();
     let strand = |(number, first): (usize, usize)| {
         let branches: Vec<usize> = (0..count).filter(|&branch| heads[branch] == first).collect();
         let all = rows.iter().flat_map(|row| branches.iter().map(|&branch| row.values.values[branch].mode));
         let mut modes: Vec<Mode> = all.filter(|mode| !matches!(mode, Mode::Real | Mode::Oscillatory)).collect();
-        modes.sort_unstable();
+        sort_by(&mut modes, Mode::cmp);
         modes.dedup();
         let names: Vec<String> = modes.iter().map(ToString::to_string).collect();
         let title = if names.is_empty() { format!("mode {}", number + 1) } else { names.join("/") };

@@ -1,6 +1,6 @@
 //! The lines of a graph of eigenvalues, in data.
 
-use carvallo::{Complex, Mode};
+use carvallo::{Complex, Mode, sort_by};
 
 use crate::analysis::ModeRow;
 
@@ -20,7 +20,7 @@ pub fn samples((low, high): (f64, f64), turns: impl Iterator<Item = f64>) -> Vec
         speeds.extend(around.chain([0.0]).map(|shift| turn + shift));
     }
     speeds.retain(|speed| (low..=high).contains(speed));
-    speeds.sort_by(f64::total_cmp);
+    sort_by(&mut speeds, f64::total_cmp);
     speeds
 }
 
@@ -39,7 +39,7 @@ pub fn extent_of_all(extent: f64, curves: &[Curve]) -> f64 {
 
 /// The number that so many tenths of the numbers are below.
 pub fn quantile(mut numbers: Vec<f64>, tenths: usize) -> Option<f64> {
-    numbers.sort_by(f64::total_cmp);
+    sort_by(&mut numbers, f64::total_cmp);
     numbers.get(numbers.len() * tenths / 10).copied()
 }
 
@@ -122,7 +122,7 @@ fn ranked(rows: &[ModeRow], values: impl Fn(&ModeRow) -> Vec<f64>) -> Vec<Curve>
     let mut before = None;
     for row in rows {
         let mut values = values(row);
-        values.sort_by(f64::total_cmp);
+        sort_by(&mut values, f64::total_cmp);
         let names = (row.values.map(|value| value.mode), values.len());
         let goes_on = before.replace(names) == Some(names);
         for (rank, curves) in ranks.iter_mut().enumerate() {

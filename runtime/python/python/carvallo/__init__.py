@@ -19,12 +19,14 @@ from ._carvallo import __version__
 from .along import Along, CriticalValue
 from .checking import Comparison, Explanation, Report, check
 from .comparing import Differences, Optimum, SpeedChange, compare, optimize
-from .control import InputOutput, Margins, Response, TransferFunction
+from .control import InputOutput, Margins, Response, SingularValues, TransferFunction
 from .controllability import Controllability, LostMode
-from .design import Design, Eigenvectors, Modes, StateSpace, System, example, measure, read, rider
+from .design import Design
+from .linearized import Eigenvectors, Modes, StateSpace, System
 from .model import Coordinate, Model, Parameter, models
 from .motion import Motion
 from .pictures import Picture
+from .reading import example, measure, read, rider
 from .regulators import Regulators
 from .responses import TimeResponse
 from .sensitivity import CriticalDerivatives, Sensitivity
@@ -65,6 +67,7 @@ __all__ = [
     "Report",
     "Response",
     "Sensitivity",
+    "SingularValues",
     "SpeedChange",
     "Stability",
     "StateSpace",

@@ -38,21 +38,32 @@ class About(TypedDict):
     feedback: list[str]
 
 
-class AskedTransfers(TypedDict):
-    """Between what, at which speed, and over which frequencies in rad/s."""
+class AskedNames(TypedDict):
+    """Inputs and outputs by their names, and the units that they are in, as ``deg,km/h`` or ``si``."""
 
-    speed: float
     inputs: list[str] | None
     outputs: list[str] | None
-    omega: tuple[float, float] | None
+    units: str
+
+
+class AskedPorts(TypedDict):
+    """Between what, at which speed in m/s."""
+
+    speed: float
+    names: AskedNames
+
+
+class AskedTransfers(TypedDict):
+    """Between what, and at which frequencies in rad/s: a list, or from one to another."""
+
+    ports: AskedPorts
+    omega: tuple[float, float] | list[float] | None
 
 
 class AskedResponse(TypedDict):
     """To what, and at which times; ``kind`` is ``step``, ``impulse`` or ``initial``."""
 
-    speed: float
-    inputs: list[str] | None
-    outputs: list[str] | None
+    ports: AskedPorts
     kind: str
     given: list[str]
     times: list[float]
@@ -113,11 +124,12 @@ class ToldAlong(TypedDict):
 
 
 class AskedRegulators(TypedDict):
-    """At which speeds in m/s, by which inputs, and weights as ``NAME=VALUE``."""
+    """At which speeds in m/s, by which inputs, weights as ``NAME=VALUE``, and units as ``deg,km/h`` or ``si``."""
 
     speeds: list[float]
     inputs: list[str] | None
     weights: list[str]
+    units: str
 
 
 class Regulated(TypedDict):

@@ -12,7 +12,7 @@ from .motion import as_quantity
 from .pictures import Picture
 
 if TYPE_CHECKING:
-    from .design import Design
+    from ._described import Described
 
 
 class CriticalValue(NamedTuple):
@@ -56,7 +56,7 @@ class Along:
     verdicts: tuple[str, ...]
     """``stable``, ``marginal`` or ``unstable`` at each of the values."""
 
-    def __init__(self, design: Design, asked: AskedAlong, count: int) -> None:
+    def __init__(self, design: Described, asked: AskedAlong, count: int) -> None:
         self._name, self._about, self._designs, self._asked = design.name, design._about, design._one(), asked
         told = self._designs.along(self._about, asked, count)
         self.parameter, self.unit, self.v = told["parameter"], told["unit"], told["speed"]
@@ -75,7 +75,7 @@ class Along:
         return f"<{self._name} along {self.parameter}: {len(self.critical_values)} critical values>"
 
 
-def along_of(design: Design, parameter: str, low: float | str, high: float | str, v: float | None, count: int) -> Along:
+def along_of(design: Described, parameter: str, low: float | str, high: float | str, v: float | None, count: int) -> Along:
     """What :meth:`Design.along` does."""
     if count < 2:
         raise ValueError(f"`count` is {count}; it must be >= 2, for both ends")

@@ -8,14 +8,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _carvallo
-from ._dicts import AskedTransfers
+from ._dicts import AskedNames, AskedPorts
 from .pictures import Picture
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from ._described import Described
-    from .design import Design
 
 
 class InputOutput(NamedTuple):
@@ -53,6 +52,16 @@ class Margins(NamedTuple):
     """Whether the loop ``u = -y`` is stable."""
 
 
+class SingularValues(NamedTuple):
+    """The singular values of the matrix of transfer functions: its gains over all directions of inputs."""
+
+    omega: NDArray[np.float64]
+    """Frequencies in rad/s, without those of poles on the imaginary axis."""
+    values: NDArray[np.float64]
+    """Of shape (frequencies, the smaller number of inputs and outputs), descending: the largest gain first. In units of the outputs
+    by those of the inputs."""
+
+
 class TransferFunction(NamedTuple):
     """``G(s) = gain prod(s - zeros) / prod(s - poles)``, as ``scipy.signal.ZerosPolesGain`` and ``control.zpk`` take it."""
 
@@ -75,41 +84,49 @@ class TransferFunction(NamedTuple):
         return Response(*_carvallo.frequency_response(self.zeros.tolist(), self.poles.tolist(), self.gain, asked))
 
 
-def state_space_of(design: Design, v: ArrayLike, inputs: Sequence[str] | str | None,
-                   outputs: Sequence[str] | str | None) -> InputOutput:
+def state_space_of(design: Described, v: ArrayLike, names: AskedNames) -> InputOutput:
     """What :meth:`Design.state_space` does with inputs or outputs."""
     speeds = np.asarray(v, dtype=np.float64)
-    asked = (speeds.ravel().tolist(), names_of(inputs), names_of(outputs))
-    arrays, _ = design._one().state_spaces(design._about, *asked)
+    arrays, _ = design._one().state_spaces(design._about, speeds.ravel().tolist(), names)
     return InputOutput(*(array.reshape(speeds.shape + array.shape[1:]) for array in arrays))
 
 
-def transfer_function_of(design: Described, v: float, input: str, output: str) -> TransferFunction:
+def transfer_function_of(design: Described, ports: AskedPorts) -> TransferFunction:
     """What :meth:`Design.transfer_function` does."""
-    return TransferFunction(*design._one().transfer_function(design._about, float(v), input, output))
+    return TransferFunction(*design._one().transfer_function(design._about, ports))
 
 
-def margins_of(design: Described, v: float, input: str, output: str) -> Margins:
+def margins_of(design: Described, ports: AskedPorts) -> Margins:
     """What :meth:`Design.margins` does."""
-    gain, phase, stable = design._one().margins(design._about, float(v), input, output)
+    gain, phase, stable = design._one().margins(design._about, ports)
     return Margins(tuple(gain), tuple(phase), stable)
 
 
-def transfer_picture(design: Described, of: str, v: float, inputs: list[str] | None, outputs: list[str] | None,
-                     omega: tuple[float, float] | None) -> Picture:
-    """What :meth:`Design.bode` and :meth:`Design.nyquist` do."""
-    asked: AskedTransfers = {"speed": float(v), "inputs": inputs, "outputs": outputs, "omega": omega}
-    return Picture(design._one().transfer_svg(design._about, asked, of))
+def singular_values_of(design: Described, ports: AskedPorts, omega: ArrayLike | None) -> SingularValues:
+    """What :meth:`Design.singular_values` does."""
+    frequencies: list[float] | None = None if omega is None else np.asarray(omega, dtype=np.float64).ravel().tolist()
+    return SingularValues(*design._one().singular_values(design._about, {"ports": ports, "omega": frequencies}))
+
+
+def transfer_picture(design: Described, of: str, ports: AskedPorts, omega: tuple[float, float] | None) -> Picture:
+    """What :meth:`Design.bode`, :meth:`Design.nyquist` and :meth:`Design.sigma` do."""
+    range_ = None if omega is None else (float(omega[0]), float(omega[1]))
+    return Picture(design._one().transfer_svg(design._about, {"ports": ports, "omega": range_}, of))
+
+
+def ports_of(v: float, inputs: Sequence[str] | str | None, outputs: Sequence[str] | str | None, units: str) -> AskedPorts:
+    """What is asked for at a speed in m/s."""
+    return {"speed": float(v), "names": {"inputs": names_of(inputs), "outputs": names_of(outputs), "units": units}}
 
 
 def names_of(names: Sequence[str] | str | None) -> list[str] | None:
     """Names, of which several may stand in one text."""
     if names is None:
         return None
-    found = [name.strip() for name in names.split(",")] if isinstance(names, str) else list(names)
+    found = [name.strip() for name in names.split(",") if name.strip()] if isinstance(names, str) else list(names)
     if not found:
         raise ValueError("there are no names of inputs or outputs; expected at least one name, or None for all that are usual")
     return found
 
 
-__all__ = ["InputOutput", "Margins", "Response", "TransferFunction"]
+__all__ = ["InputOutput", "Margins", "Response", "SingularValues", "TransferFunction"]

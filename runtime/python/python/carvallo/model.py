@@ -11,7 +11,8 @@ import numpy as np
 
 from . import _carvallo
 from ._carvallo import Kernel
-from .design import Design, Value, as_text, is_array
+from .design import Design
+from .values import Value, as_text, is_array
 
 
 class Parameter(NamedTuple):

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from ._dicts import Asked, AskedEvent
 
 if TYPE_CHECKING:
-    from .design import Design
+    from ._described import Described
 
 Force = Union[float, str, "tuple[ArrayLike, ArrayLike]"]
 """A constant in SI units, a text with a unit, or times in s with a force at each, linear between them."""
@@ -49,7 +49,7 @@ class Motion(Mapping[str, NDArray[np.float64]]):
     notes: tuple[str, ...]
     """What happened on the way: a stop, or a wheel that would lift off."""
 
-    def __init__(self, design: Design, asked: Asked) -> None:
+    def __init__(self, design: Described, asked: Asked) -> None:
         self._design, self._designs, self._asked = design, design._one(), asked
         told = self._designs.simulate(design._about, asked)
         self.t, self.is_linear, self.energy, self.end = told["t"], told["is_linear"], told["energy"], told["end"]
@@ -91,7 +91,7 @@ class Motion(Mapping[str, NDArray[np.float64]]):
         return f"<{kind} motion of {self._design.name}: {len(self.t)} rows to {self.t[-1]:g} s{f'; {self.end}' if self.end else ''}>"
 
 
-def simulate(design: Design, v: float, duration: float | None, times: ArrayLike | None, initial: Mapping[str, float | str],
+def simulate(design: Described, v: float, duration: float | None, times: ArrayLike | None, initial: Mapping[str, float | str],
              forces: Mapping[str, Force], events: Event | Sequence[Event], linear: bool) -> Motion:
     """The motion of one design; what :meth:`Design.simulate` does."""
     constant, varying = [], []

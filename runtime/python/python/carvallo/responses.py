@@ -8,20 +8,20 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._dicts import AskedResponse
-from .motion import as_quantity, times_of
+from ._dicts import AskedPorts, AskedResponse
+from .motion import times_of
 
 if TYPE_CHECKING:
     from ._described import Described
 
 
 class TimeResponse(Mapping[str, NDArray[np.float64]]):
-    """Outputs of a state space in time. It maps their names to arrays over :attr:`t`, in SI units."""
+    """Outputs of a state space in time. It maps their names to arrays over :attr:`t`, in :attr:`units`."""
 
     t: NDArray[np.float64]
     """The times in s."""
     units: dict[str, str]
-    """The units of the outputs, by their names: ``rad``, ``rad/s`` and so on."""
+    """The units of the outputs, by their names: ``rad``, ``rad/s`` and so on, unless others were asked for."""
     title: str
     """What it is a response to."""
     end: str | None
@@ -54,23 +54,12 @@ class TimeResponse(Mapping[str, NDArray[np.float64]]):
         return f"<{self.title}: {len(self.t)} rows to {self.t[-1]:g} s{f'; {self.end}' if self.end else ''}>"
 
 
-def step_of(design: Described, v: float, input: str, outputs: list[str] | None, duration: float | None,
-            times: ArrayLike | None, kind: str, size: float | str) -> TimeResponse:
-    """The response to a step or an impulse of an input."""
-    return TimeResponse(design, _asked(v, [input], outputs, kind, [as_quantity(size)], duration, times))
-
-
-def initial_of(design: Described, v: float, initial: Mapping[str, float | str], outputs: list[str] | None,
-               duration: float | None, times: ArrayLike | None) -> TimeResponse:
-    """The response from an initial state."""
-    given = [f"{name}={as_quantity(value)}" for name, value in initial.items()]
-    return TimeResponse(design, _asked(v, None, outputs, "initial", given, duration, times))
-
-
-def _asked(v: float, inputs: list[str] | None, outputs: list[str] | None, kind: str, given: list[str],
-           duration: float | None, times: ArrayLike | None) -> AskedResponse:
-    return {"speed": float(v), "inputs": inputs, "outputs": outputs, "kind": kind, "given": given,
-            "times": times_of(None if times is not None else duration, times)}
+def response_of(design: Described, ports: AskedPorts, kind: str, given: list[str], duration: float,
+                times: ArrayLike | None) -> TimeResponse:
+    """The response to a ``step`` or an ``impulse`` of an input, by its size, or from an ``initial`` state."""
+    asked: AskedResponse = {"ports": ports, "kind": kind, "given": given,
+                            "times": times_of(None if times is not None else duration, times)}
+    return TimeResponse(design, asked)
 
 
 __all__ = ["TimeResponse"]

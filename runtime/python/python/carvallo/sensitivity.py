@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 if TYPE_CHECKING:
-    from .design import Design
+    from ._described import Described
 
 
 class CriticalDerivatives(NamedTuple):
@@ -43,10 +43,10 @@ class Sensitivity:
     matrix_deviations: dict[str, NDArray[np.float64]] | None
     """The standard deviations of the entries of the matrices; None where parameters have none."""
 
-    def __init__(self, design: Design) -> None:
+    def __init__(self, design: Described) -> None:
         self._design, self._designs = design, design._one()
         found, steps, deviations = self._designs.sensitivity(design._about)
-        names = tuple(design)
+        names = tuple(design.model)
         self.steps = dict(zip(names, steps))
         self.critical_speeds = tuple(
             CriticalDerivatives(

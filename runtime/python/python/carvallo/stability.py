@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _carvallo
 
 if TYPE_CHECKING:
-    from .design import Design
+    from ._described import Described
 
 # What a verdict is called, by its number.
 VERDICTS: tuple[str, ...] = tuple(_carvallo.VERDICTS)
@@ -137,7 +137,7 @@ def columns_of(designs: _carvallo.Designs, speeds: ArrayLike, threads: int | Non
     return {name: Column(unit, kind, cells, present) for name, unit, kind, cells, present in columns}, errors
 
 
-def stability_of(design: Design, speeds: ArrayLike, threads: int | None) -> Stability:
+def stability_of(design: Described, speeds: ArrayLike, threads: int | None) -> Stability:
     """The stability of designs, all of which must have one."""
     columns, errors = columns_of(design._designs, speeds, threads)
     for index, error in enumerate(errors):

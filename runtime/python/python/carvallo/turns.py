@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 if TYPE_CHECKING:
-    from .design import Design
+    from ._described import Described
 
 
 class Turns(NamedTuple):
@@ -38,7 +38,7 @@ class Turns(NamedTuple):
 class SteadyTurns(Sequence[Turns]):
     """All curves of steady turns of a design."""
 
-    def __init__(self, design: Design, curves: Sequence[Turns]) -> None:
+    def __init__(self, design: Described, curves: Sequence[Turns]) -> None:
         self._designs, self._about, self._curves = design._one(), design._about, tuple(curves)
 
     @overload
@@ -59,7 +59,7 @@ class SteadyTurns(Sequence[Turns]):
         return self.svg()
 
 
-def turns_of(design: Design, steer: ArrayLike | None) -> SteadyTurns:
+def turns_of(design: Described, steer: ArrayLike | None) -> SteadyTurns:
     """The curves, or of them the turns with the given steers in rad; what :meth:`Design.turns` does."""
     steers = None if steer is None else np.atleast_1d(np.asarray(steer, dtype=np.float64)).tolist()
     curves = [

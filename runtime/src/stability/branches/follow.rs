@@ -3,6 +3,7 @@
 use nalgebra::Complex;
 
 use super::assign::{cleaned, closest, find_clear, is_clear, keep_pairs, side};
+use crate::numeric::sort_by;
 use crate::system::SystemError;
 
 /// The eigenvalues at a speed.
@@ -105,7 +106,7 @@ fn joined(meetings: Vec<Meeting>, near: &dyn Fn(f64) -> f64) -> Vec<Meeting> {
     let is_near = |before: &Meeting, next: &Meeting| next.speed - before.speed <= near(next.speed);
     let one = |meetings: &[Meeting]| {
         let mut branches: Vec<usize> = meetings.iter().flat_map(|meeting| meeting.branches.iter().copied()).collect();
-        branches.sort_unstable();
+        sort_by(&mut branches, usize::cmp);
         branches.dedup();
         Meeting { speed: 0.5 * (meetings[0].speed + meetings[meetings.len() - 1].speed), branches }
     };

@@ -17,6 +17,7 @@ use super::critical::CriticalSpeed;
 use super::mode::Mode;
 use super::modes::ModeValue;
 use crate::number::Scalar;
+use crate::numeric::sort_by;
 use crate::system::{Coefficients, SystemError, require_speed};
 
 pub use self::follow::Meeting;
@@ -139,7 +140,7 @@ impl Branches {
         for branch in meetings.iter_mut().flat_map(|meeting| &mut meeting.branches) {
             *branch = order.iter().position(|other| other == branch).unwrap_or(*branch);
         }
-        meetings.iter_mut().for_each(|meeting| meeting.branches.sort_unstable());
+        meetings.iter_mut().for_each(|meeting| sort_by(&mut meeting.branches, usize::cmp));
         *names = order.iter().map(|&branch| core::mem::take(&mut names[branch])).collect();
         self
     }
@@ -215,7 +216,7 @@ fn order(nodes: &[Node], names: &[Vec<Named>]) -> Vec<usize> {
     let name = |branch: usize| names[branch].iter().find_map(|(_, name)| *name);
     let key = |branch: usize| (name(branch).is_none(), name(branch));
     let mut order: Vec<usize> = (0..first.values.len()).collect();
-    order.sort_by(|&i, &j| {
+    sort_by(&mut order, |&i, &j| {
         let sizes = [i, j].map(|branch| first.values[branch].norm());
         // The halves of a pair stand together, that with the negative imaginary part first.
         key(i).cmp(&key(j)).then(sizes[0].total_cmp(&sizes[1])).then(first.values[i].im.total_cmp(&first.values[j].im))

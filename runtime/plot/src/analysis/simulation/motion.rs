@@ -1,5 +1,6 @@
 //! A motion as it is told, whichever equations it is of.
 
+use carvallo::sort_by;
 use carvallo_design::Design;
 use carvallo_design::feedback::forces;
 
@@ -13,7 +14,7 @@ pub fn order(quantities: &[Quantity]) -> Vec<usize> {
     let place = |quantity: &Quantity| ORDER.iter().position(|name| *name == quantity.name);
     let mut places: Vec<usize> = (0..quantities.len()).collect();
     if quantities.iter().all(|quantity| place(quantity).is_some()) {
-        places.sort_by_key(|&index| place(&quantities[index]));
+        sort_by(&mut places, |&a, &b| place(&quantities[a]).cmp(&place(&quantities[b])));
     }
     places
 }
@@ -89,11 +90,8 @@ impl Motion<'_> {
     }
 
     /// The forces that follow from the motion, in the order of the design: what they are called, and their units as models declare
-    /// them. Without the feature `control` there are none.
+    /// them.
     pub fn feedback(&self) -> Vec<(String, &'static str)> {
-        if !cfg!(feature = "control") {
-            return Vec::new();
-        }
         self.design.feedback.iter().map(|law| law.force(self.design.info())).collect()
     }
 
@@ -120,9 +118,6 @@ pub(super) fn fed_back(
     positions: &[f64],
     rates: &[f64],
 ) -> Vec<f64> {
-    if !cfg!(feature = "control") {
-        return Vec::new();
-    }
     forces(&design.feedback, speed, |coordinate| {
         let name = design.info().coordinates[coordinate].name;
         let place = quantities.iter().position(|quantity| quantity.name == name);

@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 
 use carvallo::motion::{MotionInfo, PositionKind};
 use carvallo::simulation::{Drive, End, Happening, Machine, Moment, Ride, RideRow, Simulation, State};
+use carvallo::sort_by;
 use carvallo_design::number::shortest;
 use carvallo_design::{Design, Failure};
 
@@ -222,7 +223,7 @@ fn told<'a>(
             happened.push((row.time, lifts));
         }
     }
-    happened.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sort_by(&mut happened, |a, b| a.0.total_cmp(&b.0));
     notes.extend(happened.into_iter().map(|(_, note)| note));
     let forward = |row: &RideRow| drive.map_or(0.0, |drive| drive.speed(&row.rates));
     let told = |row: RideRow| Row {

@@ -5,6 +5,8 @@ use std::ops::ControlFlow;
 
 use carvallo::simulation::{Crossing, Moment, SimulationError, Snapshot, change_of_sign};
 
+use carvallo::sort_by;
+
 use super::motion::Row;
 
 /// A function of a motion that changes its sign where something happens.
@@ -87,7 +89,7 @@ pub(super) fn happened(
                 found.push((place, at(time)?));
             }
         }
-        found.sort_by(|a, b| a.1.time.total_cmp(&b.1.time));
+        sort_by(&mut found, |a, b| a.1.time.total_cmp(&b.1.time));
         for (place, moment) in found {
             happened.push((place, moment));
             let count = happened.iter().filter(|(other, _)| *other == place).count();
