@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from . import _carvallo
 from .pictures import Picture
+from .values import items_of, pair_of
 
 if TYPE_CHECKING:
     from .design import Design
@@ -44,6 +45,9 @@ class Differences:
     """All of it, as ``carvallo compare --format json`` has it."""
 
     def __init__(self, designs: Sequence[Design], labels: Sequence[str] | None = None) -> None:
+        for design in designs:
+            if not hasattr(design, "_about"):
+                raise TypeError(f"one of the designs is {design!r}; expected a design, such as carvallo.Whipple('pista')")
         names = [design.name for design in designs] if labels is None else list(labels)
         if len(names) != len(designs):
             raise ValueError(f"there are {len(designs)} designs and {len(names)} labels")
@@ -114,7 +118,7 @@ def optimize(
     *,
     maximize: str | None = None,
     minimize: str | None = None,
-    keep: Sequence[str] = (),
+    keep: Sequence[str] | str = (),
     speeds: tuple[float, float] = (0.0, 20.0),
     starts: int = 8,
     seed: int = 1,
@@ -131,15 +135,16 @@ def optimize(
     if (maximize is None) == (minimize is None):
         raise ValueError("expected one measure, to maximize or to minimize")
     for name, whole in (("starts", starts), ("seed", seed)):
-        if whole != int(whole) or not 0 <= whole < 2**32:
-            raise ValueError(f"`{name}` is {whole}; it must be a whole number from 0 on, below 2^32")
-    written = [f"{name}={_text(low)}:{_text(high)}" for name, (low, high) in vary.items()]
+        if isinstance(whole, str) or whole != int(whole) or not 0 <= whole < 2**32:
+            raise ValueError(f"`{name}` is {whole!r}; it must be a whole number from 0 on, below 2^32")
+    pairs = [(name, pair_of(f"vary[{name!r}]", pair)) for name, pair in items_of("vary", vary)]
+    written = [f"{name}={_text(low)}:{_text(high)}" for name, (low, high) in pairs]
     search: dict[str, Any] = {
         "vary": written,
         "measure": minimize if maximize is None else maximize,
         "maximize": maximize is not None,
-        "keep": list(keep),
-        "speeds": speeds,
+        "keep": [keep] if isinstance(keep, str) else list(keep),
+        "speeds": tuple(float(end) for end in pair_of("speeds", speeds)),
         "starts": starts,
         "seed": seed,
     }

@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _carvallo
-from ._dicts import AskedNames, AskedPorts
+from ._dicts import AskedNames, AskedPorts, AskedTransfers
 from .pictures import Picture
+from .values import pair_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -110,13 +111,23 @@ def singular_values_of(design: Described, ports: AskedPorts, omega: ArrayLike | 
 
 def transfer_picture(design: Described, of: str, ports: AskedPorts, omega: tuple[float, float] | None) -> Picture:
     """What :meth:`Design.bode`, :meth:`Design.nyquist` and :meth:`Design.sigma` do."""
-    range_ = None if omega is None else (float(omega[0]), float(omega[1]))
-    return Picture(design._one().transfer_svg(design._about, {"ports": ports, "omega": range_}, of))
+    asked: AskedTransfers = {"ports": ports, "omega": None}
+    if omega is not None:
+        low, high = pair_of("omega", omega)
+        asked["omega"] = (float(low), float(high))
+    return Picture(design._one().transfer_svg(design._about, asked, of))
 
 
 def ports_of(v: float, inputs: Sequence[str] | str | None, outputs: Sequence[str] | str | None, units: str) -> AskedPorts:
     """What is asked for at a speed in m/s."""
-    return {"speed": float(v), "names": {"inputs": names_of(inputs), "outputs": names_of(outputs), "units": units}}
+    return {"speed": float(v), "names": asked_names(inputs, outputs, units)}
+
+
+def asked_names(inputs: Sequence[str] | str | None, outputs: Sequence[str] | str | None, units: str) -> AskedNames:
+    """What is asked for at any speed."""
+    if not isinstance(units, str):
+        raise TypeError(f"`units` is {units!r}; expected a text such as 'deg,km/h'")
+    return {"inputs": names_of(inputs), "outputs": names_of(outputs), "units": units}
 
 
 def names_of(names: Sequence[str] | str | None) -> list[str] | None:
@@ -124,6 +135,9 @@ def names_of(names: Sequence[str] | str | None) -> list[str] | None:
     if names is None:
         return None
     found = [name.strip() for name in names.split(",") if name.strip()] if isinstance(names, str) else list(names)
+    for name in found:
+        if not isinstance(name, str):
+            raise TypeError(f"the name of an input or output is {name!r}; expected a text such as 'Tdelta'")
     if not found:
         raise ValueError("there are no names of inputs or outputs; expected at least one name, or None for all that are usual")
     return found

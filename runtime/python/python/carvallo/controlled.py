@@ -24,6 +24,7 @@ from .motion import as_quantity
 from .pictures import Picture
 from .regulators import Regulators, lqr_of
 from .responses import TimeResponse, response_of
+from .values import items_of
 
 Names = Sequence[str] | str
 """The names of inputs or outputs: one, several in one text with commas, or a list."""
@@ -124,7 +125,7 @@ class Controlled(Described):
                          duration: float = 5.0, *, times: ArrayLike | None = None, units: str = "si") -> TimeResponse:
         """The response from a state, ``{"phi": "5 deg", "phi_rate": 0.5}``, the others zero; otherwise as :meth:`step_response`.
         :meth:`Design.simulate` has forces that change in time, and the nonlinear equations."""
-        given = [f"{name}={as_quantity(value)}" for name, value in initial.items()]
+        given = [f"{name}={as_quantity(value)}" for name, value in items_of("initial", initial)]
         return response_of(self, ports_of(v, None, outputs, units), "initial", given, duration, times)
 
     def controllability(self, v: ArrayLike | None = None, inputs: Names | None = None,

@@ -147,6 +147,9 @@ class Design(Linearized, Analyzed, Moving, Controlled, Drawn, Mapping[str, Union
         ValueError
             With everything that is wrong with the laws.
         """
+        for law in laws:
+            if not isinstance(law, str):
+                raise TypeError(f"a law is {law!r}; expected a text such as 'Tdelta = 10*phi_rate'")
         about: About = {**self._about, "feedback": list(laws)}
         return self._of(self.model, list(self._values), about, self.notes)
 

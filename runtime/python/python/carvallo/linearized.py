@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._described import Described
-from .control import InputOutput, names_of, state_space_of
+from .control import InputOutput, asked_names, state_space_of
 
 
 class StateSpace(NamedTuple):
@@ -108,7 +108,7 @@ class Linearized(Described):
             if units != "si":
                 raise ValueError("`units` are those of inputs and outputs: expected `inputs` or `outputs`")
             return StateSpace(*self._designs.state_space(v, paired, threads))
-        return state_space_of(self, v, {"inputs": names_of(inputs), "outputs": names_of(outputs), "units": units})
+        return state_space_of(self, v, asked_names(inputs, outputs, units))
 
     def eigenvalues(self, v: ArrayLike = 0.0, *, paired: bool = False, threads: int | None = None) -> NDArray[np.complex128]:
         """The eigenvalues in 1/s at forward speeds in m/s.

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._dicts import Asked, AskedEvent
+from .values import items_of
 
 if TYPE_CHECKING:
     from ._described import Described
@@ -95,7 +96,7 @@ def simulate(design: Described, v: float, duration: float | None, times: ArrayLi
              forces: Mapping[str, Force], events: Event | Sequence[Event], linear: bool) -> Motion:
     """The motion of one design; what :meth:`Design.simulate` does."""
     constant, varying = [], []
-    for name, force in forces.items():
+    for name, force in items_of("forces", forces):
         if isinstance(force, tuple):
             at, values = (np.asarray(part, dtype=np.float64) for part in force)
             if at.ndim != 1 or at.shape != values.shape:
@@ -106,7 +107,7 @@ def simulate(design: Described, v: float, duration: float | None, times: ArrayLi
     asked: Asked = {
         "speed": float(v),
         "times": times_of(duration, times),
-        "initial": [f"{name}={as_quantity(value)}" for name, value in initial.items()],
+        "initial": [f"{name}={as_quantity(value)}" for name, value in items_of("initial", initial)],
         "constant": constant,
         "varying": varying,
         "events": [_event(event) for event in (events if isinstance(events, Sequence) else [events])],

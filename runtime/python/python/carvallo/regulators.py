@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._dicts import AskedRegulators
+from .values import items_of
 
 if TYPE_CHECKING:
     from ._described import Described
@@ -70,7 +71,7 @@ class Regulators:
 def lqr_of(design: Described, v: ArrayLike, inputs: list[str] | None, weights: Mapping[str, float] | None,
            units: str) -> Regulators:
     """What :meth:`Design.lqr` does."""
-    texts = [f"{name}={_weight(name, weight)!r}" for name, weight in (weights or {}).items()]
+    texts = [f"{name}={_weight(name, weight)!r}" for name, weight in items_of("weights", weights or {})]
     speeds = [float(speed) for speed in np.atleast_1d(np.asarray(v, dtype=float)).reshape(-1)]
     if not speeds:
         raise ValueError("expected at least one speed")

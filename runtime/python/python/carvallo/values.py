@@ -2,14 +2,32 @@
 
 from __future__ import annotations
 
+from collections.abc import ItemsView, Mapping
 from numbers import Real
-from typing import Union
+from typing import Any, TypeVar, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 Value = Union[float, str, ArrayLike]
 """The value of a parameter: a number, a text with a unit, or an array with one number for each design."""
+
+
+Of = TypeVar("Of")
+
+
+def items_of(argument: str, mapping: Mapping[str, Of]) -> ItemsView[str, Of]:
+    """The names and values of an argument that maps one to the other."""
+    if not isinstance(mapping, Mapping):
+        raise TypeError(f"`{argument}` is {mapping!r}; expected a mapping from names to values")
+    return mapping.items()
+
+
+def pair_of(argument: str, pair: Any) -> tuple[Any, Any]:
+    """The two ends of an argument that is a range."""
+    if isinstance(pair, str) or not hasattr(pair, "__len__") or len(pair) != 2:
+        raise ValueError(f"`{argument}` is {pair!r}; expected a pair, from one to another")
+    return pair[0], pair[1]
 
 
 def is_array(value: object) -> bool:
