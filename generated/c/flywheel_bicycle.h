@@ -243,7 +243,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 42 additions, 48 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 97 operations.
+ * 42 additions, 49 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 98 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -360,7 +360,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 104 additions, 194 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 307 operations.
+ * 102 additions, 191 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 300 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -487,7 +487,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 42 additions, 48 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 97 operations.
+ * 42 additions, 49 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 98 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -604,7 +604,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 104 additions, 194 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 307 operations.
+ * 102 additions, 191 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 300 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

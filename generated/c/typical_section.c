@@ -225,25 +225,25 @@ carvallo_system_error_t typical_section_f64_state_space(const typical_section_f6
 void typical_section_f64_derivatives(const typical_section_f64_t *p,
     typical_section_f64_matrices_t *matrices, typical_section_f64_derivatives_t *derivatives)
 {
-    const double t3 = p->e - p->a;
-    const double M_12_m = t3 * p->b;
-    const double imbalance = p->m * M_12_m;
+    const double t4 = p->e - p->a;
+    const double M_12_b = p->m * t4;
+    const double imbalance = p->b * M_12_b;
     const double t14 = 3.141592653589793 + 3.141592653589793;
-    const double t15 = p->s * t14;
-    const double lift_b = p->rho * t15;
+    const double lift_b = p->rho * p->s * t14;
     const double lift = p->b * lift_b;
     const double t19 = p->a + 0.5;
+    const double t20 = p->b * lift;
+    const double M_12_m = p->b * t4;
+    const double t24 = lift * t19;
+    const double t25 = t24 + t24;
+    const double t26 = p->b * t14;
+    const double lift_s = p->rho * t26;
     const double arm = p->b * t19;
-    const double lift_rho = p->b * t15;
-    const double t22 = arm * lift_rho;
-    const double M_12_b = p->m * t3;
-    const double t26 = lift * t19;
-    const double t27 = t26 + t26;
-    const double lift_s = p->b * p->rho * t14;
-    const double t30 = arm * lift_s;
+    const double t29 = lift_s * arm;
     const double M_12_e = p->m * p->b;
-    const double t32 = p->b * lift;
-    const double K2_22 = -(p->rho * t22);
+    const double lift_rho = p->s * t26;
+    const double t32 = arm * lift_rho;
+    const double K2_22 = -(t19 * t20);
     matrices->m[0][0] = p->m;
     matrices->m[0][1] = imbalance;
     matrices->m[1][0] = imbalance;
@@ -260,13 +260,13 @@ void typical_section_f64_derivatives(const typical_section_f64_t *p,
     derivatives->values[1] = M_12_m;
     derivatives->values[2] = M_12_b;
     derivatives->values[3] = lift_b;
-    derivatives->values[4] = t27;
+    derivatives->values[4] = t25;
     derivatives->values[5] = lift_s;
-    derivatives->values[6] = t30;
+    derivatives->values[6] = t29;
     derivatives->values[7] = M_12_e;
-    derivatives->values[8] = t32;
+    derivatives->values[8] = t20;
     derivatives->values[9] = lift_rho;
-    derivatives->values[10] = t22;
+    derivatives->values[10] = t32;
 }
 
 void typical_section_f64_with_respect_to(const typical_section_f64_derivatives_t *derivatives,
@@ -452,25 +452,25 @@ carvallo_system_error_t typical_section_f32_state_space(const typical_section_f3
 void typical_section_f32_derivatives(const typical_section_f32_t *p,
     typical_section_f32_matrices_t *matrices, typical_section_f32_derivatives_t *derivatives)
 {
-    const float t3 = p->e - p->a;
-    const float M_12_m = t3 * p->b;
-    const float imbalance = p->m * M_12_m;
+    const float t4 = p->e - p->a;
+    const float M_12_b = p->m * t4;
+    const float imbalance = p->b * M_12_b;
     const float t14 = 3.1415927F + 3.1415927F;
-    const float t15 = p->s * t14;
-    const float lift_b = p->rho * t15;
+    const float lift_b = p->rho * p->s * t14;
     const float lift = p->b * lift_b;
     const float t19 = p->a + 0.5F;
+    const float t20 = p->b * lift;
+    const float M_12_m = p->b * t4;
+    const float t24 = lift * t19;
+    const float t25 = t24 + t24;
+    const float t26 = p->b * t14;
+    const float lift_s = p->rho * t26;
     const float arm = p->b * t19;
-    const float lift_rho = p->b * t15;
-    const float t22 = arm * lift_rho;
-    const float M_12_b = p->m * t3;
-    const float t26 = lift * t19;
-    const float t27 = t26 + t26;
-    const float lift_s = p->b * p->rho * t14;
-    const float t30 = arm * lift_s;
+    const float t29 = lift_s * arm;
     const float M_12_e = p->m * p->b;
-    const float t32 = p->b * lift;
-    const float K2_22 = -(p->rho * t22);
+    const float lift_rho = p->s * t26;
+    const float t32 = arm * lift_rho;
+    const float K2_22 = -(t19 * t20);
     matrices->m[0][0] = p->m;
     matrices->m[0][1] = imbalance;
     matrices->m[1][0] = imbalance;
@@ -487,13 +487,13 @@ void typical_section_f32_derivatives(const typical_section_f32_t *p,
     derivatives->values[1] = M_12_m;
     derivatives->values[2] = M_12_b;
     derivatives->values[3] = lift_b;
-    derivatives->values[4] = t27;
+    derivatives->values[4] = t25;
     derivatives->values[5] = lift_s;
-    derivatives->values[6] = t30;
+    derivatives->values[6] = t29;
     derivatives->values[7] = M_12_e;
-    derivatives->values[8] = t32;
+    derivatives->values[8] = t20;
     derivatives->values[9] = lift_rho;
-    derivatives->values[10] = t22;
+    derivatives->values[10] = t32;
 }
 
 void typical_section_f32_with_respect_to(const typical_section_f32_derivatives_t *derivatives,

@@ -197,19 +197,18 @@ wheeled_pendulum_validity_t wheeled_pendulum_f64_validate(const wheeled_pendulum
 
 void wheeled_pendulum_f64_matrices(const wheeled_pendulum_f64_t *p, wheeled_pendulum_f64_matrices_t *matrices)
 {
-    const double m_all = p->mW + p->mW;
-    const double t4 = 1.0 / p->r;
-    const double t6 = p->Ia + p->Ia;
-    const double t7 = t4 * t6;
-    const double t9 = m_all + (t4 * t7);
-    const double M_11 = p->m + t9;
-    const double t12 = p->r + p->l;
-    const double t15 = (p->m * t12) + (m_all * p->r);
-    const double t18 = p->m * p->l;
-    const double M_22 = (t12 * t18) + ((p->r * t15) + t6) + p->Iyy;
-    const double M_33 = (p->b * p->b * t9) + p->Ir + p->Ir + p->Izz;
-    const double M_12 = -(t7 + t15);
-    const double K0_22 = -t18;
+    const double t1 = 1.0 / p->r;
+    const double t4 = p->Ia * (t1 + t1);
+    const double t5 = t1 * t4;
+    const double t8 = p->mW + p->mW;
+    const double t9 = p->m + t8;
+    const double M_11 = t5 + t9;
+    const double t12 = p->m * p->l;
+    const double t14 = t12 + (p->r * t9);
+    const double M_22 = p->Ia + (t12 * (p->r + p->l)) + (p->Ia + p->Iyy + (p->r * t14));
+    const double M_33 = p->Izz + p->Ir + ((p->b * ((t8 + t5) * p->b)) + p->Ir);
+    const double M_12 = -(t4 + t14);
+    const double K0_22 = -t12;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[0][2] = 0.0;
@@ -376,34 +375,34 @@ void wheeled_pendulum_f64_kinematics(const wheeled_pendulum_f64_t *p, wheeled_pe
 void wheeled_pendulum_f64_derivatives(const wheeled_pendulum_f64_t *p,
     wheeled_pendulum_f64_matrices_t *matrices, wheeled_pendulum_f64_derivatives_t *derivatives)
 {
-    const double m_all = p->mW + p->mW;
-    const double t4 = 1.0 / p->r;
-    const double t6 = p->Ia + p->Ia;
-    const double t7 = t4 * t6;
-    const double t8 = t4 * t7;
-    const double t9 = m_all + t8;
+    const double t3 = 1.0 / p->r;
+    const double t4 = t3 + t3;
+    const double M_11_Ia = t3 * t4;
+    const double t6 = p->Ia * M_11_Ia;
+    const double t8 = p->mW + p->mW;
+    const double t9 = t6 + t8;
     const double M_11 = p->m + t9;
-    const double t11 = p->r + p->r;
+    const double t11 = p->Ia + p->Ia;
+    const double t12 = t3 * t11;
     const double t14 = p->r + p->l;
     const double t15 = p->m * t14;
-    const double t16 = (p->mW * t11) + t15;
-    const double M_22_mW = p->r * t11;
-    const double M_22 = t6 + p->Iyy + (t14 * t15) + (p->mW * M_22_mW);
-    const double t29 = t9 * p->b;
-    const double M_33 = p->Izz + p->Ir + p->Ir + (p->b * t29);
+    const double t16 = p->r * t8;
+    const double t17 = t15 + t16;
+    const double M_22 = t11 + p->Iyy + (p->r * t16) + (t14 * t15);
+    const double t28 = p->b * p->b;
+    const double M_33 = p->Izz + (t9 * t28) + p->Ir + p->Ir;
     const double M_22_m = t14 * t14;
     const double M_22_l = t15 + t15;
-    const double t39 = p->b * p->b;
-    const double M_33_mW = t39 + t39;
-    const double t41 = t4 + t4;
-    const double M_11_Ia = t4 * t41;
-    const double M_33_Ia = t39 * M_11_Ia;
-    const double t44 = t8 * t41;
-    const double M_12_r = t8 - p->m - m_all;
-    const double M_22_r = t16 + t16;
-    const double t48 = t39 * t44;
-    const double M_33_b = t29 + t29;
-    const double M_12 = -(t7 + t16);
+    const double t39 = p->r + p->r;
+    const double M_22_mW = p->r * t39;
+    const double M_33_mW = t28 + t28;
+    const double M_33_Ia = M_11_Ia * t28;
+    const double t43 = M_11_Ia * t12;
+    const double M_12_r = t6 - p->m - t8;
+    const double M_22_r = t17 + t17;
+    const double t47 = t12 * M_33_Ia;
+    const double M_33_b = t9 * (p->b + p->b);
+    const double M_12 = -(t12 + t17);
     const double K0_22 = -(p->m * p->l);
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
@@ -430,16 +429,16 @@ void wheeled_pendulum_f64_derivatives(const wheeled_pendulum_f64_t *p,
     derivatives->values[4] = p->m;
     derivatives->values[5] = M_22_l;
     derivatives->values[6] = 2.0;
-    derivatives->values[7] = t11;
+    derivatives->values[7] = t39;
     derivatives->values[8] = M_22_mW;
     derivatives->values[9] = M_33_mW;
     derivatives->values[10] = M_11_Ia;
-    derivatives->values[11] = t41;
+    derivatives->values[11] = t4;
     derivatives->values[12] = M_33_Ia;
-    derivatives->values[13] = t44;
+    derivatives->values[13] = t43;
     derivatives->values[14] = M_12_r;
     derivatives->values[15] = M_22_r;
-    derivatives->values[16] = t48;
+    derivatives->values[16] = t47;
     derivatives->values[17] = M_33_b;
 }
 
@@ -2008,19 +2007,18 @@ wheeled_pendulum_validity_t wheeled_pendulum_f32_validate(const wheeled_pendulum
 
 void wheeled_pendulum_f32_matrices(const wheeled_pendulum_f32_t *p, wheeled_pendulum_f32_matrices_t *matrices)
 {
-    const float m_all = p->mW + p->mW;
-    const float t4 = 1.0F / p->r;
-    const float t6 = p->Ia + p->Ia;
-    const float t7 = t4 * t6;
-    const float t9 = m_all + (t4 * t7);
-    const float M_11 = p->m + t9;
-    const float t12 = p->r + p->l;
-    const float t15 = (p->m * t12) + (m_all * p->r);
-    const float t18 = p->m * p->l;
-    const float M_22 = (t12 * t18) + ((p->r * t15) + t6) + p->Iyy;
-    const float M_33 = (p->b * p->b * t9) + p->Ir + p->Ir + p->Izz;
-    const float M_12 = -(t7 + t15);
-    const float K0_22 = -t18;
+    const float t1 = 1.0F / p->r;
+    const float t4 = p->Ia * (t1 + t1);
+    const float t5 = t1 * t4;
+    const float t8 = p->mW + p->mW;
+    const float t9 = p->m + t8;
+    const float M_11 = t5 + t9;
+    const float t12 = p->m * p->l;
+    const float t14 = t12 + (p->r * t9);
+    const float M_22 = p->Ia + (t12 * (p->r + p->l)) + (p->Ia + p->Iyy + (p->r * t14));
+    const float M_33 = p->Izz + p->Ir + ((p->b * ((t8 + t5) * p->b)) + p->Ir);
+    const float M_12 = -(t4 + t14);
+    const float K0_22 = -t12;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[0][2] = 0.0F;
@@ -2187,34 +2185,34 @@ void wheeled_pendulum_f32_kinematics(const wheeled_pendulum_f32_t *p, wheeled_pe
 void wheeled_pendulum_f32_derivatives(const wheeled_pendulum_f32_t *p,
     wheeled_pendulum_f32_matrices_t *matrices, wheeled_pendulum_f32_derivatives_t *derivatives)
 {
-    const float m_all = p->mW + p->mW;
-    const float t4 = 1.0F / p->r;
-    const float t6 = p->Ia + p->Ia;
-    const float t7 = t4 * t6;
-    const float t8 = t4 * t7;
-    const float t9 = m_all + t8;
+    const float t3 = 1.0F / p->r;
+    const float t4 = t3 + t3;
+    const float M_11_Ia = t3 * t4;
+    const float t6 = p->Ia * M_11_Ia;
+    const float t8 = p->mW + p->mW;
+    const float t9 = t6 + t8;
     const float M_11 = p->m + t9;
-    const float t11 = p->r + p->r;
+    const float t11 = p->Ia + p->Ia;
+    const float t12 = t3 * t11;
     const float t14 = p->r + p->l;
     const float t15 = p->m * t14;
-    const float t16 = (p->mW * t11) + t15;
-    const float M_22_mW = p->r * t11;
-    const float M_22 = t6 + p->Iyy + (t14 * t15) + (p->mW * M_22_mW);
-    const float t29 = t9 * p->b;
-    const float M_33 = p->Izz + p->Ir + p->Ir + (p->b * t29);
+    const float t16 = p->r * t8;
+    const float t17 = t15 + t16;
+    const float M_22 = t11 + p->Iyy + (p->r * t16) + (t14 * t15);
+    const float t28 = p->b * p->b;
+    const float M_33 = p->Izz + (t9 * t28) + p->Ir + p->Ir;
     const float M_22_m = t14 * t14;
     const float M_22_l = t15 + t15;
-    const float t39 = p->b * p->b;
-    const float M_33_mW = t39 + t39;
-    const float t41 = t4 + t4;
-    const float M_11_Ia = t4 * t41;
-    const float M_33_Ia = t39 * M_11_Ia;
-    const float t44 = t8 * t41;
-    const float M_12_r = t8 - p->m - m_all;
-    const float M_22_r = t16 + t16;
-    const float t48 = t39 * t44;
-    const float M_33_b = t29 + t29;
-    const float M_12 = -(t7 + t16);
+    const float t39 = p->r + p->r;
+    const float M_22_mW = p->r * t39;
+    const float M_33_mW = t28 + t28;
+    const float M_33_Ia = M_11_Ia * t28;
+    const float t43 = M_11_Ia * t12;
+    const float M_12_r = t6 - p->m - t8;
+    const float M_22_r = t17 + t17;
+    const float t47 = t12 * M_33_Ia;
+    const float M_33_b = t9 * (p->b + p->b);
+    const float M_12 = -(t12 + t17);
     const float K0_22 = -(p->m * p->l);
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
@@ -2241,16 +2239,16 @@ void wheeled_pendulum_f32_derivatives(const wheeled_pendulum_f32_t *p,
     derivatives->values[4] = p->m;
     derivatives->values[5] = M_22_l;
     derivatives->values[6] = 2.0F;
-    derivatives->values[7] = t11;
+    derivatives->values[7] = t39;
     derivatives->values[8] = M_22_mW;
     derivatives->values[9] = M_33_mW;
     derivatives->values[10] = M_11_Ia;
-    derivatives->values[11] = t41;
+    derivatives->values[11] = t4;
     derivatives->values[12] = M_33_Ia;
-    derivatives->values[13] = t44;
+    derivatives->values[13] = t43;
     derivatives->values[14] = M_12_r;
     derivatives->values[15] = M_22_r;
-    derivatives->values[16] = t48;
+    derivatives->values[16] = t47;
     derivatives->values[17] = M_33_b;
 }
 

@@ -99,15 +99,15 @@ const char *whipple_validity_text(whipple_validity_t validity)
 const carvallo_partial_t whipple_partials[WHIPPLE_PARTIALS] = {
     {CARVALLO_MATRIX_M, 0U, 1U, 0U, 0U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 1U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 2U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 1U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 2U, true},
     {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 3U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 4U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 4U, false},
     {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 5U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 5U, false},
     {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 6U, false},
     {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 7U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 8U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 8U, true},
     {CARVALLO_MATRIX_M, 0U, 1U, 1U, 9U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 1U, 9U, false},
     {CARVALLO_MATRIX_M, 1U, 1U, 1U, 10U, false},
@@ -120,10 +120,10 @@ const carvallo_partial_t whipple_partials[WHIPPLE_PARTIALS] = {
     {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 16U, true},
     {CARVALLO_MATRIX_M, 0U, 1U, 2U, 17U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 2U, 17U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 18U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 18U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 19U, true},
     {CARVALLO_MATRIX_C1, 1U, 0U, 2U, 20U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 21U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 21U, false},
     {CARVALLO_MATRIX_K0, 0U, 1U, 2U, 22U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 2U, 22U, false},
     {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 23U, false},
@@ -179,7 +179,7 @@ const carvallo_partial_t whipple_partials[WHIPPLE_PARTIALS] = {
     {CARVALLO_MATRIX_C1, 0U, 1U, 14U, 63U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 15U, 64U, true},
     {CARVALLO_MATRIX_M, 1U, 0U, 15U, 64U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 65U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 65U, true},
     {CARVALLO_MATRIX_C1, 0U, 1U, 15U, 66U, true},
     {CARVALLO_MATRIX_C1, 1U, 1U, 15U, 67U, false},
     {CARVALLO_MATRIX_K0, 0U, 1U, 15U, 68U, true},
@@ -189,7 +189,7 @@ const carvallo_partial_t whipple_partials[WHIPPLE_PARTIALS] = {
     {CARVALLO_MATRIX_M, 0U, 0U, 16U, 71U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 16U, 72U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 16U, 72U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 73U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 73U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 74U, true},
     {CARVALLO_MATRIX_C1, 1U, 1U, 16U, 75U, true},
     {CARVALLO_MATRIX_K0, 0U, 0U, 16U, 76U, false},
@@ -199,17 +199,17 @@ const carvallo_partial_t whipple_partials[WHIPPLE_PARTIALS] = {
     {CARVALLO_MATRIX_K2, 0U, 1U, 16U, 79U, true},
     {CARVALLO_MATRIX_K2, 1U, 1U, 16U, 80U, true},
     {CARVALLO_MATRIX_M, 0U, 0U, 17U, 81U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 82U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 82U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 82U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 82U, false},
     {CARVALLO_MATRIX_M, 1U, 1U, 17U, 83U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 84U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 85U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 85U, true},
     {CARVALLO_MATRIX_K0, 0U, 0U, 17U, 86U, false},
     {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 87U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 87U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 88U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 88U, false},
     {CARVALLO_MATRIX_K2, 0U, 1U, 17U, 89U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 90U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 90U, true},
     {CARVALLO_MATRIX_M, 0U, 0U, 18U, 35U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 18U, 91U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 18U, 91U, false},
@@ -224,7 +224,7 @@ const carvallo_partial_t whipple_partials[WHIPPLE_PARTIALS] = {
     {CARVALLO_MATRIX_M, 0U, 0U, 22U, 98U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 22U, 99U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 22U, 99U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 22U, 100U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 22U, 100U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 22U, 101U, false},
     {CARVALLO_MATRIX_C1, 1U, 0U, 22U, 102U, false},
     {CARVALLO_MATRIX_C1, 1U, 1U, 22U, 103U, false},
@@ -235,17 +235,17 @@ const carvallo_partial_t whipple_partials[WHIPPLE_PARTIALS] = {
     {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 107U, false},
     {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 108U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 23U, 109U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 110U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 110U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 110U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 110U, false},
     {CARVALLO_MATRIX_M, 1U, 1U, 23U, 111U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 23U, 112U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 113U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 113U, false},
     {CARVALLO_MATRIX_K0, 0U, 0U, 23U, 114U, true},
     {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 115U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 115U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 116U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 116U, true},
     {CARVALLO_MATRIX_K2, 0U, 1U, 23U, 117U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 118U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 118U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 24U, 35U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 24U, 91U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 24U, 91U, false},
@@ -530,207 +530,215 @@ carvallo_system_error_t whipple_f64_state_space(const whipple_f64_system_t *syst
 void whipple_f64_derivatives(const whipple_f64_t *p, whipple_f64_matrices_t *matrices,
     whipple_f64_derivatives_t *derivatives)
 {
-    const double t2 = p->rR * p->mR;
-    const double M_11_mF = p->rF * p->rF;
-    const double M_11_mH = p->zH * p->zH;
-    const double t18 = (p->mF * M_11_mF) + (p->mH * M_11_mH) + p->IHxx + p->IFxx;
     const double M_11_mB = p->zB * p->zB;
-    const double M_11 = (p->rR * t2) + p->IRxx + p->IBxx + t18 + (p->mB * M_11_mB);
+    const double t8 = p->rF * p->mF;
+    const double t12 = p->zH * p->mH;
+    const double t18 = (p->rF * t8) + (p->zH * t12) + p->IHxx + p->IFxx;
+    const double t21 = p->rR * p->mR;
+    const double M_11 = p->IRxx + p->IBxx + (p->mB * M_11_mB) + t18 + (p->rR * t21);
     double sin_lam = 0.0;
     double cos_lam = 0.0;
     carvallo_sin_cos_f64(p->lam, &sin_lam, &cos_lam);
-    const double t30 = p->mF * p->rF;
-    const double t32 = t30 * p->c;
-    const double t33 = p->mH * p->zH;
-    const double t36 = p->w - p->xH;
-    const double t37 = p->c + t36;
-    const double t40 = p->IHxz + (t33 * t37) - t32;
-    const double t44 = (cos_lam * t40) + (t18 * sin_lam);
-    const double t49 = p->IHxz + (t30 * p->w) - (t33 * p->xH);
-    const double t50 = p->mB * p->zB;
-    const double t54 = p->IBxz + t49 - (t50 * p->xB);
-    const double t55 = 1.0 / p->w;
-    const double C1_12_IBxz = cos_lam * t55;
+    const double t32 = p->c + p->w;
+    const double t33 = p->xH - t32;
+    const double t34 = p->mH * t33;
+    const double t39 = p->IHxz - (p->zH * t34) - (t8 * p->c);
+    const double t43 = (cos_lam * t39) + (t18 * sin_lam);
+    const double t44 = p->mH * p->xH;
+    const double t46 = p->mF * p->w;
+    const double t49 = p->IHxz + (p->rF * t46) - (p->zH * t44);
+    const double t52 = p->mB * p->xB;
+    const double t55 = t49 + p->IBxz - (p->zB * t52);
+    const double t56 = 1.0 / p->w;
+    const double C1_12_IBxz = cos_lam * t56;
     const double mu = p->c * C1_12_IBxz;
-    const double M_12 = t44 + (t54 * mu);
-    const double t61 = p->mH * t37;
-    const double t62 = p->mF * p->c;
-    const double t63 = t61 + t62;
-    const double t66 = p->IFxx + p->IHzz;
-    const double t75 = t66 - (p->w * t62) - (p->xH * t61);
-    const double t77 = (sin_lam * t49) + (cos_lam * t75);
-    const double t79 = p->mB * p->xB;
-    const double t81 = p->mH * p->xH;
-    const double t83 = p->mF * p->w;
-    const double t89 = p->IRxx + t66 + p->IBzz + (p->xB * t79) + (p->xH * t81) + (p->w * t83);
-    const double t90 = mu * t89;
-    const double t91 = t77 + t90;
-    const double t92 = p->c * t55;
-    const double t96 = (cos_lam * ((p->c * t63) + t66 + (t36 * t61))) + (t91 * t92) + (t40 *
-        sin_lam);
-    const double M_22 = (sin_lam * t44) + (cos_lam * (t96 + (t77 * t92)));
-    const double t103 = 1.0 / p->rF;
-    const double SF = p->IFyy * t103;
-    const double t106 = 1.0 / p->rR;
-    const double t107 = p->IRyy * t106;
-    const double ST = SF + t107;
-    const double t109 = t33 - t30;
-    const double t110 = t50 + t109;
-    const double t112 = ST + (t2 - t110);
-    const double t116 = t54 + (p->c * t112) + (p->w * SF);
-    const double t117 = t55 * t116;
-    const double C1_12 = cos_lam * t117;
-    const double t119 = t92 * ST;
-    const double t120 = SF + t119;
-    const double t123 = t81 + t83;
-    const double t124 = t79 + t123;
-    const double t126 = (t92 * t124) - t63;
-    const double K0_12 = (sin_lam * t109) - (cos_lam * t126);
-    const double t130 = (p->c * K0_12) - t91;
+    const double M_12 = t43 + (t55 * mu);
+    const double t62 = sin_lam * t56;
+    const double t65 = p->IFxx + p->IHzz;
+    const double t69 = t65 + (p->xH * t34) - (p->c * t46);
+    const double t71 = (t49 * t62) + (C1_12_IBxz * t69);
+    const double t73 = t39 * sin_lam;
+    const double t86 = C1_12_IBxz * (p->IRxx + t65 + (p->xH * t44) + (p->xB * t52) + (p->w * t46) +
+        p->IBzz);
+    const double t87 = p->c * t56;
+    const double t88 = t86 * t87;
+    const double t89 = t71 + t88;
+    const double t90 = p->mF * p->c;
+    const double t91 = cos_lam * t90;
+    const double t95 = t73 + (cos_lam * (t65 + (t33 * t34))) + (p->c * (t89 + t91));
+    const double M_22 = (sin_lam * t43) + (cos_lam * ((p->c * t71) + t95));
+    const double t101 = 1.0 / p->rF;
+    const double SF = p->IFyy * t101;
+    const double t104 = 1.0 / p->rR;
+    const double t105 = p->IRyy * t104;
+    const double ST = SF + t105;
+    const double t107 = p->mB * p->zB;
+    const double t108 = t8 - t107;
+    const double t109 = t12 - t21;
+    const double t111 = ST + (t108 - t109);
+    const double t115 = t55 + (p->c * t111) + (p->w * SF);
+    const double C1_12 = C1_12_IBxz * t115;
+    const double t117 = t87 * ST;
+    const double t118 = SF + t117;
+    const double t120 = t44 + t46;
+    const double ITzz_mB = t56 * (t52 + t120);
+    const double t123 = p->mF - ITzz_mB;
+    const double t125 = (p->c * t123) - t34;
+    const double t127 = p->mF * sin_lam;
+    const double t128 = p->rF * t127;
+    const double K0_12 = (cos_lam * t125) + (t12 * sin_lam) - t128;
+    const double t133 = t89 - (t87 * K0_12);
+    const double C1_22 = cos_lam * t133;
     const double K0_22 = sin_lam * K0_12;
-    const double K2_12 = C1_12_IBxz * t112;
-    const double ITzz_w = K0_12 - (sin_lam * SF);
-    const double t136 = C1_12_IBxz * ITzz_w;
-    const double t137 = p->mH * cos_lam;
-    const double t139 = t54 * t92;
-    const double M_12_w = (p->zH * t137) + (C1_12_IBxz * (t32 - t139));
-    const double t145 = cos_lam * ((p->xH * t92) - t37);
-    const double t146 = p->zH * sin_lam;
-    const double t147 = t145 - t146;
-    const double t148 = t147 + t147;
-    const double t149 = t137 * t148;
-    const double t150 = p->w * C1_12_IBxz;
-    const double K0_12_mF = (p->c * (cos_lam - t150)) - (p->rF * sin_lam);
-    const double t155 = p->mF * K0_12_mF;
-    const double t158 = (cos_lam * t155) + (C1_12_IBxz * t91);
-    const double t159 = t158 + t158;
-    const double t161 = t149 + (t92 * t159);
-    const double C1_12_w = C1_12_IBxz * (t30 + SF - t117);
-    const double C1_21_w = C1_12_IBxz * t119;
-    const double t166 = p->xH * C1_12_IBxz;
-    const double t167 = t137 * t166;
-    const double t170 = cos_lam * (p->mF - (t55 * t124));
-    const double K0_12_w = t137 - (t92 * t170);
-    const double t176 = t90 - t130;
-    const double t181 = t167 + (C1_12_IBxz * (t155 + (t55 * t176) - (p->c * ((C1_12_IBxz * t83) -
-        K0_12_w))));
+    const double K2_12 = C1_12_IBxz * t111;
+    const double t138 = (sin_lam * SF) - K0_12;
+    const double K2_22 = C1_12_IBxz * t138;
+    const double t140 = t12 * cos_lam;
+    const double t141 = t55 * t56;
+    const double M_12_w = t140 + (mu * (t8 - t141));
+    const double t145 = p->mH * cos_lam;
+    const double M_12_IHxz = cos_lam + mu;
+    const double t149 = (cos_lam * t32) - (p->xH * M_12_IHxz);
+    const double t150 = p->zH * sin_lam;
+    const double K0_12_mH = t149 + t150;
+    const double t152 = t150 + K0_12_mH;
+    const double t153 = t149 + t152;
+    const double t154 = t145 * t153;
+    const double t155 = p->w * C1_12_IBxz;
+    const double t156 = t90 * t155;
+    const double t158 = t128 + t156 - t91;
+    const double t159 = t89 - t158;
+    const double t160 = mu + mu;
+    const double M_22_w = t154 - (t159 * t160);
+    const double t163 = cos_lam * SF;
+    const double t164 = t8 * cos_lam;
+    const double t167 = t56 * (C1_12 - t163 - t164);
+    const double C1_21_w = C1_12_IBxz * t117;
+    const double t169 = cos_lam * C1_12_IBxz;
+    const double t170 = t44 * t169;
+    const double t171 = t88 + t133;
+    const double K0_12_w = t145 - (mu * t123);
+    const double C1_22_w = (C1_12_IBxz * (t156 + t158 - t171 - (p->c * K0_12_w))) - t170;
     const double K0_22_w = sin_lam * K0_12_w;
-    const double t183 = t55 * K2_12;
-    const double K2_22_w = (t55 * t136) - (C1_12_IBxz * K0_12_w);
-    const double t188 = cos_lam * t109;
-    const double M_12_c = (t54 * C1_12_IBxz) + t188;
-    const double M_22_c = t159 - t149;
+    const double t181 = t56 * K2_12;
+    const double t182 = t56 * t138;
+    const double t184 = C1_12_IBxz * (K0_12_w + t182);
+    const double t186 = t140 - t164;
+    const double M_12_c = (cos_lam * t141) + t186;
+    const double t188 = cos_lam * t159;
+    const double M_22_c = t154 + t188 + t188;
     const double t191 = C1_12_IBxz * ST;
-    const double K0_12_c = t137 + t170;
-    const double t199 = C1_12_IBxz * (K0_12 + (cos_lam * t123) + (p->c * K0_12_c) - (C1_12_IBxz *
-        t89));
+    const double K0_12_c = t145 + (cos_lam * t123);
+    const double t199 = C1_12_IBxz * (K0_12 + (cos_lam * t120) + (p->c * K0_12_c) - t86);
     const double K0_22_c = sin_lam * K0_12_c;
     const double t201 = C1_12_IBxz * K0_12_c;
-    const double M_12_lam = (t18 * cos_lam) - (sin_lam * (t40 + t139));
-    const double t207 = sin_lam * t55;
-    const double K2_22_SF = cos_lam * t207;
-    const double t212 = (t75 * K2_22_SF) - (cos_lam * t49 * C1_12_IBxz);
-    const double t216 = (p->c * t212) + (sin_lam * t96) - (cos_lam * t44);
-    const double t217 = t216 + t216;
-    const double t218 = t116 * t207;
-    const double C1_21_lam = sin_lam * t120;
-    const double K0_12_lam = t188 + (sin_lam * t126);
-    const double t225 = t212 + (mu * K0_12_lam) + (t176 * t207);
+    const double M_12_lam = (t18 * cos_lam) - t73 - (p->c * t55 * t62);
+    const double K2_22_SF = sin_lam * C1_12_IBxz;
+    const double ITzz_xB = t69 * K2_22_SF;
+    const double t211 = ITzz_xB - (t49 * t169);
+    const double t215 = (cos_lam * t43) - (p->c * t211) - (sin_lam * t95);
+    const double M_22_lam = t215 + t215;
+    const double t217 = t62 * t115;
+    const double C1_21_lam = sin_lam * t118;
+    const double K0_12_lam = t186 - (sin_lam * t125);
     const double K0_22_lam = (sin_lam * K0_12_lam) + (cos_lam * K0_12);
-    const double t229 = t112 * t207;
-    const double K2_22_lam = (ITzz_w * t207) + (C1_12_IBxz * ((cos_lam * SF) - K0_12_lam));
-    const double M_11_rR = t2 + t2;
-    const double t236 = t106 * t107;
-    const double K2_12_rR = C1_12_IBxz * (p->mR - t236);
-    const double C1_12_rR = p->c * K2_12_rR;
-    const double C1_21_rR = mu * t236;
+    const double t228 = t62 * t111;
+    const double K2_22_lam = (C1_12_IBxz * (t163 - K0_12_lam)) - (sin_lam * t182);
+    const double M_11_rR = t21 + t21;
+    const double t234 = t104 * t105;
+    const double t235 = p->mR - t234;
+    const double C1_12_rR = mu * t235;
+    const double C1_21_rR = mu * t234;
+    const double K2_12_rR = C1_12_IBxz * t235;
     const double M_11_mR = p->rR * p->rR;
     const double C1_12_mR = p->rR * mu;
     const double K2_12_mR = p->rR * C1_12_IBxz;
     const double M_22_ITzz = mu * mu;
     const double C1_22_ITzz = C1_12_IBxz * mu;
-    const double K2_12_IRyy = C1_12_IBxz * t106;
+    const double K2_12_IRyy = C1_12_IBxz * t104;
     const double C1_12_IRyy = p->c * K2_12_IRyy;
-    const double t249 = t50 * C1_12_IBxz;
-    const double t250 = p->c * t249;
+    const double t247 = mu * t107;
+    const double t248 = p->xB * mu;
+    const double t249 = p->mB * t248;
+    const double M_22_xB = t160 * t249;
     const double t251 = p->mB * C1_12_IBxz;
-    const double t252 = p->c * t251;
-    const double t253 = p->xB * t252;
-    const double t254 = mu * t253;
-    const double M_22_xB = t254 + t254;
-    const double t256 = p->c + p->xB;
-    const double t258 = p->xB * mu;
-    const double K2_22_mB = C1_12_IBxz * t258;
-    const double C1_22_xB = p->mB * ((C1_22_ITzz * t256) + K2_22_mB);
-    const double t262 = sin_lam * t252;
+    const double t252 = p->zB * t251;
+    const double t253 = p->c * t251;
+    const double t254 = p->xB * C1_12_IBxz;
+    const double t255 = mu + t254;
+    const double C1_22_xB = t253 * (t254 + t255);
+    const double t258 = sin_lam * t253;
     const double K2_22_xB = p->mB * C1_22_ITzz;
-    const double M_11_zB = t50 + t50;
-    const double t265 = t251 * t256;
-    const double t266 = p->zB * t258;
-    const double M_22_mB = t258 * t258;
-    const double t268 = p->zB * C1_12_IBxz;
-    const double t269 = t256 * t268;
-    const double C1_22_mB = t256 * K2_22_mB;
-    const double t271 = sin_lam * t258;
-    const double M_12_IHxz = cos_lam + mu;
-    const double t273 = t33 * M_12_IHxz;
-    const double t274 = p->mH * M_12_IHxz;
-    const double M_22_xH = t148 * t274;
-    const double t276 = p->mH * C1_12_IBxz;
-    const double t277 = p->zH * t276;
-    const double K2_22_mH = C1_12_IBxz * t147;
-    const double C1_22_xH = t167 + (p->mH * ((mu * (t166 + M_12_IHxz)) + K2_22_mH));
-    const double t284 = sin_lam * t274;
-    const double K2_22_xH = C1_12_IBxz * t274;
-    const double M_11_zH = t33 + t33;
-    const double M_12_zH = p->mH * (t146 - t147);
+    const double M_11_zB = t107 + t107;
+    const double t261 = p->mB * t255;
+    const double t262 = p->zB * t248;
+    const double M_22_mB = t248 * t248;
+    const double t264 = p->zB * t255;
+    const double C1_22_mB = t248 * t255;
+    const double t266 = sin_lam * t248;
+    const double t267 = p->zB * C1_12_IBxz;
+    const double K2_22_mB = mu * t254;
+    const double t269 = p->mH * M_12_IHxz;
+    const double t270 = p->zH * t269;
+    const double t271 = t153 * t269;
+    const double t272 = t12 * C1_12_IBxz;
+    const double t274 = C1_12_IBxz * (p->xH + p->c);
+    const double t277 = C1_12_IBxz * K0_12_mH;
+    const double C1_22_xH = t170 + (p->mH * ((mu * (cos_lam + t274)) - t277));
     const double K0_12_zH = p->mH * sin_lam;
-    const double t290 = t148 * K0_12_zH;
-    const double t291 = p->c + p->xH;
-    const double t292 = t276 * t291;
-    const double t293 = sin_lam * t292;
+    const double t282 = M_12_IHxz * K0_12_zH;
+    const double C1_22_IHzz = t169 + C1_22_ITzz;
+    const double K2_22_xH = p->mH * C1_22_IHzz;
+    const double M_11_zH = t12 + t12;
+    const double M_12_zH = p->mH * t152;
+    const double M_22_zH = t153 * K0_12_zH;
+    const double t288 = p->mH * t274;
+    const double t289 = sin_lam * t288;
     const double K0_22_zH = sin_lam * K0_12_zH;
-    const double t295 = C1_12_IBxz * K0_12_zH;
-    const double t296 = p->zH * t147;
-    const double M_22_mH = t147 * t147;
-    const double t298 = p->zH * C1_12_IBxz;
-    const double t299 = t291 * t298;
-    const double C1_22_mH = K2_22_mH * t291;
-    const double t301 = sin_lam * t147;
+    const double t291 = p->mH * C1_12_IBxz;
+    const double t292 = sin_lam * t291;
+    const double M_11_mH = p->zH * p->zH;
+    const double M_12_mH = p->zH * K0_12_mH;
+    const double M_22_mH = K0_12_mH * K0_12_mH;
+    const double t296 = p->zH * t274;
+    const double t297 = K0_12_mH * t274;
+    const double K0_22_mH = sin_lam * K0_12_mH;
+    const double t299 = p->zH * C1_12_IBxz;
     const double M_22_IHxx = sin_lam * sin_lam;
     const double M_22_IHzz = M_12_IHxz * M_12_IHxz;
-    const double C1_22_IHzz = C1_12_IBxz * M_12_IHxz;
-    const double t305 = sin_lam + sin_lam;
-    const double M_22_IHxz = M_12_IHxz * t305;
-    const double M_11_rF = t30 + t30;
-    const double M_12_rF = (t30 * sin_lam) - t155;
-    const double t310 = t155 * t305;
-    const double C1_12_SF = mu + t150;
-    const double t313 = p->mF - (t103 * SF);
-    const double C1_12_rF = C1_12_SF * t313;
-    const double t315 = t103 * M_12_IHxz;
-    const double C1_21_rF = SF * t315;
-    const double C1_22_rF = K2_22_SF * (t62 + t83);
-    const double t319 = p->mF * sin_lam;
-    const double t320 = sin_lam * t319;
-    const double K2_12_rF = C1_12_IBxz * t313;
-    const double K2_22_rF = K2_22_SF * t313;
-    const double t323 = p->rF * K0_12_mF;
-    const double M_22_mF = K0_12_mF * K0_12_mF;
+    const double t302 = sin_lam + sin_lam;
+    const double M_22_IHxz = M_12_IHxz * t302;
+    const double M_11_rF = t8 + t8;
+    const double M_12_rF = t128 + t158;
+    const double M_22_rF = t158 * t302;
+    const double C1_12_SF = t32 * C1_12_IBxz;
+    const double t309 = p->mF - (t101 * SF);
+    const double C1_12_rF = C1_12_SF * t309;
+    const double t311 = t101 * M_12_IHxz;
+    const double C1_21_rF = SF * t311;
+    const double C1_22_rF = t127 * C1_12_SF;
+    const double t314 = sin_lam * t127;
+    const double K2_12_rF = C1_12_IBxz * t309;
+    const double K2_22_rF = K2_22_SF * t309;
+    const double M_11_mF = p->rF * p->rF;
+    const double t318 = p->rF * sin_lam;
+    const double t320 = p->c * (cos_lam - t155);
+    const double t321 = t318 - t320;
+    const double M_12_mF = p->rF * t321;
+    const double M_22_mF = t321 * t321;
     const double C1_12_mF = p->rF * C1_12_SF;
-    const double t326 = K0_12_mF * C1_12_SF;
-    const double K0_22_mF = sin_lam * K0_12_mF;
+    const double K2_22_mF = C1_12_IBxz * t321;
+    const double C1_22_mF = t32 * K2_22_mF;
+    const double t327 = sin_lam * t321;
     const double K2_12_mF = p->rF * C1_12_IBxz;
-    const double t329 = C1_12_IBxz * K0_12_mF;
     const double M_22_IFxx = M_22_IHxx + M_22_IHzz;
-    const double C1_12_IFyy = t103 * C1_12_SF;
-    const double K2_12_IFyy = C1_12_IBxz * t103;
-    const double K2_22_IFyy = t103 * K2_22_SF;
-    const double C1_21 = -(cos_lam * t120);
-    const double C1_22 = -(C1_12_IBxz * t130);
-    const double K0_11 = t110 - t2;
-    const double K2_22 = -t136;
-    const double K0_12_mH = t146 - t145;
+    const double C1_12_IFyy = t101 * C1_12_SF;
+    const double K2_12_IFyy = C1_12_IBxz * t101;
+    const double K2_22_IFyy = sin_lam * K2_12_IFyy;
+    const double C1_21 = -(cos_lam * t118);
+    const double K0_11 = t109 - t108;
+    const double C1_22_lam = -(t211 + (sin_lam * t171) + (mu * K0_12_lam));
+    const double K0_12_mF = t320 - t318;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -748,14 +756,14 @@ void whipple_f64_derivatives(const whipple_f64_t *p, whipple_f64_matrices_t *mat
     matrices->k2[1][0] = 0.0;
     matrices->k2[1][1] = K2_22;
     derivatives->values[0] = M_12_w;
-    derivatives->values[1] = t161;
-    derivatives->values[2] = C1_12_w;
+    derivatives->values[1] = M_22_w;
+    derivatives->values[2] = t167;
     derivatives->values[3] = C1_21_w;
-    derivatives->values[4] = t181;
+    derivatives->values[4] = C1_22_w;
     derivatives->values[5] = K0_12_w;
     derivatives->values[6] = K0_22_w;
-    derivatives->values[7] = t183;
-    derivatives->values[8] = K2_22_w;
+    derivatives->values[7] = t181;
+    derivatives->values[8] = t184;
     derivatives->values[9] = M_12_c;
     derivatives->values[10] = M_22_c;
     derivatives->values[11] = K2_12;
@@ -765,13 +773,13 @@ void whipple_f64_derivatives(const whipple_f64_t *p, whipple_f64_matrices_t *mat
     derivatives->values[15] = K0_22_c;
     derivatives->values[16] = t201;
     derivatives->values[17] = M_12_lam;
-    derivatives->values[18] = t217;
-    derivatives->values[19] = t218;
+    derivatives->values[18] = M_22_lam;
+    derivatives->values[19] = t217;
     derivatives->values[20] = C1_21_lam;
-    derivatives->values[21] = t225;
+    derivatives->values[21] = C1_22_lam;
     derivatives->values[22] = K0_12_lam;
     derivatives->values[23] = K0_22_lam;
-    derivatives->values[24] = t229;
+    derivatives->values[24] = t228;
     derivatives->values[25] = K2_22_lam;
     derivatives->values[26] = M_11_rR;
     derivatives->values[27] = C1_12_rR;
@@ -787,57 +795,57 @@ void whipple_f64_derivatives(const whipple_f64_t *p, whipple_f64_matrices_t *mat
     derivatives->values[37] = C1_22_ITzz;
     derivatives->values[38] = C1_12_IRyy;
     derivatives->values[39] = K2_12_IRyy;
-    derivatives->values[40] = t250;
+    derivatives->values[40] = t247;
     derivatives->values[41] = M_22_xB;
-    derivatives->values[42] = t249;
+    derivatives->values[42] = t252;
     derivatives->values[43] = C1_22_xB;
-    derivatives->values[44] = t252;
-    derivatives->values[45] = t262;
+    derivatives->values[44] = t253;
+    derivatives->values[45] = t258;
     derivatives->values[46] = K2_22_xB;
     derivatives->values[47] = M_11_zB;
-    derivatives->values[48] = t253;
-    derivatives->values[49] = t265;
+    derivatives->values[48] = t249;
+    derivatives->values[49] = t261;
     derivatives->values[50] = p->mB;
     derivatives->values[51] = t251;
     derivatives->values[52] = M_11_mB;
-    derivatives->values[53] = t266;
+    derivatives->values[53] = t262;
     derivatives->values[54] = M_22_mB;
-    derivatives->values[55] = t269;
+    derivatives->values[55] = t264;
     derivatives->values[56] = C1_22_mB;
     derivatives->values[57] = p->zB;
-    derivatives->values[58] = t258;
-    derivatives->values[59] = t271;
-    derivatives->values[60] = t268;
+    derivatives->values[58] = t248;
+    derivatives->values[59] = t266;
+    derivatives->values[60] = t267;
     derivatives->values[61] = K2_22_mB;
     derivatives->values[62] = mu;
     derivatives->values[63] = C1_12_IBxz;
-    derivatives->values[64] = t273;
-    derivatives->values[65] = M_22_xH;
-    derivatives->values[66] = t277;
+    derivatives->values[64] = t270;
+    derivatives->values[65] = t271;
+    derivatives->values[66] = t272;
     derivatives->values[67] = C1_22_xH;
-    derivatives->values[68] = t274;
-    derivatives->values[69] = t284;
+    derivatives->values[68] = t269;
+    derivatives->values[69] = t282;
     derivatives->values[70] = K2_22_xH;
     derivatives->values[71] = M_11_zH;
     derivatives->values[72] = M_12_zH;
-    derivatives->values[73] = t290;
-    derivatives->values[74] = t292;
-    derivatives->values[75] = t293;
+    derivatives->values[73] = M_22_zH;
+    derivatives->values[74] = t288;
+    derivatives->values[75] = t289;
     derivatives->values[76] = p->mH;
     derivatives->values[77] = K0_12_zH;
     derivatives->values[78] = K0_22_zH;
-    derivatives->values[79] = t276;
-    derivatives->values[80] = t295;
+    derivatives->values[79] = t291;
+    derivatives->values[80] = t292;
     derivatives->values[81] = M_11_mH;
-    derivatives->values[82] = t296;
+    derivatives->values[82] = M_12_mH;
     derivatives->values[83] = M_22_mH;
-    derivatives->values[84] = t299;
-    derivatives->values[85] = C1_22_mH;
+    derivatives->values[84] = t296;
+    derivatives->values[85] = t297;
     derivatives->values[86] = p->zH;
     derivatives->values[87] = K0_12_mH;
-    derivatives->values[88] = t301;
-    derivatives->values[89] = t298;
-    derivatives->values[90] = K2_22_mH;
+    derivatives->values[88] = K0_22_mH;
+    derivatives->values[89] = t299;
+    derivatives->values[90] = t277;
     derivatives->values[91] = sin_lam;
     derivatives->values[92] = M_22_IHxx;
     derivatives->values[93] = M_22_IHzz;
@@ -847,28 +855,28 @@ void whipple_f64_derivatives(const whipple_f64_t *p, whipple_f64_matrices_t *mat
     derivatives->values[97] = K2_22_SF;
     derivatives->values[98] = M_11_rF;
     derivatives->values[99] = M_12_rF;
-    derivatives->values[100] = t310;
+    derivatives->values[100] = M_22_rF;
     derivatives->values[101] = C1_12_rF;
     derivatives->values[102] = C1_21_rF;
     derivatives->values[103] = C1_22_rF;
     derivatives->values[104] = p->mF;
-    derivatives->values[105] = t319;
-    derivatives->values[106] = t320;
+    derivatives->values[105] = t127;
+    derivatives->values[106] = t314;
     derivatives->values[107] = K2_12_rF;
     derivatives->values[108] = K2_22_rF;
     derivatives->values[109] = M_11_mF;
-    derivatives->values[110] = t323;
+    derivatives->values[110] = M_12_mF;
     derivatives->values[111] = M_22_mF;
     derivatives->values[112] = C1_12_mF;
-    derivatives->values[113] = t326;
+    derivatives->values[113] = C1_22_mF;
     derivatives->values[114] = p->rF;
     derivatives->values[115] = K0_12_mF;
-    derivatives->values[116] = K0_22_mF;
+    derivatives->values[116] = t327;
     derivatives->values[117] = K2_12_mF;
-    derivatives->values[118] = t329;
+    derivatives->values[118] = K2_22_mF;
     derivatives->values[119] = M_22_IFxx;
     derivatives->values[120] = C1_12_IFyy;
-    derivatives->values[121] = t315;
+    derivatives->values[121] = t311;
     derivatives->values[122] = K2_12_IFyy;
     derivatives->values[123] = K2_22_IFyy;
 }
@@ -1183,207 +1191,215 @@ carvallo_system_error_t whipple_f32_state_space(const whipple_f32_system_t *syst
 void whipple_f32_derivatives(const whipple_f32_t *p, whipple_f32_matrices_t *matrices,
     whipple_f32_derivatives_t *derivatives)
 {
-    const float t2 = p->rR * p->mR;
-    const float M_11_mF = p->rF * p->rF;
-    const float M_11_mH = p->zH * p->zH;
-    const float t18 = (p->mF * M_11_mF) + (p->mH * M_11_mH) + p->IHxx + p->IFxx;
     const float M_11_mB = p->zB * p->zB;
-    const float M_11 = (p->rR * t2) + p->IRxx + p->IBxx + t18 + (p->mB * M_11_mB);
+    const float t8 = p->rF * p->mF;
+    const float t12 = p->zH * p->mH;
+    const float t18 = (p->rF * t8) + (p->zH * t12) + p->IHxx + p->IFxx;
+    const float t21 = p->rR * p->mR;
+    const float M_11 = p->IRxx + p->IBxx + (p->mB * M_11_mB) + t18 + (p->rR * t21);
     float sin_lam = 0.0F;
     float cos_lam = 0.0F;
     carvallo_sin_cos_f32(p->lam, &sin_lam, &cos_lam);
-    const float t30 = p->mF * p->rF;
-    const float t32 = t30 * p->c;
-    const float t33 = p->mH * p->zH;
-    const float t36 = p->w - p->xH;
-    const float t37 = p->c + t36;
-    const float t40 = p->IHxz + (t33 * t37) - t32;
-    const float t44 = (cos_lam * t40) + (t18 * sin_lam);
-    const float t49 = p->IHxz + (t30 * p->w) - (t33 * p->xH);
-    const float t50 = p->mB * p->zB;
-    const float t54 = p->IBxz + t49 - (t50 * p->xB);
-    const float t55 = 1.0F / p->w;
-    const float C1_12_IBxz = cos_lam * t55;
+    const float t32 = p->c + p->w;
+    const float t33 = p->xH - t32;
+    const float t34 = p->mH * t33;
+    const float t39 = p->IHxz - (p->zH * t34) - (t8 * p->c);
+    const float t43 = (cos_lam * t39) + (t18 * sin_lam);
+    const float t44 = p->mH * p->xH;
+    const float t46 = p->mF * p->w;
+    const float t49 = p->IHxz + (p->rF * t46) - (p->zH * t44);
+    const float t52 = p->mB * p->xB;
+    const float t55 = t49 + p->IBxz - (p->zB * t52);
+    const float t56 = 1.0F / p->w;
+    const float C1_12_IBxz = cos_lam * t56;
     const float mu = p->c * C1_12_IBxz;
-    const float M_12 = t44 + (t54 * mu);
-    const float t61 = p->mH * t37;
-    const float t62 = p->mF * p->c;
-    const float t63 = t61 + t62;
-    const float t66 = p->IFxx + p->IHzz;
-    const float t75 = t66 - (p->w * t62) - (p->xH * t61);
-    const float t77 = (sin_lam * t49) + (cos_lam * t75);
-    const float t79 = p->mB * p->xB;
-    const float t81 = p->mH * p->xH;
-    const float t83 = p->mF * p->w;
-    const float t89 = p->IRxx + t66 + p->IBzz + (p->xB * t79) + (p->xH * t81) + (p->w * t83);
-    const float t90 = mu * t89;
-    const float t91 = t77 + t90;
-    const float t92 = p->c * t55;
-    const float t96 = (cos_lam * ((p->c * t63) + t66 + (t36 * t61))) + (t91 * t92) + (t40 *
-        sin_lam);
-    const float M_22 = (sin_lam * t44) + (cos_lam * (t96 + (t77 * t92)));
-    const float t103 = 1.0F / p->rF;
-    const float SF = p->IFyy * t103;
-    const float t106 = 1.0F / p->rR;
-    const float t107 = p->IRyy * t106;
-    const float ST = SF + t107;
-    const float t109 = t33 - t30;
-    const float t110 = t50 + t109;
-    const float t112 = ST + (t2 - t110);
-    const float t116 = t54 + (p->c * t112) + (p->w * SF);
-    const float t117 = t55 * t116;
-    const float C1_12 = cos_lam * t117;
-    const float t119 = t92 * ST;
-    const float t120 = SF + t119;
-    const float t123 = t81 + t83;
-    const float t124 = t79 + t123;
-    const float t126 = (t92 * t124) - t63;
-    const float K0_12 = (sin_lam * t109) - (cos_lam * t126);
-    const float t130 = (p->c * K0_12) - t91;
+    const float M_12 = t43 + (t55 * mu);
+    const float t62 = sin_lam * t56;
+    const float t65 = p->IFxx + p->IHzz;
+    const float t69 = t65 + (p->xH * t34) - (p->c * t46);
+    const float t71 = (t49 * t62) + (C1_12_IBxz * t69);
+    const float t73 = t39 * sin_lam;
+    const float t86 = C1_12_IBxz * (p->IRxx + t65 + (p->xH * t44) + (p->xB * t52) + (p->w * t46) +
+        p->IBzz);
+    const float t87 = p->c * t56;
+    const float t88 = t86 * t87;
+    const float t89 = t71 + t88;
+    const float t90 = p->mF * p->c;
+    const float t91 = cos_lam * t90;
+    const float t95 = t73 + (cos_lam * (t65 + (t33 * t34))) + (p->c * (t89 + t91));
+    const float M_22 = (sin_lam * t43) + (cos_lam * ((p->c * t71) + t95));
+    const float t101 = 1.0F / p->rF;
+    const float SF = p->IFyy * t101;
+    const float t104 = 1.0F / p->rR;
+    const float t105 = p->IRyy * t104;
+    const float ST = SF + t105;
+    const float t107 = p->mB * p->zB;
+    const float t108 = t8 - t107;
+    const float t109 = t12 - t21;
+    const float t111 = ST + (t108 - t109);
+    const float t115 = t55 + (p->c * t111) + (p->w * SF);
+    const float C1_12 = C1_12_IBxz * t115;
+    const float t117 = t87 * ST;
+    const float t118 = SF + t117;
+    const float t120 = t44 + t46;
+    const float ITzz_mB = t56 * (t52 + t120);
+    const float t123 = p->mF - ITzz_mB;
+    const float t125 = (p->c * t123) - t34;
+    const float t127 = p->mF * sin_lam;
+    const float t128 = p->rF * t127;
+    const float K0_12 = (cos_lam * t125) + (t12 * sin_lam) - t128;
+    const float t133 = t89 - (t87 * K0_12);
+    const float C1_22 = cos_lam * t133;
     const float K0_22 = sin_lam * K0_12;
-    const float K2_12 = C1_12_IBxz * t112;
-    const float ITzz_w = K0_12 - (sin_lam * SF);
-    const float t136 = C1_12_IBxz * ITzz_w;
-    const float t137 = p->mH * cos_lam;
-    const float t139 = t54 * t92;
-    const float M_12_w = (p->zH * t137) + (C1_12_IBxz * (t32 - t139));
-    const float t145 = cos_lam * ((p->xH * t92) - t37);
-    const float t146 = p->zH * sin_lam;
-    const float t147 = t145 - t146;
-    const float t148 = t147 + t147;
-    const float t149 = t137 * t148;
-    const float t150 = p->w * C1_12_IBxz;
-    const float K0_12_mF = (p->c * (cos_lam - t150)) - (p->rF * sin_lam);
-    const float t155 = p->mF * K0_12_mF;
-    const float t158 = (cos_lam * t155) + (C1_12_IBxz * t91);
-    const float t159 = t158 + t158;
-    const float t161 = t149 + (t92 * t159);
-    const float C1_12_w = C1_12_IBxz * (t30 + SF - t117);
-    const float C1_21_w = C1_12_IBxz * t119;
-    const float t166 = p->xH * C1_12_IBxz;
-    const float t167 = t137 * t166;
-    const float t170 = cos_lam * (p->mF - (t55 * t124));
-    const float K0_12_w = t137 - (t92 * t170);
-    const float t176 = t90 - t130;
-    const float t181 = t167 + (C1_12_IBxz * (t155 + (t55 * t176) - (p->c * ((C1_12_IBxz * t83) -
-        K0_12_w))));
+    const float K2_12 = C1_12_IBxz * t111;
+    const float t138 = (sin_lam * SF) - K0_12;
+    const float K2_22 = C1_12_IBxz * t138;
+    const float t140 = t12 * cos_lam;
+    const float t141 = t55 * t56;
+    const float M_12_w = t140 + (mu * (t8 - t141));
+    const float t145 = p->mH * cos_lam;
+    const float M_12_IHxz = cos_lam + mu;
+    const float t149 = (cos_lam * t32) - (p->xH * M_12_IHxz);
+    const float t150 = p->zH * sin_lam;
+    const float K0_12_mH = t149 + t150;
+    const float t152 = t150 + K0_12_mH;
+    const float t153 = t149 + t152;
+    const float t154 = t145 * t153;
+    const float t155 = p->w * C1_12_IBxz;
+    const float t156 = t90 * t155;
+    const float t158 = t128 + t156 - t91;
+    const float t159 = t89 - t158;
+    const float t160 = mu + mu;
+    const float M_22_w = t154 - (t159 * t160);
+    const float t163 = cos_lam * SF;
+    const float t164 = t8 * cos_lam;
+    const float t167 = t56 * (C1_12 - t163 - t164);
+    const float C1_21_w = C1_12_IBxz * t117;
+    const float t169 = cos_lam * C1_12_IBxz;
+    const float t170 = t44 * t169;
+    const float t171 = t88 + t133;
+    const float K0_12_w = t145 - (mu * t123);
+    const float C1_22_w = (C1_12_IBxz * (t156 + t158 - t171 - (p->c * K0_12_w))) - t170;
     const float K0_22_w = sin_lam * K0_12_w;
-    const float t183 = t55 * K2_12;
-    const float K2_22_w = (t55 * t136) - (C1_12_IBxz * K0_12_w);
-    const float t188 = cos_lam * t109;
-    const float M_12_c = (t54 * C1_12_IBxz) + t188;
-    const float M_22_c = t159 - t149;
+    const float t181 = t56 * K2_12;
+    const float t182 = t56 * t138;
+    const float t184 = C1_12_IBxz * (K0_12_w + t182);
+    const float t186 = t140 - t164;
+    const float M_12_c = (cos_lam * t141) + t186;
+    const float t188 = cos_lam * t159;
+    const float M_22_c = t154 + t188 + t188;
     const float t191 = C1_12_IBxz * ST;
-    const float K0_12_c = t137 + t170;
-    const float t199 = C1_12_IBxz * (K0_12 + (cos_lam * t123) + (p->c * K0_12_c) - (C1_12_IBxz *
-        t89));
+    const float K0_12_c = t145 + (cos_lam * t123);
+    const float t199 = C1_12_IBxz * (K0_12 + (cos_lam * t120) + (p->c * K0_12_c) - t86);
     const float K0_22_c = sin_lam * K0_12_c;
     const float t201 = C1_12_IBxz * K0_12_c;
-    const float M_12_lam = (t18 * cos_lam) - (sin_lam * (t40 + t139));
-    const float t207 = sin_lam * t55;
-    const float K2_22_SF = cos_lam * t207;
-    const float t212 = (t75 * K2_22_SF) - (cos_lam * t49 * C1_12_IBxz);
-    const float t216 = (p->c * t212) + (sin_lam * t96) - (cos_lam * t44);
-    const float t217 = t216 + t216;
-    const float t218 = t116 * t207;
-    const float C1_21_lam = sin_lam * t120;
-    const float K0_12_lam = t188 + (sin_lam * t126);
-    const float t225 = t212 + (mu * K0_12_lam) + (t176 * t207);
+    const float M_12_lam = (t18 * cos_lam) - t73 - (p->c * t55 * t62);
+    const float K2_22_SF = sin_lam * C1_12_IBxz;
+    const float ITzz_xB = t69 * K2_22_SF;
+    const float t211 = ITzz_xB - (t49 * t169);
+    const float t215 = (cos_lam * t43) - (p->c * t211) - (sin_lam * t95);
+    const float M_22_lam = t215 + t215;
+    const float t217 = t62 * t115;
+    const float C1_21_lam = sin_lam * t118;
+    const float K0_12_lam = t186 - (sin_lam * t125);
     const float K0_22_lam = (sin_lam * K0_12_lam) + (cos_lam * K0_12);
-    const float t229 = t112 * t207;
-    const float K2_22_lam = (ITzz_w * t207) + (C1_12_IBxz * ((cos_lam * SF) - K0_12_lam));
-    const float M_11_rR = t2 + t2;
-    const float t236 = t106 * t107;
-    const float K2_12_rR = C1_12_IBxz * (p->mR - t236);
-    const float C1_12_rR = p->c * K2_12_rR;
-    const float C1_21_rR = mu * t236;
+    const float t228 = t62 * t111;
+    const float K2_22_lam = (C1_12_IBxz * (t163 - K0_12_lam)) - (sin_lam * t182);
+    const float M_11_rR = t21 + t21;
+    const float t234 = t104 * t105;
+    const float t235 = p->mR - t234;
+    const float C1_12_rR = mu * t235;
+    const float C1_21_rR = mu * t234;
+    const float K2_12_rR = C1_12_IBxz * t235;
     const float M_11_mR = p->rR * p->rR;
     const float C1_12_mR = p->rR * mu;
     const float K2_12_mR = p->rR * C1_12_IBxz;
     const float M_22_ITzz = mu * mu;
     const float C1_22_ITzz = C1_12_IBxz * mu;
-    const float K2_12_IRyy = C1_12_IBxz * t106;
+    const float K2_12_IRyy = C1_12_IBxz * t104;
     const float C1_12_IRyy = p->c * K2_12_IRyy;
-    const float t249 = t50 * C1_12_IBxz;
-    const float t250 = p->c * t249;
+    const float t247 = mu * t107;
+    const float t248 = p->xB * mu;
+    const float t249 = p->mB * t248;
+    const float M_22_xB = t160 * t249;
     const float t251 = p->mB * C1_12_IBxz;
-    const float t252 = p->c * t251;
-    const float t253 = p->xB * t252;
-    const float t254 = mu * t253;
-    const float M_22_xB = t254 + t254;
-    const float t256 = p->c + p->xB;
-    const float t258 = p->xB * mu;
-    const float K2_22_mB = C1_12_IBxz * t258;
-    const float C1_22_xB = p->mB * ((C1_22_ITzz * t256) + K2_22_mB);
-    const float t262 = sin_lam * t252;
+    const float t252 = p->zB * t251;
+    const float t253 = p->c * t251;
+    const float t254 = p->xB * C1_12_IBxz;
+    const float t255 = mu + t254;
+    const float C1_22_xB = t253 * (t254 + t255);
+    const float t258 = sin_lam * t253;
     const float K2_22_xB = p->mB * C1_22_ITzz;
-    const float M_11_zB = t50 + t50;
-    const float t265 = t251 * t256;
-    const float t266 = p->zB * t258;
-    const float M_22_mB = t258 * t258;
-    const float t268 = p->zB * C1_12_IBxz;
-    const float t269 = t256 * t268;
-    const float C1_22_mB = t256 * K2_22_mB;
-    const float t271 = sin_lam * t258;
-    const float M_12_IHxz = cos_lam + mu;
-    const float t273 = t33 * M_12_IHxz;
-    const float t274 = p->mH * M_12_IHxz;
-    const float M_22_xH = t148 * t274;
-    const float t276 = p->mH * C1_12_IBxz;
-    const float t277 = p->zH * t276;
-    const float K2_22_mH = C1_12_IBxz * t147;
-    const float C1_22_xH = t167 + (p->mH * ((mu * (t166 + M_12_IHxz)) + K2_22_mH));
-    const float t284 = sin_lam * t274;
-    const float K2_22_xH = C1_12_IBxz * t274;
-    const float M_11_zH = t33 + t33;
-    const float M_12_zH = p->mH * (t146 - t147);
+    const float M_11_zB = t107 + t107;
+    const float t261 = p->mB * t255;
+    const float t262 = p->zB * t248;
+    const float M_22_mB = t248 * t248;
+    const float t264 = p->zB * t255;
+    const float C1_22_mB = t248 * t255;
+    const float t266 = sin_lam * t248;
+    const float t267 = p->zB * C1_12_IBxz;
+    const float K2_22_mB = mu * t254;
+    const float t269 = p->mH * M_12_IHxz;
+    const float t270 = p->zH * t269;
+    const float t271 = t153 * t269;
+    const float t272 = t12 * C1_12_IBxz;
+    const float t274 = C1_12_IBxz * (p->xH + p->c);
+    const float t277 = C1_12_IBxz * K0_12_mH;
+    const float C1_22_xH = t170 + (p->mH * ((mu * (cos_lam + t274)) - t277));
     const float K0_12_zH = p->mH * sin_lam;
-    const float t290 = t148 * K0_12_zH;
-    const float t291 = p->c + p->xH;
-    const float t292 = t276 * t291;
-    const float t293 = sin_lam * t292;
+    const float t282 = M_12_IHxz * K0_12_zH;
+    const float C1_22_IHzz = t169 + C1_22_ITzz;
+    const float K2_22_xH = p->mH * C1_22_IHzz;
+    const float M_11_zH = t12 + t12;
+    const float M_12_zH = p->mH * t152;
+    const float M_22_zH = t153 * K0_12_zH;
+    const float t288 = p->mH * t274;
+    const float t289 = sin_lam * t288;
     const float K0_22_zH = sin_lam * K0_12_zH;
-    const float t295 = C1_12_IBxz * K0_12_zH;
-    const float t296 = p->zH * t147;
-    const float M_22_mH = t147 * t147;
-    const float t298 = p->zH * C1_12_IBxz;
-    const float t299 = t291 * t298;
-    const float C1_22_mH = K2_22_mH * t291;
-    const float t301 = sin_lam * t147;
+    const float t291 = p->mH * C1_12_IBxz;
+    const float t292 = sin_lam * t291;
+    const float M_11_mH = p->zH * p->zH;
+    const float M_12_mH = p->zH * K0_12_mH;
+    const float M_22_mH = K0_12_mH * K0_12_mH;
+    const float t296 = p->zH * t274;
+    const float t297 = K0_12_mH * t274;
+    const float K0_22_mH = sin_lam * K0_12_mH;
+    const float t299 = p->zH * C1_12_IBxz;
     const float M_22_IHxx = sin_lam * sin_lam;
     const float M_22_IHzz = M_12_IHxz * M_12_IHxz;
-    const float C1_22_IHzz = C1_12_IBxz * M_12_IHxz;
-    const float t305 = sin_lam + sin_lam;
-    const float M_22_IHxz = M_12_IHxz * t305;
-    const float M_11_rF = t30 + t30;
-    const float M_12_rF = (t30 * sin_lam) - t155;
-    const float t310 = t155 * t305;
-    const float C1_12_SF = mu + t150;
-    const float t313 = p->mF - (t103 * SF);
-    const float C1_12_rF = C1_12_SF * t313;
-    const float t315 = t103 * M_12_IHxz;
-    const float C1_21_rF = SF * t315;
-    const float C1_22_rF = K2_22_SF * (t62 + t83);
-    const float t319 = p->mF * sin_lam;
-    const float t320 = sin_lam * t319;
-    const float K2_12_rF = C1_12_IBxz * t313;
-    const float K2_22_rF = K2_22_SF * t313;
-    const float t323 = p->rF * K0_12_mF;
-    const float M_22_mF = K0_12_mF * K0_12_mF;
+    const float t302 = sin_lam + sin_lam;
+    const float M_22_IHxz = M_12_IHxz * t302;
+    const float M_11_rF = t8 + t8;
+    const float M_12_rF = t128 + t158;
+    const float M_22_rF = t158 * t302;
+    const float C1_12_SF = t32 * C1_12_IBxz;
+    const float t309 = p->mF - (t101 * SF);
+    const float C1_12_rF = C1_12_SF * t309;
+    const float t311 = t101 * M_12_IHxz;
+    const float C1_21_rF = SF * t311;
+    const float C1_22_rF = t127 * C1_12_SF;
+    const float t314 = sin_lam * t127;
+    const float K2_12_rF = C1_12_IBxz * t309;
+    const float K2_22_rF = K2_22_SF * t309;
+    const float M_11_mF = p->rF * p->rF;
+    const float t318 = p->rF * sin_lam;
+    const float t320 = p->c * (cos_lam - t155);
+    const float t321 = t318 - t320;
+    const float M_12_mF = p->rF * t321;
+    const float M_22_mF = t321 * t321;
     const float C1_12_mF = p->rF * C1_12_SF;
-    const float t326 = K0_12_mF * C1_12_SF;
-    const float K0_22_mF = sin_lam * K0_12_mF;
+    const float K2_22_mF = C1_12_IBxz * t321;
+    const float C1_22_mF = t32 * K2_22_mF;
+    const float t327 = sin_lam * t321;
     const float K2_12_mF = p->rF * C1_12_IBxz;
-    const float t329 = C1_12_IBxz * K0_12_mF;
     const float M_22_IFxx = M_22_IHxx + M_22_IHzz;
-    const float C1_12_IFyy = t103 * C1_12_SF;
-    const float K2_12_IFyy = C1_12_IBxz * t103;
-    const float K2_22_IFyy = t103 * K2_22_SF;
-    const float C1_21 = -(cos_lam * t120);
-    const float C1_22 = -(C1_12_IBxz * t130);
-    const float K0_11 = t110 - t2;
-    const float K2_22 = -t136;
-    const float K0_12_mH = t146 - t145;
+    const float C1_12_IFyy = t101 * C1_12_SF;
+    const float K2_12_IFyy = C1_12_IBxz * t101;
+    const float K2_22_IFyy = sin_lam * K2_12_IFyy;
+    const float C1_21 = -(cos_lam * t118);
+    const float K0_11 = t109 - t108;
+    const float C1_22_lam = -(t211 + (sin_lam * t171) + (mu * K0_12_lam));
+    const float K0_12_mF = t320 - t318;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -1401,14 +1417,14 @@ void whipple_f32_derivatives(const whipple_f32_t *p, whipple_f32_matrices_t *mat
     matrices->k2[1][0] = 0.0F;
     matrices->k2[1][1] = K2_22;
     derivatives->values[0] = M_12_w;
-    derivatives->values[1] = t161;
-    derivatives->values[2] = C1_12_w;
+    derivatives->values[1] = M_22_w;
+    derivatives->values[2] = t167;
     derivatives->values[3] = C1_21_w;
-    derivatives->values[4] = t181;
+    derivatives->values[4] = C1_22_w;
     derivatives->values[5] = K0_12_w;
     derivatives->values[6] = K0_22_w;
-    derivatives->values[7] = t183;
-    derivatives->values[8] = K2_22_w;
+    derivatives->values[7] = t181;
+    derivatives->values[8] = t184;
     derivatives->values[9] = M_12_c;
     derivatives->values[10] = M_22_c;
     derivatives->values[11] = K2_12;
@@ -1418,13 +1434,13 @@ void whipple_f32_derivatives(const whipple_f32_t *p, whipple_f32_matrices_t *mat
     derivatives->values[15] = K0_22_c;
     derivatives->values[16] = t201;
     derivatives->values[17] = M_12_lam;
-    derivatives->values[18] = t217;
-    derivatives->values[19] = t218;
+    derivatives->values[18] = M_22_lam;
+    derivatives->values[19] = t217;
     derivatives->values[20] = C1_21_lam;
-    derivatives->values[21] = t225;
+    derivatives->values[21] = C1_22_lam;
     derivatives->values[22] = K0_12_lam;
     derivatives->values[23] = K0_22_lam;
-    derivatives->values[24] = t229;
+    derivatives->values[24] = t228;
     derivatives->values[25] = K2_22_lam;
     derivatives->values[26] = M_11_rR;
     derivatives->values[27] = C1_12_rR;
@@ -1440,57 +1456,57 @@ void whipple_f32_derivatives(const whipple_f32_t *p, whipple_f32_matrices_t *mat
     derivatives->values[37] = C1_22_ITzz;
     derivatives->values[38] = C1_12_IRyy;
     derivatives->values[39] = K2_12_IRyy;
-    derivatives->values[40] = t250;
+    derivatives->values[40] = t247;
     derivatives->values[41] = M_22_xB;
-    derivatives->values[42] = t249;
+    derivatives->values[42] = t252;
     derivatives->values[43] = C1_22_xB;
-    derivatives->values[44] = t252;
-    derivatives->values[45] = t262;
+    derivatives->values[44] = t253;
+    derivatives->values[45] = t258;
     derivatives->values[46] = K2_22_xB;
     derivatives->values[47] = M_11_zB;
-    derivatives->values[48] = t253;
-    derivatives->values[49] = t265;
+    derivatives->values[48] = t249;
+    derivatives->values[49] = t261;
     derivatives->values[50] = p->mB;
     derivatives->values[51] = t251;
     derivatives->values[52] = M_11_mB;
-    derivatives->values[53] = t266;
+    derivatives->values[53] = t262;
     derivatives->values[54] = M_22_mB;
-    derivatives->values[55] = t269;
+    derivatives->values[55] = t264;
     derivatives->values[56] = C1_22_mB;
     derivatives->values[57] = p->zB;
-    derivatives->values[58] = t258;
-    derivatives->values[59] = t271;
-    derivatives->values[60] = t268;
+    derivatives->values[58] = t248;
+    derivatives->values[59] = t266;
+    derivatives->values[60] = t267;
     derivatives->values[61] = K2_22_mB;
     derivatives->values[62] = mu;
     derivatives->values[63] = C1_12_IBxz;
-    derivatives->values[64] = t273;
-    derivatives->values[65] = M_22_xH;
-    derivatives->values[66] = t277;
+    derivatives->values[64] = t270;
+    derivatives->values[65] = t271;
+    derivatives->values[66] = t272;
     derivatives->values[67] = C1_22_xH;
-    derivatives->values[68] = t274;
-    derivatives->values[69] = t284;
+    derivatives->values[68] = t269;
+    derivatives->values[69] = t282;
     derivatives->values[70] = K2_22_xH;
     derivatives->values[71] = M_11_zH;
     derivatives->values[72] = M_12_zH;
-    derivatives->values[73] = t290;
-    derivatives->values[74] = t292;
-    derivatives->values[75] = t293;
+    derivatives->values[73] = M_22_zH;
+    derivatives->values[74] = t288;
+    derivatives->values[75] = t289;
     derivatives->values[76] = p->mH;
     derivatives->values[77] = K0_12_zH;
     derivatives->values[78] = K0_22_zH;
-    derivatives->values[79] = t276;
-    derivatives->values[80] = t295;
+    derivatives->values[79] = t291;
+    derivatives->values[80] = t292;
     derivatives->values[81] = M_11_mH;
-    derivatives->values[82] = t296;
+    derivatives->values[82] = M_12_mH;
     derivatives->values[83] = M_22_mH;
-    derivatives->values[84] = t299;
-    derivatives->values[85] = C1_22_mH;
+    derivatives->values[84] = t296;
+    derivatives->values[85] = t297;
     derivatives->values[86] = p->zH;
     derivatives->values[87] = K0_12_mH;
-    derivatives->values[88] = t301;
-    derivatives->values[89] = t298;
-    derivatives->values[90] = K2_22_mH;
+    derivatives->values[88] = K0_22_mH;
+    derivatives->values[89] = t299;
+    derivatives->values[90] = t277;
     derivatives->values[91] = sin_lam;
     derivatives->values[92] = M_22_IHxx;
     derivatives->values[93] = M_22_IHzz;
@@ -1500,28 +1516,28 @@ void whipple_f32_derivatives(const whipple_f32_t *p, whipple_f32_matrices_t *mat
     derivatives->values[97] = K2_22_SF;
     derivatives->values[98] = M_11_rF;
     derivatives->values[99] = M_12_rF;
-    derivatives->values[100] = t310;
+    derivatives->values[100] = M_22_rF;
     derivatives->values[101] = C1_12_rF;
     derivatives->values[102] = C1_21_rF;
     derivatives->values[103] = C1_22_rF;
     derivatives->values[104] = p->mF;
-    derivatives->values[105] = t319;
-    derivatives->values[106] = t320;
+    derivatives->values[105] = t127;
+    derivatives->values[106] = t314;
     derivatives->values[107] = K2_12_rF;
     derivatives->values[108] = K2_22_rF;
     derivatives->values[109] = M_11_mF;
-    derivatives->values[110] = t323;
+    derivatives->values[110] = M_12_mF;
     derivatives->values[111] = M_22_mF;
     derivatives->values[112] = C1_12_mF;
-    derivatives->values[113] = t326;
+    derivatives->values[113] = C1_22_mF;
     derivatives->values[114] = p->rF;
     derivatives->values[115] = K0_12_mF;
-    derivatives->values[116] = K0_22_mF;
+    derivatives->values[116] = t327;
     derivatives->values[117] = K2_12_mF;
-    derivatives->values[118] = t329;
+    derivatives->values[118] = K2_22_mF;
     derivatives->values[119] = M_22_IFxx;
     derivatives->values[120] = C1_12_IFyy;
-    derivatives->values[121] = t315;
+    derivatives->values[121] = t311;
     derivatives->values[122] = K2_12_IFyy;
     derivatives->values[123] = K2_22_IFyy;
 }

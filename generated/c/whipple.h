@@ -290,7 +290,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 108 additions, 198 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 314 operations.
+ * 110 additions, 195 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 312 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -464,7 +464,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 108 additions, 198 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 314 operations.
+ * 110 additions, 195 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 312 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

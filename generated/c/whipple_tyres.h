@@ -319,7 +319,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 48 additions, 48 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 102 operations.
+ * 49 additions, 47 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 102 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -436,7 +436,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 120 additions, 199 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 326 operations.
+ * 121 additions, 206 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 335 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -711,7 +711,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 48 additions, 48 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 102 operations.
+ * 49 additions, 47 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 102 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -828,7 +828,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 120 additions, 199 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 326 operations.
+ * 121 additions, 206 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 335 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

@@ -350,234 +350,234 @@ pub struct BalanceAssistDerivatives<T = f64> {
 
 impl<T: Number> BalanceAssist<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 131 additions, 196 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 337 operations.
+    /// 132 additions, 195 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 336 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (BalanceAssistMatrices<T>, BalanceAssistDerivatives<T>) {
-        let t2 = self.zB * self.mB;
-        let t9 = self.rF * self.mF;
-        let t13 = self.zH * self.mH;
-        let Jxx_delta = self.IHxx + self.IFxx + self.rF * t9 + self.zH * t13;
-        let t21 = self.rR * self.mR;
-        let M_11 = self.zB * t2 + self.IRxx + Jxx_delta + self.IBxx + self.rR * t21;
+        let t2 = self.rR * self.mR;
+        let t10 = self.zH * self.mH;
+        let M_11_mF = self.rF * self.rF;
+        let Jxx_delta = self.IHxx + self.IFxx + self.zH * t10 + self.mF * M_11_mF;
+        let t21 = self.zB * self.mB;
+        let M_11 = self.rR * t2 + self.IBxx + self.IRxx + Jxx_delta + self.zB * t21;
         let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t33 = self.c + self.w;
-        let t35 = t33 - self.xH;
-        let t39 = self.IHxz + t13 * t35 - t9 * self.c;
-        let t41 = t39 * cos_lam;
-        let t42 = Jxx_delta * sin_lam + t41;
-        let Sz_delta = t13 - t9;
-        let t47 = self.mB * self.xB;
-        let t51 = t33 * Sz_delta + self.zB * t47 - t39 - self.IBxz;
-        let t52 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = cos_lam * t52;
-        let mu = self.c * yaw_per_v_delta;
-        let M_12 = t42 - t51 * mu;
-        let t57 = sin_lam * t39;
-        let t58 = self.mF * self.c;
-        let t61 = self.mH * t35;
-        let Jzz_delta = self.IFxx + self.c * t58 + self.IHzz + t35 * t61;
-        let t66 = cos_lam * Jzz_delta;
-        let t67 = t57 + t66;
-        let t69 = t58 + t61;
-        let t72 = cos_lam * t69 + sin_lam * Sz_delta;
-        let t74 = t33 * t72 - t67;
-        let mA = self.mF + self.mH;
-        let t77 = t69 - t33 * mA;
-        let t86 = yaw_per_v_delta
-            * (self.IRxx + Jzz_delta + self.IBzz + self.xB * t47 - t33 * (t69 + t77));
-        let t87 = self.c * t86;
-        let t88 = t74 - t87;
-        let t89 = t74 + t88;
-        let M_22 = cos_lam * t67 + sin_lam * t42 - mu * t89;
+        let t31 = self.mF * self.c;
+        let t34 = self.c + self.w;
+        let t36 = t34 - self.xH;
+        let t37 = self.mH * t36;
+        let t41 = self.rF * t31 - self.zH * t37 - self.IHxz;
+        let t43 = t41 * cos_lam;
+        let hx_delta = Jxx_delta * sin_lam - t43;
+        let t46 = self.mF * self.rF;
+        let t47 = t46 - t10;
+        let t53 = self.IBxz + t34 * t47 - t41 - t21 * self.xB;
+        let t54 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = cos_lam * t54;
+        let t56 = t53 * yaw_per_v_delta;
+        let M_12 = hx_delta + self.c * t56;
+        let t60 = self.c * t54;
+        let mu = cos_lam * t60;
+        let t62 = sin_lam * t41;
+        let Jzz_delta = self.IFxx + self.IHzz + self.c * t31 + t36 * t37;
+        let t70 = cos_lam * Jzz_delta - t62;
+        let t72 = t31 + t37;
+        let t74 = sin_lam * t47 - cos_lam * t72;
+        let t76 = t70 + t34 * t74;
+        let t77 = self.mB * self.xB;
+        let mA = self.mH + self.mF;
+        let t82 = t72 - t34 * mA;
+        let t89 = yaw_per_v_delta
+            * (self.IRxx + Jzz_delta + self.xB * t77 + self.IBzz - t34 * (t72 + t82));
+        let t90 = self.c * t89;
+        let t92 = t76 + t76 + t90;
+        let M_22 = sin_lam * hx_delta + mu * t92 + cos_lam * t70;
         let zero = self.w.like(0.0);
-        let t99 = self.w.like(1.0) / self.rF;
-        let SF = self.IFyy * t99;
-        let t101 = t51 * t52;
-        let t103 = self.w.like(1.0) / self.rR;
-        let t104 = self.IRyy * t103;
-        let ST = SF + t104;
-        let K0_11 = t2 + Sz_delta - t21;
-        let t109 = t52 * (ST - K0_11);
-        let t111 = t101 - self.c * t109;
-        let t112 = SF - t111;
-        let C1_12 = cos_lam * t112;
-        let t114 = cos_lam * SF;
-        let t115 = yaw_per_v_delta * ST;
-        let t116 = self.c * t115;
-        let C1_21 = self.kappa - t114 - t116;
-        let t119 = t47 * mu;
+        let t102 = self.w.like(1.0) / self.rF;
+        let SF = self.IFyy * t102;
+        let t104 = cos_lam * SF;
+        let t106 = self.w.like(1.0) / self.rR;
+        let t107 = self.IRyy * t106;
+        let ST = SF + t107;
+        let t109 = t21 - t2;
+        let t111 = ST + (t47 - t109);
+        let t113 = t53 + self.c * t111;
+        let t114 = yaw_per_v_delta * t113;
+        let C1_12 = t104 + t114;
+        let t116 = yaw_per_v_delta * ST;
+        let t117 = self.c * t116;
+        let C1_21 = self.kappa - t104 - t117;
         let t120 = mu * t77;
-        let t121 = t72 + t120;
-        let t122 = t119 - t121;
-        let t124 = t88 - self.c * t122;
-        let K2_12 = cos_lam * t109;
-        let t128 = sin_lam * SF;
-        let t130 = t52 * (t122 + t128);
-        let K2_22 = cos_lam * t130;
+        let t121 = mu * t82;
+        let t122 = t74 - t121;
+        let t123 = t120 + t122;
+        let t124 = t89 + t123;
+        let t126 = t76 + self.c * t124;
+        let C1_22 = yaw_per_v_delta * t126;
+        let K2_12 = yaw_per_v_delta * t111;
+        let t130 = sin_lam * SF;
+        let t131 = t123 + t130;
+        let K2_22 = yaw_per_v_delta * t131;
         let M_12_Jxz_delta = cos_lam + mu;
-        let t134 = t13 * M_12_Jxz_delta;
-        let t135 = self.c * t52;
-        let t136 = cos_lam * Sz_delta;
-        let t138 = t134 - t135 * t136;
-        let M_12_w = mu * t101 + t138;
-        let t140 = t89 - t87;
-        let t141 = yaw_per_v_delta * t140;
-        let t143 = mu * t121;
-        let t144 = self.w * yaw_per_v_delta;
-        let t145 = mu + t144;
-        let t146 = self.c * t145;
-        let t147 = self.zH * sin_lam;
-        let t148 = t146 - t147;
-        let t149 = t35 * M_12_Jxz_delta;
-        let t150 = t148 - t149;
-        let P_delta_yaw_mA = t150 + t150;
-        let t152 = self.mH * M_12_Jxz_delta;
-        let M_22_xH = P_delta_yaw_mA * t152;
-        let t155 = t143 + t143 + M_22_xH;
-        let M_22_w = t135 * t141 - t155;
-        let C1_12_w = yaw_per_v_delta * (t9 + t111);
-        let C1_21_w = t52 * t116;
-        let t160 = t77 - t47;
-        let K0_12_c = cos_lam * (mA + t52 * t160);
-        let t164 = self.c * K0_12_c;
-        let K0_12_w = t152 - t52 * t164;
-        let t169 = t52 * (t124 - t87);
-        let M_22_mA = yaw_per_v_delta * t169;
-        let t174 = t150 + t33 * M_12_Jxz_delta;
-        let t175 = self.mH * yaw_per_v_delta;
-        let t176 = t174 * t175;
-        let t177 = self.xH * yaw_per_v_delta;
-        let t178 = t145 - t177;
-        let C1_22_mA = t152 * t178;
-        let t181 = yaw_per_v_delta * (t120 + t121) + t176 - C1_22_mA;
-        let C1_22_w = M_22_mA - mu * K0_12_w - t181;
-        let t185 = yaw_per_v_delta * t109;
-        let M_12_c = t138 - cos_lam * (t9 + t101 + t9 * t135);
-        let t193 = self.c * M_12_Jxz_delta;
-        let t194 = t146 - t193;
-        let t195 = self.rF * sin_lam;
-        let t196 = t194 + t195;
-        let t198 = self.mF * M_12_Jxz_delta * t196;
-        let t201 = t141 + t155 + t198 + t198;
-        let t207 = t164 + self.mF * (t196 + self.w * M_12_Jxz_delta) - t86 - t122;
-        let t209 = t181 + yaw_per_v_delta * t207;
+        let t134 = self.mH * M_12_Jxz_delta;
+        let t135 = self.zH * t134;
+        let t138 = self.c * t47 * yaw_per_v_delta;
+        let M_12_w = t135 + t138 - t56 * t60;
+        let t141 = t36 * M_12_Jxz_delta;
+        let t142 = self.zH * sin_lam;
+        let t143 = t141 + t142;
+        let t144 = t34 * cos_lam;
+        let t145 = t60 * t144;
+        let t146 = t141 - t145;
+        let K0_12_mH = t142 + t146;
+        let t148 = t145 - K0_12_mH;
+        let t150 = t134 * (t143 - t148);
+        let t151 = t121 - t122;
+        let t154 = t150 + mu * (t74 - t151);
+        let t155 = t90 + t92;
+        let t156 = yaw_per_v_delta * t155;
+        let M_22_w = t154 - t60 * t156;
+        let C1_12_w = t46 * yaw_per_v_delta - t54 * t114;
+        let C1_21_w = t54 * t117;
+        let t163 = t144 + t145;
+        let t164 = t146 - t163;
+        let t165 = t143 + t164;
+        let t166 = self.mH * yaw_per_v_delta;
+        let t167 = t165 * t166;
+        let t168 = t77 - t82;
+        let K0_12_c = cos_lam * (mA - t54 * t168);
+        let t172 = t60 * K0_12_c;
+        let K0_12_w = t134 - t172;
+        let t176 = t54 * (t90 + t126);
+        let C1_22_w = t167 - yaw_per_v_delta * (t151 + self.c * K0_12_w + t176);
+        let K0_22_w = sin_lam * K0_12_w;
+        let t182 = t54 * K2_12;
+        let t185 = t54 * (K2_22 + cos_lam * K0_12_w);
+        let M_12_c = t56 + t138 - t47 * M_12_Jxz_delta;
+        let t189 = self.c * M_12_Jxz_delta;
+        let t190 = self.rF * sin_lam;
+        let t191 = t189 - t190;
+        let t192 = t145 - t191;
+        let t193 = M_12_Jxz_delta + M_12_Jxz_delta;
+        let M_22_c = t154 + t156 - self.mF * t192 * t193;
+        let t198 = t145 + t192;
+        let t204 = t54 * (t151 + self.mF * (t144 + t198 - t189) - t124);
+        let C1_22_c = t167 - cos_lam * (t172 + t204);
         let K0_22_c = sin_lam * K0_12_c;
-        let t211 = yaw_per_v_delta * K0_12_c;
-        let t212 = sin_lam * t135;
-        let t214 = Jxx_delta * cos_lam;
-        let hx_delta_lam = t214 - t57;
-        let M_12_lam = t51 * t212 + hx_delta_lam;
-        let t222 = sin_lam * (t67 + t135 * (t66 - t140) - t214 - hx_delta_lam);
-        let t224 = sin_lam * Jzz_delta - t41;
-        let t228 = t136 - sin_lam * t69;
-        let t229 = t146 * t228;
-        let t232 = t222 + M_12_Jxz_delta * (t224 - t41) + t229 + t229;
-        let t233 = sin_lam * t112;
-        let C1_21_lam = t128 + ST * t212;
-        let t236 = t160 * t212;
-        let t241 = mu + t145;
-        let C1_22_lam = sin_lam * t169 - yaw_per_v_delta * (t224 - self.c * t236)
-            - t228 * t241;
-        let K0_12_lam = t228 - t236;
-        let t248 = cos_lam * t122 - sin_lam * K0_12_lam;
-        let t249 = sin_lam * t109;
-        let K2_22_lam = yaw_per_v_delta * (t114 - K0_12_lam) - sin_lam * t130;
-        let M_11_rR = t21 + t21;
-        let t255 = t103 * t104;
-        let t256 = self.mR - t255;
-        let C1_12_rR = mu * t256;
-        let C1_21_rR = mu * t255;
-        let K2_12_rR = yaw_per_v_delta * t256;
+        let t209 = yaw_per_v_delta * K0_12_c;
+        let t210 = sin_lam * t60;
+        let t213 = t62 + Jxx_delta * cos_lam;
+        let M_12_lam = t213 - t53 * t210;
+        let t217 = cos_lam * t47 + sin_lam * t72;
+        let t218 = t34 * t217;
+        let t221 = mu * t218 + sin_lam * t213;
+        let t224 = t43 + sin_lam * Jzz_delta;
+        let M_22_lam = t221 + t221 - t155 * t210 - t193 * t224;
+        let t229 = sin_lam * t54;
+        let t231 = t130 + t113 * t229;
+        let C1_21_lam = t130 + ST * t210;
+        let t235 = t168 * t210;
+        let t236 = t217 - t235;
+        let M_22_hz_delta = yaw_per_v_delta * (t218 + self.c * t236 - t224);
+        let C1_22_lam = M_22_hz_delta - sin_lam * t176;
+        let t244 = sin_lam * t236 + cos_lam * t123;
+        let t245 = t111 * t229;
+        let K2_22_lam = yaw_per_v_delta * (t104 + t236) - t131 * t229;
+        let M_11_rR = t2 + t2;
+        let K2_12_IRyy = yaw_per_v_delta * t106;
+        let K2_12_rR = self.mR * yaw_per_v_delta - t107 * K2_12_IRyy;
+        let C1_12_rR = self.c * K2_12_rR;
+        let C1_12_IRyy = self.c * K2_12_IRyy;
+        let C1_21_rR = t107 * C1_12_IRyy;
         let M_11_mR = self.rR * self.rR;
         let K2_12_mR = self.rR * yaw_per_v_delta;
         let C1_12_mR = self.c * K2_12_mR;
+        let M_22_IRxx = mu * mu;
         let C1_22_IRxx = yaw_per_v_delta * mu;
-        let M_22_IRxx = self.c * C1_22_IRxx;
-        let K2_12_IRyy = yaw_per_v_delta * t103;
-        let C1_12_IRyy = self.c * K2_12_IRyy;
-        let t268 = self.zB * yaw_per_v_delta;
-        let t269 = self.mB * t268;
-        let t270 = self.c * t269;
-        let t271 = t47 * M_22_IRxx;
-        let M_22_xB = t271 + t271;
-        let t273 = self.xB * mu;
-        let K2_22_mB = yaw_per_v_delta * t273;
-        let t275 = M_22_IRxx + K2_22_mB;
-        let C1_22_xB = self.mB * (t275 + self.xB * C1_22_IRxx);
-        let t279 = self.mB * mu;
-        let t280 = sin_lam * t279;
-        let K2_22_xB = yaw_per_v_delta * t279;
-        let M_11_zB = t2 + t2;
-        let t283 = self.c + self.xB;
-        let t284 = self.mB * yaw_per_v_delta;
-        let t285 = t283 * t284;
+        let t264 = t21 * mu;
+        let t265 = t77 * M_22_IRxx;
+        let M_22_xB = t265 + t265;
+        let t267 = self.mB * yaw_per_v_delta;
+        let t268 = self.zB * t267;
+        let t269 = self.xB * mu;
+        let K2_22_mB = yaw_per_v_delta * t269;
+        let t271 = M_22_IRxx + K2_22_mB;
+        let C1_22_xB = self.mB * (K2_22_mB + t271);
+        let t274 = self.mB * mu;
+        let t275 = sin_lam * t274;
+        let K2_22_xB = mu * t267;
+        let M_11_zB = t21 + t21;
+        let t278 = self.c + self.xB;
+        let t279 = t267 * t278;
         let M_11_mB = self.zB * self.zB;
-        let t287 = self.zB * t273;
-        let M_22_mB = t273 * t273;
-        let t289 = t268 * t283;
-        let C1_22_mB = self.xB * t275;
-        let t291 = sin_lam * t273;
-        let t292 = t13 * yaw_per_v_delta;
-        let C1_22_xH = t176 + t152 * (t177 - t144);
+        let t281 = self.zB * t269;
+        let M_22_mB = t269 * t269;
+        let t283 = self.zB * yaw_per_v_delta;
+        let t284 = t278 * t283;
+        let C1_22_mB = self.xB * t271;
+        let t286 = sin_lam * t269;
+        let t287 = self.zH * yaw_per_v_delta;
+        let t288 = self.mH * t287;
+        let t290 = t166 * (t165 - t189);
+        let t291 = sin_lam * t134;
+        let K2_22_xH = yaw_per_v_delta * t134;
+        let M_11_zH = t10 + t10;
+        let M_12_zH = self.mH * (t142 + K0_12_mH);
+        let K0_22_mH = sin_lam * K0_12_mH;
+        let t297 = self.mH * K0_22_mH;
+        let M_22_zH = t297 + t297;
+        let t299 = self.c + self.xH;
+        let t300 = t166 * t299;
+        let t301 = sin_lam * t166;
+        let t302 = t299 * t301;
         let K0_12_zH = self.mH * sin_lam;
-        let t297 = M_12_Jxz_delta * K0_12_zH;
-        let K2_22_xH = M_12_Jxz_delta * t175;
-        let M_11_zH = t13 + t13;
-        let M_12_zH = self.mH * (t147 - t150);
-        let t302 = P_delta_yaw_mA * K0_12_zH;
-        let t303 = mu + t177;
-        let t304 = self.mH * t303;
-        let t305 = sin_lam * t304;
         let K0_22_zH = sin_lam * K0_12_zH;
-        let t307 = sin_lam * t175;
         let M_11_mH = self.zH * self.zH;
-        let t309 = self.zH * t150;
-        let M_22_mH = t150 * t150;
-        let t311 = self.zH * t303;
-        let C1_22_mH = t148 * t241 - t178 * (t174 + t193);
-        let t316 = sin_lam * t150;
-        let t317 = self.zH * yaw_per_v_delta;
-        let K2_22_mH = yaw_per_v_delta * t150;
+        let M_12_mH = self.zH * K0_12_mH;
+        let t308 = t54 * t144;
+        let t309 = t145 * t308;
+        let t310 = self.c * t309;
+        let M_22_mH = t310 - t143 * t148;
+        let t312 = t287 * t299;
+        let C1_22_mA = mu * t146;
+        let C1_22_mH = t309 + t36 * yaw_per_v_delta * t164 - C1_22_mA - sin_lam * t312;
+        let t320 = yaw_per_v_delta * K0_12_mH;
         let M_22_Jxx_delta = sin_lam * sin_lam;
         let M_22_Jzz_delta = M_12_Jxz_delta * M_12_Jxz_delta;
         let C1_22_Jzz_delta = yaw_per_v_delta * M_12_Jxz_delta;
-        let t322 = sin_lam * M_12_Jxz_delta;
-        let M_22_Jxz_delta = t322 + t322;
+        let M_22_Jxz_delta = sin_lam * t193;
         let C1_22_Jxz_delta = sin_lam * yaw_per_v_delta;
-        let M_11_rF = t9 + t9;
-        let M_12_rF = self.mF * (t195 + t196);
-        let t330 = self.c * (cos_lam - t144) - t195;
+        let M_11_rF = t46 + t46;
+        let M_12_rF = self.mF * (t190 + t192);
+        let t329 = sin_lam * t192;
+        let t330 = self.mF * t329;
+        let M_22_rF = t330 + t330;
+        let t332 = self.mF * yaw_per_v_delta;
+        let t333 = t34 * t332;
+        let C1_12_IFyy = t102 * M_12_Jxz_delta;
+        let C1_21_rF = SF * C1_12_IFyy;
+        let C1_12_rF = t333 - C1_21_rF;
+        let C1_22_rF = sin_lam * t333;
         let P_delta_lateral_rF = self.mF * sin_lam;
-        let t333 = (t330 - t196) * P_delta_lateral_rF;
-        let t335 = t99 * SF;
-        let C1_21_rF = M_12_Jxz_delta * t335;
-        let C1_12_rF = self.mF * t145 - C1_21_rF;
-        let C1_22_rF = t145 * P_delta_lateral_rF;
-        let t339 = self.mF * M_22_Jxx_delta;
-        let K2_12_rF = yaw_per_v_delta * (self.mF - t335);
-        let K2_22_rF = sin_lam * K2_12_rF;
-        let M_11_mF = self.rF * self.rF;
-        let M_12_mF = self.rF * t196;
-        let M_22_mF = t194 * t196 - t195 * t330;
-        let C1_12_mF = self.rF * t145;
-        let t349 = t145 * t330;
-        let t350 = sin_lam * t196;
+        let t339 = sin_lam * P_delta_lateral_rF;
+        let K2_12_IFyy = yaw_per_v_delta * t102;
+        let K2_12_rF = t332 - SF * K2_12_IFyy;
+        let M_12_mF = self.rF * t192;
+        let M_22_mF = t310 - t191 * t198;
+        let C1_12_mF = self.rF * t308;
+        let C1_22_mF = t309 + t190 * t308 - mu * t163;
         let K2_12_mF = self.rF * yaw_per_v_delta;
-        let K2_22_mF = yaw_per_v_delta * t196;
+        let K2_22_mF = yaw_per_v_delta * t192;
         let M_22_IFxx = M_22_Jxx_delta + M_22_Jzz_delta;
-        let C1_12_IFyy = t99 * M_12_Jxz_delta;
-        let K2_12_IFyy = yaw_per_v_delta * t99;
-        let K2_22_IFyy = sin_lam * K2_12_IFyy;
+        let K2_22_IFyy = t102 * C1_22_Jxz_delta;
         let C0_21 = -(self.kappa * self.vo);
-        let C1_22 = -(yaw_per_v_delta * t124);
-        let K0_12 = t121 - t119;
-        let K0_22 = -(sin_lam * t122);
-        let t361 = -(sin_lam * K0_12_w);
-        let K2_22_w = -(yaw_per_v_delta * (t130 + K0_12_w));
-        let K0_12_mH = t149 - t148;
+        let K0_11 = t109 - t47;
+        let K0_12 = -t123;
+        let K0_22 = -(sin_lam * t123);
+        let K0_12_lam = t235 - t217;
+        let t361 = -(sin_lam * K2_12_rF);
+        let K0_12_mF = t191 - t145;
         (
             BalanceAssistMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, zero, C0_21, zero, zero, C1_12, C1_21, C1_22, K0_11,
@@ -585,21 +585,21 @@ impl<T: Number> BalanceAssist<T> {
             ]),
             BalanceAssistDerivatives {
                 values: [
-                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_12_w, t361, t185, K2_22_w, M_12_c,
-                    t201, K2_12, t115, t209, K0_12_c, K0_22_c, t211, M_12_lam, t232, t233,
-                    C1_21_lam, C1_22_lam, K0_12_lam, t248, t249, K2_22_lam, M_11_rR, C1_12_rR,
+                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_12_w, K0_22_w, t182, t185, M_12_c,
+                    M_22_c, K2_12, t116, C1_22_c, K0_12_c, K0_22_c, t209, M_12_lam, M_22_lam, t231,
+                    C1_21_lam, C1_22_lam, K0_12_lam, t244, t245, K2_22_lam, M_11_rR, C1_12_rR,
                     C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
-                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t270, M_22_xB,
-                    t269, C1_22_xB, t279, t280, K2_22_xB, M_11_zB, t119, t285, self.mB, t284,
-                    M_11_mB, t287, M_22_mB, t289, C1_22_mB, self.zB, t273, t291, t268, K2_22_mB, mu,
-                    yaw_per_v_delta, t134, M_22_xH, t292, C1_22_xH, t152, t297, K2_22_xH, M_11_zH,
-                    M_12_zH, t302, t304, t305, self.mH, K0_12_zH, K0_22_zH, t175, t307, M_11_mH,
-                    t309, M_22_mH, t311, C1_22_mH, self.zH, K0_12_mH, t316, t317, K2_22_mH, sin_lam,
+                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t264, M_22_xB,
+                    t268, C1_22_xB, t274, t275, K2_22_xB, M_11_zB, t120, t279, self.mB, t267,
+                    M_11_mB, t281, M_22_mB, t284, C1_22_mB, self.zB, t269, t286, t283, K2_22_mB, mu,
+                    yaw_per_v_delta, t135, t150, t288, t290, t134, t291, K2_22_xH, M_11_zH, M_12_zH,
+                    M_22_zH, t300, t302, self.mH, K0_12_zH, K0_22_zH, t166, t301, M_11_mH, M_12_mH,
+                    M_22_mH, t312, C1_22_mH, self.zH, K0_12_mH, K0_22_mH, t287, t320, sin_lam,
                     M_22_Jxx_delta, M_22_Jzz_delta, C1_22_Jzz_delta, M_12_Jxz_delta, M_22_Jxz_delta,
-                    C1_22_Jxz_delta, M_11_rF, M_12_rF, t333, C1_12_rF, C1_21_rF, C1_22_rF, self.mF,
-                    P_delta_lateral_rF, t339, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF,
-                    C1_12_mF, t349, self.rF, t196, t350, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy,
-                    K2_12_IFyy, K2_22_IFyy, self.vo, self.kappa,
+                    C1_22_Jxz_delta, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF,
+                    self.mF, P_delta_lateral_rF, t339, K2_12_rF, t361, M_11_mF, M_12_mF, M_22_mF,
+                    C1_12_mF, C1_22_mF, self.rF, K0_12_mF, t329, K2_12_mF, K2_22_mF, M_22_IFxx,
+                    C1_12_IFyy, K2_12_IFyy, K2_22_IFyy, self.vo, self.kappa,
                 ],
             },
         )
@@ -1125,21 +1125,18 @@ impl BalanceAssistDerivatives {
         Partial::new(MatrixName::M, 1, 1, 0, 1), Partial::new(MatrixName::C1, 0, 1, 0, 2),
         Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
         Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
-        Partial::new(MatrixName::K0, 1, 1, 0, 6).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 0, 6),
         Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 0, 8), Partial::new(MatrixName::M, 0, 1, 1, 9),
-        Partial::new(MatrixName::M, 1, 0, 1, 9),
-        Partial::new(MatrixName::M, 1, 1, 1, 10).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 1, 11),
+        Partial::new(MatrixName::K2, 1, 1, 0, 8).negative(),
+        Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
+        Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
         Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 13).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 1, 14),
-        Partial::new(MatrixName::K0, 1, 0, 1, 14),
-        Partial::new(MatrixName::K0, 1, 1, 1, 15),
+        Partial::new(MatrixName::C1, 1, 1, 1, 13), Partial::new(MatrixName::K0, 0, 1, 1, 14),
+        Partial::new(MatrixName::K0, 1, 0, 1, 14), Partial::new(MatrixName::K0, 1, 1, 1, 15),
         Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
         Partial::new(MatrixName::M, 0, 1, 2, 17),
         Partial::new(MatrixName::M, 1, 0, 2, 17),
-        Partial::new(MatrixName::M, 1, 1, 2, 18).negative(),
+        Partial::new(MatrixName::M, 1, 1, 2, 18),
         Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
         Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
         Partial::new(MatrixName::K0, 0, 1, 2, 22), Partial::new(MatrixName::K0, 1, 0, 2, 22),
@@ -1188,54 +1185,50 @@ impl BalanceAssistDerivatives {
         Partial::new(MatrixName::C1, 0, 1, 14, 63),
         Partial::new(MatrixName::M, 0, 1, 15, 64).negative(),
         Partial::new(MatrixName::M, 1, 0, 15, 64).negative(),
-        Partial::new(MatrixName::M, 1, 1, 15, 65),
+        Partial::new(MatrixName::M, 1, 1, 15, 65).negative(),
         Partial::new(MatrixName::C1, 0, 1, 15, 66).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 15, 67),
+        Partial::new(MatrixName::C1, 1, 1, 15, 67).negative(),
         Partial::new(MatrixName::K0, 0, 1, 15, 68).negative(),
         Partial::new(MatrixName::K0, 1, 0, 15, 68).negative(),
         Partial::new(MatrixName::K0, 1, 1, 15, 69).negative(),
         Partial::new(MatrixName::K2, 1, 1, 15, 70), Partial::new(MatrixName::M, 0, 0, 16, 71),
         Partial::new(MatrixName::M, 0, 1, 16, 72), Partial::new(MatrixName::M, 1, 0, 16, 72),
-        Partial::new(MatrixName::M, 1, 1, 16, 73).negative(),
+        Partial::new(MatrixName::M, 1, 1, 16, 73),
         Partial::new(MatrixName::C1, 0, 1, 16, 74).negative(),
         Partial::new(MatrixName::C1, 1, 1, 16, 75).negative(),
         Partial::new(MatrixName::K0, 0, 0, 16, 76), Partial::new(MatrixName::K0, 0, 1, 16, 77),
         Partial::new(MatrixName::K0, 1, 0, 16, 77), Partial::new(MatrixName::K0, 1, 1, 16, 78),
         Partial::new(MatrixName::K2, 0, 1, 16, 79).negative(),
         Partial::new(MatrixName::K2, 1, 1, 16, 80).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 81),
-        Partial::new(MatrixName::M, 0, 1, 17, 82).negative(),
-        Partial::new(MatrixName::M, 1, 0, 17, 82).negative(),
-        Partial::new(MatrixName::M, 1, 1, 17, 83),
+        Partial::new(MatrixName::M, 0, 0, 17, 81), Partial::new(MatrixName::M, 0, 1, 17, 82),
+        Partial::new(MatrixName::M, 1, 0, 17, 82), Partial::new(MatrixName::M, 1, 1, 17, 83),
         Partial::new(MatrixName::C1, 0, 1, 17, 84).negative(),
         Partial::new(MatrixName::C1, 1, 1, 17, 85), Partial::new(MatrixName::K0, 0, 0, 17, 86),
         Partial::new(MatrixName::K0, 0, 1, 17, 87), Partial::new(MatrixName::K0, 1, 0, 17, 87),
-        Partial::new(MatrixName::K0, 1, 1, 17, 88).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 17, 88),
         Partial::new(MatrixName::K2, 0, 1, 17, 89).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 17, 90), Partial::new(MatrixName::M, 0, 0, 18, 35),
-        Partial::new(MatrixName::M, 0, 1, 18, 91), Partial::new(MatrixName::M, 1, 0, 18, 91),
-        Partial::new(MatrixName::M, 1, 1, 18, 92), Partial::new(MatrixName::M, 1, 1, 20, 93),
-        Partial::new(MatrixName::C1, 1, 1, 20, 94), Partial::new(MatrixName::M, 0, 1, 21, 95),
-        Partial::new(MatrixName::M, 1, 0, 21, 95), Partial::new(MatrixName::M, 1, 1, 21, 96),
-        Partial::new(MatrixName::C1, 0, 1, 21, 63), Partial::new(MatrixName::C1, 1, 1, 21, 97),
-        Partial::new(MatrixName::M, 0, 0, 22, 98), Partial::new(MatrixName::M, 0, 1, 22, 99),
-        Partial::new(MatrixName::M, 1, 0, 22, 99),
-        Partial::new(MatrixName::M, 1, 1, 22, 100).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 22, 101),
-        Partial::new(MatrixName::C1, 1, 0, 22, 102),
-        Partial::new(MatrixName::C1, 1, 1, 22, 103),
+        Partial::new(MatrixName::K2, 1, 1, 17, 90).negative(),
+        Partial::new(MatrixName::M, 0, 0, 18, 35), Partial::new(MatrixName::M, 0, 1, 18, 91),
+        Partial::new(MatrixName::M, 1, 0, 18, 91), Partial::new(MatrixName::M, 1, 1, 18, 92),
+        Partial::new(MatrixName::M, 1, 1, 20, 93), Partial::new(MatrixName::C1, 1, 1, 20, 94),
+        Partial::new(MatrixName::M, 0, 1, 21, 95), Partial::new(MatrixName::M, 1, 0, 21, 95),
+        Partial::new(MatrixName::M, 1, 1, 21, 96), Partial::new(MatrixName::C1, 0, 1, 21, 63),
+        Partial::new(MatrixName::C1, 1, 1, 21, 97), Partial::new(MatrixName::M, 0, 0, 22, 98),
+        Partial::new(MatrixName::M, 0, 1, 22, 99), Partial::new(MatrixName::M, 1, 0, 22, 99),
+        Partial::new(MatrixName::M, 1, 1, 22, 100), Partial::new(MatrixName::C1, 0, 1, 22, 101),
+        Partial::new(MatrixName::C1, 1, 0, 22, 102), Partial::new(MatrixName::C1, 1, 1, 22, 103),
         Partial::new(MatrixName::K0, 0, 0, 22, 104).negative(),
         Partial::new(MatrixName::K0, 0, 1, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 0, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 1, 22, 106).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 107), Partial::new(MatrixName::K2, 1, 1, 22, 108),
+        Partial::new(MatrixName::K2, 0, 1, 22, 107),
+        Partial::new(MatrixName::K2, 1, 1, 22, 108).negative(),
         Partial::new(MatrixName::M, 0, 0, 23, 109), Partial::new(MatrixName::M, 0, 1, 23, 110),
         Partial::new(MatrixName::M, 1, 0, 23, 110), Partial::new(MatrixName::M, 1, 1, 23, 111),
-        Partial::new(MatrixName::C1, 0, 1, 23, 112),
-        Partial::new(MatrixName::C1, 1, 1, 23, 113).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 23, 112), Partial::new(MatrixName::C1, 1, 1, 23, 113),
         Partial::new(MatrixName::K0, 0, 0, 23, 114).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 23, 115).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 23, 115).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 23, 115),
+        Partial::new(MatrixName::K0, 1, 0, 23, 115),
         Partial::new(MatrixName::K0, 1, 1, 23, 116).negative(),
         Partial::new(MatrixName::K2, 0, 1, 23, 117), Partial::new(MatrixName::K2, 1, 1, 23, 118),
         Partial::new(MatrixName::M, 0, 0, 24, 35), Partial::new(MatrixName::M, 0, 1, 24, 91),

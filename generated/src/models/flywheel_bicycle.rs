@@ -228,7 +228,7 @@ pub struct FlywheelBicycleMatrices<T = f64> {
 
 impl<T: Number> FlywheelBicycle<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 42 additions, 48 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 97 operations.
+    /// 42 additions, 49 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 98 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
@@ -236,52 +236,51 @@ impl<T: Number> FlywheelBicycle<T> {
     pub fn matrices(&self) -> FlywheelBicycleMatrices<T> {
         let t2 = self.zB * self.mB;
         let t7 = self.rF * self.mF;
-        let t11 = self.IFxx + (self.rF * t7 + self.IHxx);
-        let t15 = self.zH * self.mH;
-        let t20 = self.rR * self.mR;
-        let vy_spin_F4_delta = self.IBxx + self.rR * t20;
-        let M_11 = self.zB * t2
-            + (t11 + (self.IRxx + (self.zH * t15 + vy_spin_F4_delta)));
+        let t11 = self.IHxx + (self.rF * t7 + self.IFxx);
+        let t16 = self.rR * self.mR;
+        let t22 = self.zH * self.mH;
+        let M_11 = self.zB * t2 + t11
+            + (self.IBxx + self.rR * t16 + (self.IRxx + self.zH * t22));
         let (wx_delta2_delta, cos_lam) = self.lam.sin_cos();
-        let yaw_per_v_delta = cos_lam / self.w;
+        let t31 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = cos_lam * t31;
         let mu = self.c * yaw_per_v_delta;
         let wz_delta2_delta = cos_lam + mu;
-        let t40 = cos_lam * (self.c + self.w) - self.xH * wz_delta2_delta;
-        let t42 = self.mH * (self.zH * wx_delta2_delta + t40);
-        let t46 = self.IHxz * wz_delta2_delta;
-        let t48 = self.zH * t42 + (wx_delta2_delta * t11 + t46);
-        let t52 = t2 * self.xB - self.IBxz;
-        let M_12 = t48 - mu * t52;
-        let t58 = wz_delta2_delta * (self.IFxx + self.IHzz);
-        let t62 = self.mB * self.xB;
-        let t67 = mu * (self.xB * t62 + (self.IRxx + self.IBzz));
-        let M_22 = t42 * t40
-            + (wz_delta2_delta * t58 + (wx_delta2_delta * (t46 + t48) + mu * t67));
+        let t36 = wz_delta2_delta * self.IHxz;
+        let t39 = t36 + t11 * wx_delta2_delta;
+        let t43 = t2 * self.xB - self.IBxz;
+        let t52 = cos_lam * (self.c + self.w)
+            - (self.xH * wz_delta2_delta - self.zH * wx_delta2_delta);
+        let t56 = self.mB * self.xB;
+        let t61 = mu * (self.IRxx + (self.xB * t56 + self.IBzz));
+        let t64 = self.mH * t52;
+        let t68 = wz_delta2_delta * (self.IFxx + self.IHzz);
+        let M_22 = wx_delta2_delta * (t36 + t39) + mu * t61
+            + (t52 * t64 + wz_delta2_delta * t68);
         let zero = self.w.like(0.0);
+        let ay_delta2_delta = cos_lam * self.hH;
         let t76 = self.hH + self.hB;
-        let C0_12 = cos_lam * self.hH + mu * t76;
+        let C0_12 = ay_delta2_delta + mu * t76;
+        let t80 = t22 + (t2 - t16);
         let SR = self.IRyy / self.rR;
         let SF = self.IFyy / self.rF;
-        let t83 = SR + SF;
-        let t86 = mu * t83 + cos_lam * SF;
-        let t89 = t15 + (t2 - t20);
+        let t92 = mu * SR + wz_delta2_delta * SF;
         let t96 = t7 * wz_delta2_delta + yaw_per_v_delta * self.IHxz;
-        let C1_12 = t86
-            - ((t52 + (t15 * self.xH + self.c * t89)) * yaw_per_v_delta - t96);
-        let t100 = t42 - mu * t62;
-        let ay_delta2_delta = self.xH * t42;
-        let K0_11 = t89 - t7;
+        let t100 = t64 - mu * t56;
+        let C1_22 = (t68 + (t61 - self.xH * t64 - self.c * t100)) * yaw_per_v_delta
+            + wx_delta2_delta * t96;
+        let K0_11 = t80 - t7;
         let K0_12 = t100 - t7 * wx_delta2_delta;
         let K0_22 = wx_delta2_delta * K0_12;
         let K1_12 = yaw_per_v_delta * t76;
-        let t113 = yaw_per_v_delta * wx_delta2_delta;
-        let K1_22 = self.hH * t113;
-        let K2_12 = yaw_per_v_delta * (t83 - K0_11);
-        let K2_22 = SF * t113 - yaw_per_v_delta * K0_12;
+        let K1_22 = t31 * (wx_delta2_delta * ay_delta2_delta);
+        let vy_all1_delta = SR - K0_11 + SF;
+        let K2_12 = yaw_per_v_delta * vy_all1_delta;
+        let K2_22 = yaw_per_v_delta * (wx_delta2_delta * SF - K0_12);
+        let M_12 = t22 * t52 - (mu * t43 - t39);
         let C0_21 = -C0_12;
-        let C1_21 = -t86;
-        let C1_22 = wx_delta2_delta * t96
-            - (self.c * t100 + (ay_delta2_delta - (t58 + t67))) * yaw_per_v_delta;
+        let C1_12 = t96 - (yaw_per_v_delta * (t43 + self.c * t80 + t22 * self.xH) - t92);
+        let C1_21 = -t92;
         FlywheelBicycleMatrices::from_entries([
             M_11, M_12, M_12, M_22, zero, C0_12, C0_21, zero, zero, C1_12, C1_21, C1_22, K0_11,
             K0_12, K0_12, K0_22, zero, K1_12, zero, K1_22, zero, K2_12, zero, K2_22,
@@ -352,222 +351,216 @@ pub struct FlywheelBicycleDerivatives<T = f64> {
 
 impl<T: Number> FlywheelBicycle<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 104 additions, 194 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 307 operations.
+    /// 102 additions, 191 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 300 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (FlywheelBicycleMatrices<T>, FlywheelBicycleDerivatives<T>) {
-        let M_11_mF = self.rF * self.rF;
-        let t7 = self.IHxx + self.IFxx + self.mF * M_11_mF;
-        let M_11_mB = self.zB * self.zB;
-        let t16 = self.rR * self.mR;
+        let t4 = self.rF * self.mF;
+        let t7 = self.IHxx + self.IFxx + self.rF * t4;
+        let t11 = self.rR * self.mR;
+        let t15 = self.zB * self.mB;
         let t20 = self.zH * self.mH;
-        let M_11 = t7 + self.IBxx + self.mB * M_11_mB + self.IRxx + self.rR * t16
+        let M_11 = t7 + self.IBxx + self.rR * t11 + self.zB * t15 + self.IRxx
             + self.zH * t20;
         let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
-        let t35 = self.xH - self.c - self.w;
-        let t37 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = wx_delta2_delta_lam * t37;
-        let t39 = self.xH * yaw_per_v_delta;
-        let t40 = self.c * t39;
-        let K0_12_mH = self.zH * wx_delta2_delta - wx_delta2_delta_lam * t35 - t40;
-        let M_12_mH = self.zH * K0_12_mH;
-        let mu = self.c * yaw_per_v_delta;
+        let t32 = self.w.like(1.0) / self.w;
+        let t33 = self.c * t32;
+        let mu = wx_delta2_delta_lam * t33;
         let wz_delta2_delta = wx_delta2_delta_lam + mu;
-        let t50 = wz_delta2_delta * self.IHxz + t7 * wx_delta2_delta;
-        let t51 = self.mH * M_12_mH + t50;
-        let t54 = self.mB * self.xB;
-        let t56 = self.IBxz - self.zB * t54;
-        let M_12 = t51 + mu * t56;
-        let t60 = self.IFxx + self.IHzz;
-        let t62 = wx_delta2_delta * self.IHxz;
-        let t63 = wz_delta2_delta * t60 + t62;
-        let t65 = self.mH * K0_12_mH;
-        let t71 = self.IRxx + self.IBzz + self.xB * t54;
-        let M_22_IRxx = mu * mu;
-        let M_22 = wz_delta2_delta * t63 + K0_12_mH * t65 + wx_delta2_delta * t50
-            + t71 * M_22_IRxx;
+        let t39 = self.IHxz * wz_delta2_delta + t7 * wx_delta2_delta;
+        let t42 = self.mB * self.xB;
+        let t44 = self.IBxz - self.zB * t42;
+        let t51 = self.c + self.w - self.xH - t33 * self.xH;
+        let K0_12_mH = self.zH * wx_delta2_delta + wx_delta2_delta_lam * t51;
+        let t54 = self.mH * K0_12_mH;
+        let M_12 = t39 + mu * t44 + self.zH * t54;
+        let K1_22_ay_delta2_delta = t32 * wx_delta2_delta;
+        let t59 = self.c * K1_22_ay_delta2_delta;
+        let t61 = self.IHxz * (wx_delta2_delta + t59);
+        let t63 = self.IFxx + self.IHzz;
+        let t66 = wz_delta2_delta * t63 + self.IHxz * wx_delta2_delta;
+        let t70 = self.IRxx + self.xB * t42 + self.IBzz;
+        let t72 = t66 + mu * t70;
+        let t74 = t66 + t33 * t72;
+        let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+        let M_22 = wx_delta2_delta_lam * (t61 + t74) + K0_12_mH * t54 + t7 * M_22_IHxx;
         let zero = self.w.like(0.0);
-        let t79 = wx_delta2_delta_lam * self.hH;
-        let t81 = self.hH + self.hB;
-        let C0_12 = t79 + mu * t81;
-        let t84 = self.mH * self.xH;
-        let M_22_wz_delta2_delta = self.IHxz + t56;
-        let t87 = self.zH * t84 - M_22_wz_delta2_delta;
-        let t88 = self.mB * self.zB;
-        let t89 = self.mF * self.rF;
-        let K0_11 = t88 - (t16 + t89 - t20);
-        let t94 = t87 + self.c * K0_11;
-        let t97 = self.w.like(1.0) / self.rF;
-        let SF = self.IFyy * t97;
-        let t100 = self.w.like(1.0) / self.rR;
-        let t101 = self.IRyy * t100;
-        let t102 = SF + t101;
-        let t103 = yaw_per_v_delta * t102;
-        let t104 = self.c * t103;
-        let t105 = t104 - yaw_per_v_delta * t94;
-        let t106 = wx_delta2_delta_lam * SF;
-        let t107 = wx_delta2_delta_lam * t89;
-        let C1_12 = t105 + t106 + t107;
-        let t111 = self.mB * yaw_per_v_delta;
-        let C1_12_yaw_per_v_delta = self.xB * t111;
-        let t113 = self.c * C1_12_yaw_per_v_delta;
-        let t114 = t113 - t65;
-        let t116 = K0_12_mH * t84;
-        let t117 = yaw_per_v_delta * t71;
-        let t119 = t63 + self.c * t117;
-        let t120 = t119 - t116;
-        let C1_12_mF = self.rF * wz_delta2_delta;
-        let t123 = self.mF * C1_12_mF;
-        let C1_22 = mu * t114 + yaw_per_v_delta * t120 + wx_delta2_delta * t123;
-        let t127 = self.mF * wx_delta2_delta;
-        let t128 = self.rF * t127;
-        let t129 = t114 + t128;
-        let K1_12 = yaw_per_v_delta * t81;
-        let t132 = wx_delta2_delta * t37;
-        let K1_22 = t79 * t132;
-        let K2_12_yaw_per_v_delta = t102 - K0_11;
-        let K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
-        let t136 = wx_delta2_delta * SF;
-        let t138 = t37 * (t129 + t136);
-        let K2_22 = wx_delta2_delta_lam * t138;
-        let t140 = t20 * wx_delta2_delta_lam;
-        let t141 = t37 * mu;
-        let M_12_w = t140 + t87 * t141;
-        let t145 = wx_delta2_delta_lam + t37 * t40;
-        let t146 = t65 + t65;
-        let M_22_mu = t119 + t119;
-        let M_22_w = t145 * t146 - t141 * M_22_mu;
-        let t151 = t37 * K1_12;
-        let C0_21_w = self.c * t151;
-        let t153 = t37 * t105;
-        let C1_21_w = t37 * t104;
-        let t155 = self.mH * t145;
-        let t156 = self.xH + self.c;
-        let t158 = yaw_per_v_delta * t60;
-        let t161 = t113 + t117 + t129 + t158;
-        let t164 = t37 * (t120 + self.c * t161);
-        let t166 = yaw_per_v_delta * (t155 * t156 + t164);
-        let K0_12_w = t155 + t54 * t141;
+        let t85 = self.hH + self.hB;
+        let t87 = self.hH + t33 * t85;
+        let C0_12 = wx_delta2_delta_lam * t87;
+        let t90 = self.w.like(1.0) / self.rF;
+        let SF = self.IFyy * t90;
+        let t92 = wx_delta2_delta_lam * SF;
+        let yaw_per_v_delta = wx_delta2_delta_lam * t32;
+        let t95 = self.w.like(1.0) / self.rR;
+        let SR = self.IRyy * t95;
+        let t97 = SF + SR;
+        let K0_11 = t15 + t20 - t4 - t11;
+        let vy_all1_delta = t97 - K0_11;
+        let t105 = self.IHxz + t44 - t20 * self.xH;
+        let t106 = self.c * vy_all1_delta + t105;
+        let M_22_wz_delta2_delta = yaw_per_v_delta * t106;
+        let t108 = t4 * wx_delta2_delta_lam;
+        let C1_12 = t92 + M_22_wz_delta2_delta + t108;
+        let t111 = mu * t97;
+        let t113 = mu * self.xB;
+        let t114 = self.mB * t113;
+        let t115 = t54 - t114;
+        let t119 = t32 * (t72 - self.xH * t54);
+        let t122 = wz_delta2_delta * wx_delta2_delta;
+        let C1_22 = t4 * t122 - wx_delta2_delta_lam * (t33 * t115 - t119);
+        let t125 = t4 * wx_delta2_delta;
+        let K0_12 = t115 - t125;
+        let K0_22 = wx_delta2_delta * K0_12;
+        let K1_12 = t85 * yaw_per_v_delta;
+        let K2_22_SF = wx_delta2_delta_lam * K1_22_ay_delta2_delta;
+        let K1_22 = self.hH * K2_22_SF;
+        let K2_12 = yaw_per_v_delta * vy_all1_delta;
+        let t132 = wx_delta2_delta * SF;
+        let ay_delta2_delta = t125 + t132;
+        let t134 = ay_delta2_delta - t115;
+        let t135 = t32 * t134;
+        let K2_22 = wx_delta2_delta_lam * t135;
+        let t137 = self.zH * wx_delta2_delta_lam;
+        let t138 = self.mH * t137;
+        let t139 = yaw_per_v_delta * t105;
+        let M_12_w = t138 - t33 * t139;
+        let t142 = t72 * yaw_per_v_delta;
+        let t143 = t33 * t142;
+        let t144 = self.xH * yaw_per_v_delta;
+        let t146 = wx_delta2_delta_lam + t33 * t144;
+        let t147 = self.mH * t146;
+        let t148 = K0_12_mH + K0_12_mH;
+        let M_22_w = t147 * t148 - t143 - t143;
+        let C0_21_w = t33 * K1_12;
+        let t153 = t32 * M_22_wz_delta2_delta;
+        let C1_21_w = t32 * t111;
+        let t155 = mu + t144;
+        let t156 = self.mH * t155;
+        let t159 = t63 * yaw_per_v_delta;
+        let t162 = t114 + t70 * yaw_per_v_delta + t159 - K0_12;
+        let t164 = t119 + t33 * t162;
+        let t166 = t146 * t156 + yaw_per_v_delta * t164;
+        let K0_12_w = t147 + t32 * t114;
         let K0_22_w = wx_delta2_delta * K0_12_w;
-        let t170 = t37 * K1_22;
-        let t171 = t37 * K2_12;
-        let t173 = yaw_per_v_delta * (t138 + K0_12_w);
-        let M_12_c = t140 - yaw_per_v_delta * t87;
-        let t176 = wx_delta2_delta_lam - t39;
-        let M_22_c = t146 * t176 + yaw_per_v_delta * M_22_mu;
-        let t181 = t39 + mu;
-        let t182 = self.mH * t176;
-        let C1_22_c = yaw_per_v_delta * t161 - t181 * t182;
-        let t185 = C1_12_yaw_per_v_delta - t182;
-        let t186 = wx_delta2_delta * t185;
-        let K2_22_c = yaw_per_v_delta * t185;
-        let K0_12_zH = self.mH * wx_delta2_delta;
-        let t190 = t35 * K0_12_zH;
-        let t191 = self.c * t132;
-        let t194 = t140 + t190 + t84 * t191;
-        let t199 = t62 + M_22_wz_delta2_delta * t191 - t7 * wx_delta2_delta_lam
-            - self.zH * t194;
-        let t202 = wx_delta2_delta + wx_delta2_delta;
-        let M_22_lam = wx_delta2_delta_lam * (t50 + t51) + K0_12_mH * (t190 + t194)
-            - t63 * t202 - t191 * (M_22_mu - t116);
-        let t211 = wx_delta2_delta * self.hH;
-        let t212 = t81 * t132;
-        let C0_21_lam = t211 + self.c * t212;
-        let C1_21_lam = t136 + t102 * t191;
-        let t219 = t128 + C1_21_lam - t94 * t132;
-        let C1_22_lam = wx_delta2_delta_lam * (t123 + yaw_per_v_delta * self.IHxz)
-            - wx_delta2_delta * (t128 + t158 + t164) - t181 * t194;
-        let K0_12_lam = t194 + t54 * t191 - t107;
-        let K0_22_lam = wx_delta2_delta * K0_12_lam - wx_delta2_delta_lam * t129;
-        let K1_22_lam = yaw_per_v_delta * t79 - t132 * t211;
-        let t238 = t132 * K2_12_yaw_per_v_delta;
-        let K2_22_lam = yaw_per_v_delta * (t106 - K0_12_lam) - wx_delta2_delta * t138;
-        let M_11_rR = t16 + t16;
-        let K2_12_IRyy = yaw_per_v_delta * t100;
-        let K2_12_rR = self.mR * yaw_per_v_delta - t101 * K2_12_IRyy;
+        let t170 = t32 * K1_12;
+        let t171 = t32 * K1_22;
+        let t172 = t32 * K2_12;
+        let t174 = yaw_per_v_delta * (t135 + K0_12_w);
+        let M_12_c = t138 + t139;
+        let t176 = wx_delta2_delta_lam - t144;
+        let t177 = self.mH * t176;
+        let C1_12_mu = t142 + K0_12_mH * t177;
+        let M_22_c = C1_12_mu + C1_12_mu;
+        let t181 = yaw_per_v_delta * t97;
+        let C1_22_c = yaw_per_v_delta * t162 - t156 * t176;
+        let t185 = t42 * yaw_per_v_delta;
+        let K0_12_c = t177 - t185;
+        let K0_22_c = wx_delta2_delta * K0_12_c;
+        let t188 = yaw_per_v_delta * K0_12_c;
+        let t192 = t137 - wx_delta2_delta * t51;
+        let t193 = self.mH * t192;
+        let M_12_lam = t7 * wx_delta2_delta_lam + self.zH * t193 - t61 - t44 * t59;
+        let t202 = K0_12_mH * t193 + wx_delta2_delta_lam * t39 - wx_delta2_delta * t74;
+        let M_22_lam = t202 + t202;
+        let C0_21_lam = wx_delta2_delta * t87;
+        let t206 = ay_delta2_delta + K1_22_ay_delta2_delta * t106;
+        let C1_21_lam = t132 + t59 * t97;
+        let t213 = wx_delta2_delta_lam * yaw_per_v_delta;
+        let C1_22_lam = wz_delta2_delta * t108 + self.IHxz * t213
+            - wx_delta2_delta * (t125 + t159 + t164) - t156 * t192;
+        let K0_12_lam = t193 + t42 * t59 - t108;
+        let K0_22_lam = wx_delta2_delta * K0_12_lam + wx_delta2_delta_lam * K0_12;
+        let t225 = K1_22_ay_delta2_delta * t85;
+        let t228 = self.hH * (wx_delta2_delta * K1_22_ay_delta2_delta - t213);
+        let t229 = K1_22_ay_delta2_delta * vy_all1_delta;
+        let K2_22_lam = yaw_per_v_delta * (t92 - K0_12_lam)
+            - K1_22_ay_delta2_delta * t134;
+        let M_11_rR = t11 + t11;
+        let t235 = t95 * SR;
+        let K2_12_rR = yaw_per_v_delta * (self.mR - t235);
         let C1_12_rR = self.c * K2_12_rR;
-        let C1_12_IRyy = mu * t100;
-        let C1_21_rR = t101 * C1_12_IRyy;
+        let C1_21_rR = mu * t235;
         let M_11_mR = self.rR * self.rR;
         let K2_12_mR = self.rR * yaw_per_v_delta;
         let C1_12_mR = self.c * K2_12_mR;
-        let C1_22_IRxx = yaw_per_v_delta * mu;
-        let t256 = mu * t88;
-        let t257 = self.mB * mu;
-        let K2_22_xB = yaw_per_v_delta * t257;
-        let t259 = self.xB * K2_22_xB;
-        let t260 = t259 + t259;
-        let M_22_xB = self.c * t260;
-        let t262 = yaw_per_v_delta * t88;
-        let C1_22_wz_delta2_delta = mu * t257;
-        let C1_22_xB = t260 + C1_22_wz_delta2_delta;
-        let t265 = wx_delta2_delta * t257;
-        let M_11_zB = t88 + t88;
-        let t267 = self.c + self.xB;
-        let t268 = t111 * t267;
-        let t269 = mu * self.xB;
-        let t270 = self.zB * t269;
-        let M_22_mB = t269 * t269;
-        let t272 = self.zB * yaw_per_v_delta;
-        let t273 = t267 * t272;
+        let M_22_IRxx = mu * mu;
+        let C1_22_IRxx = t33 * t213;
+        let K2_12_IRyy = yaw_per_v_delta * t95;
+        let C1_12_IRyy = self.c * K2_12_IRyy;
+        let t248 = t15 * mu;
+        let M_22_xB = t114 * (mu + mu);
+        let t251 = self.zB * yaw_per_v_delta;
+        let t252 = self.mB * t251;
+        let t253 = self.mB * yaw_per_v_delta;
+        let t254 = self.c * t253;
+        let t255 = t185 + t254;
+        let C1_22_xB = mu * (t185 + t255);
+        let t258 = wx_delta2_delta * t254;
+        let K2_22_xB = yaw_per_v_delta * t254;
+        let M_11_zB = t15 + t15;
+        let M_11_mB = self.zB * self.zB;
+        let t262 = self.zB * t113;
+        let M_22_mB = t113 * t113;
+        let t265 = mu + self.xB * yaw_per_v_delta;
+        let t266 = self.zB * t265;
+        let C1_22_mB = t113 * t265;
+        let t268 = wx_delta2_delta * t113;
         let K2_22_mB = self.xB * C1_22_IRxx;
-        let C1_22_mB = t267 * K2_22_mB;
-        let t276 = wx_delta2_delta * t269;
-        let t277 = self.mH * wz_delta2_delta;
-        let t278 = self.zH * t277;
-        let t279 = wz_delta2_delta * t146;
-        let t280 = t20 * yaw_per_v_delta;
-        let t282 = yaw_per_v_delta * K0_12_mH;
-        let C1_22_xH = self.mH * (wz_delta2_delta * t181 - t282);
-        let t285 = wz_delta2_delta * K0_12_zH;
-        let K2_22_xH = yaw_per_v_delta * t277;
+        let t270 = t20 * wz_delta2_delta;
+        let t271 = self.mH * wz_delta2_delta;
+        let t272 = t148 * t271;
+        let t273 = t20 * yaw_per_v_delta;
+        let t275 = K0_12_mH * yaw_per_v_delta;
+        let C1_22_xH = self.mH * (wz_delta2_delta * t155 - t275);
+        let t278 = self.mH * t122;
+        let K2_22_xH = yaw_per_v_delta * t271;
         let M_11_zH = t20 + t20;
-        let M_12_zH = t65 + t20 * wx_delta2_delta;
-        let M_22_zH = wx_delta2_delta * t146;
-        let t291 = self.mH * t181;
-        let t292 = t181 * K0_12_zH;
-        let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+        let K0_12_zH = self.mH * wx_delta2_delta;
+        let M_12_zH = t54 + self.zH * K0_12_zH;
+        let M_22_zH = wx_delta2_delta * (t54 + t54);
+        let t286 = wx_delta2_delta * t156;
         let K0_22_zH = self.mH * M_22_IHxx;
-        let t295 = self.mH * yaw_per_v_delta;
-        let C1_22_IHxz = wx_delta2_delta_lam * t132;
-        let t297 = self.mH * C1_22_IHxz;
+        let t288 = self.mH * yaw_per_v_delta;
+        let t289 = self.mH * K2_22_SF;
         let M_11_mH = self.zH * self.zH;
+        let M_12_mH = self.zH * K0_12_mH;
         let M_22_mH = K0_12_mH * K0_12_mH;
-        let t300 = self.zH * yaw_per_v_delta;
-        let t301 = t156 * t300;
-        let t302 = K0_12_mH * t181;
+        let t293 = self.zH * t155;
+        let t294 = K0_12_mH * t155;
         let K0_22_mH = wx_delta2_delta * K0_12_mH;
+        let t296 = self.zH * yaw_per_v_delta;
         let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-        let C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
-        let M_22_IHxz = wz_delta2_delta * t202;
-        let M_11_rF = t89 + t89;
-        let M_12_rF = t128 + t128;
-        let M_22_rF = t128 * t202;
-        let t311 = self.mF - t97 * SF;
-        let C1_12_rF = wz_delta2_delta * t311;
-        let C1_12_IFyy = wz_delta2_delta * t97;
+        let C1_22_IHzz = t213 + C1_22_IRxx;
+        let M_22_IHxz = t122 + t122;
+        let M_11_rF = t4 + t4;
+        let M_12_rF = t125 + t125;
+        let M_22_rF = M_22_IHxx * M_11_rF;
+        let t304 = self.mF - t90 * SF;
+        let C1_12_rF = wz_delta2_delta * t304;
+        let C1_12_IFyy = wz_delta2_delta * t90;
         let C1_21_rF = SF * C1_12_IFyy;
-        let C1_22_rF = wz_delta2_delta * t127;
-        let t316 = wx_delta2_delta * t127;
-        let K2_12_rF = yaw_per_v_delta * t311;
-        let K2_22_rF = wx_delta2_delta * K2_12_rF;
-        let M_12_mF = M_11_mF * wx_delta2_delta;
-        let t320 = self.rF * M_22_IHxx;
-        let M_22_mF = self.rF * t320;
+        let t308 = self.mF * wx_delta2_delta;
+        let C1_22_rF = wz_delta2_delta * t308;
+        let t310 = wx_delta2_delta * t308;
+        let K2_12_rF = yaw_per_v_delta * t304;
+        let K2_22_rF = K2_22_SF * t304;
+        let M_11_mF = self.rF * self.rF;
+        let t314 = self.rF * wx_delta2_delta;
+        let M_12_mF = self.rF * t314;
+        let t316 = self.rF * M_22_IHxx;
+        let M_22_mF = self.rF * t316;
+        let C1_12_mF = self.rF * wz_delta2_delta;
         let C1_22_mF = wx_delta2_delta * C1_12_mF;
-        let t323 = self.rF * wx_delta2_delta;
         let K2_12_mF = self.rF * yaw_per_v_delta;
-        let K2_22_mF = yaw_per_v_delta * t323;
+        let K2_22_mF = yaw_per_v_delta * t314;
         let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let K2_12_IFyy = yaw_per_v_delta * t97;
-        let K2_22_IFyy = t97 * C1_22_IHxz;
+        let K2_12_IFyy = t90 * yaw_per_v_delta;
+        let K2_22_IFyy = t90 * K2_22_SF;
         let C0_21 = -C0_12;
-        let C1_21 = -(t104 + t106);
-        let K0_12 = -t129;
-        let K0_22 = -(wx_delta2_delta * t129);
-        let K0_12_c = t182 - C1_12_yaw_per_v_delta;
+        let C1_21 = -(t92 + t111);
         (
             FlywheelBicycleMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, C0_12, C0_21, zero, zero, C1_12, C1_21, C1_22, K0_11,
@@ -575,20 +568,20 @@ impl<T: Number> FlywheelBicycle<T> {
             ]),
             FlywheelBicycleDerivatives {
                 values: [
-                    M_12_w, M_22_w, C0_21_w, t153, C1_21_w, t166, K0_12_w, K0_22_w, t151, t170,
-                    t171, t173, M_12_c, M_22_c, K1_12, K2_12, t103, C1_22_c, K0_12_c, t186, K2_22_c,
-                    t199, M_22_lam, C0_21_lam, t219, C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam,
-                    t212, K1_22_lam, t238, K2_22_lam, M_11_rR, C1_12_rR, C1_21_rR, self.mR,
-                    K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR, self.w.like(1.0), M_22_IRxx,
-                    C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t256, M_22_xB, t262, C1_22_xB, t257, t265,
-                    K2_22_xB, M_11_zB, t113, t268, self.mB, t111, M_11_mB, t270, M_22_mB, t273,
-                    C1_22_mB, self.zB, t269, t276, t272, K2_22_mB, mu, yaw_per_v_delta, t278, t279,
-                    t280, C1_22_xH, t277, t285, K2_22_xH, M_11_zH, M_12_zH, M_22_zH, t291, t292,
-                    self.mH, K0_12_zH, K0_22_zH, t295, t297, M_11_mH, M_12_mH, M_22_mH, t301, t302,
-                    self.zH, K0_12_mH, K0_22_mH, t300, t282, wx_delta2_delta, M_22_IHxx, M_22_IHzz,
-                    C1_22_IHzz, wz_delta2_delta, M_22_IHxz, C1_22_IHxz, M_11_rF, M_12_rF, M_22_rF,
-                    C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t127, t316, K2_12_rF, K2_22_rF, M_11_mF,
-                    M_12_mF, M_22_mF, C1_12_mF, C1_22_mF, self.rF, t323, t320, K2_12_mF, K2_22_mF,
+                    M_12_w, M_22_w, C0_21_w, t153, C1_21_w, t166, K0_12_w, K0_22_w, t170, t171,
+                    t172, t174, M_12_c, M_22_c, K1_12, K2_12, t181, C1_22_c, K0_12_c, K0_22_c, t188,
+                    M_12_lam, M_22_lam, C0_21_lam, t206, C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam,
+                    t225, t228, t229, K2_22_lam, M_11_rR, C1_12_rR, C1_21_rR, self.mR, K2_12_rR,
+                    M_11_mR, C1_12_mR, self.rR, K2_12_mR, self.w.like(1.0), M_22_IRxx, C1_22_IRxx,
+                    C1_12_IRyy, K2_12_IRyy, t248, M_22_xB, t252, C1_22_xB, t254, t258, K2_22_xB,
+                    M_11_zB, t114, t255, self.mB, t253, M_11_mB, t262, M_22_mB, t266, C1_22_mB,
+                    self.zB, t113, t268, t251, K2_22_mB, mu, yaw_per_v_delta, t270, t272, t273,
+                    C1_22_xH, t271, t278, K2_22_xH, M_11_zH, M_12_zH, M_22_zH, t156, t286, self.mH,
+                    K0_12_zH, K0_22_zH, t288, t289, M_11_mH, M_12_mH, M_22_mH, t293, t294, self.zH,
+                    K0_12_mH, K0_22_mH, t296, t275, wx_delta2_delta, M_22_IHxx, M_22_IHzz,
+                    C1_22_IHzz, wz_delta2_delta, M_22_IHxz, K2_22_SF, M_11_rF, M_12_rF, M_22_rF,
+                    C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t308, t310, K2_12_rF, K2_22_rF, M_11_mF,
+                    M_12_mF, M_22_mF, C1_12_mF, C1_22_mF, self.rF, t314, t316, K2_12_mF, K2_22_mF,
                     M_22_IFxx, C1_12_IFyy, K2_12_IFyy, K2_22_IFyy,
                 ],
             },
@@ -1088,13 +1081,11 @@ impl FlywheelBicycleDerivatives {
         Partial::new(MatrixName::C0, 1, 0, 1, 14).negative(),
         Partial::new(MatrixName::C1, 0, 1, 1, 15),
         Partial::new(MatrixName::C1, 1, 0, 1, 16).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 17),
-        Partial::new(MatrixName::K0, 0, 1, 1, 18),
-        Partial::new(MatrixName::K0, 1, 0, 1, 18),
-        Partial::new(MatrixName::K0, 1, 1, 1, 19).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 1, 20),
-        Partial::new(MatrixName::M, 0, 1, 2, 21).negative(),
-        Partial::new(MatrixName::M, 1, 0, 2, 21).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 1, 17), Partial::new(MatrixName::K0, 0, 1, 1, 18),
+        Partial::new(MatrixName::K0, 1, 0, 1, 18), Partial::new(MatrixName::K0, 1, 1, 1, 19),
+        Partial::new(MatrixName::K2, 1, 1, 1, 20).negative(),
+        Partial::new(MatrixName::M, 0, 1, 2, 21),
+        Partial::new(MatrixName::M, 1, 0, 2, 21),
         Partial::new(MatrixName::M, 1, 1, 2, 22),
         Partial::new(MatrixName::C0, 0, 1, 2, 23).negative(),
         Partial::new(MatrixName::C0, 1, 0, 2, 23),
@@ -1103,7 +1094,7 @@ impl FlywheelBicycleDerivatives {
         Partial::new(MatrixName::K0, 0, 1, 2, 27), Partial::new(MatrixName::K0, 1, 0, 2, 27),
         Partial::new(MatrixName::K0, 1, 1, 2, 28),
         Partial::new(MatrixName::K1, 0, 1, 2, 29).negative(),
-        Partial::new(MatrixName::K1, 1, 1, 2, 30),
+        Partial::new(MatrixName::K1, 1, 1, 2, 30).negative(),
         Partial::new(MatrixName::K2, 0, 1, 2, 31).negative(),
         Partial::new(MatrixName::K2, 1, 1, 2, 32), Partial::new(MatrixName::M, 0, 0, 4, 33),
         Partial::new(MatrixName::C1, 0, 1, 4, 34), Partial::new(MatrixName::C1, 1, 0, 4, 35),

@@ -268,20 +268,20 @@ impl<T: Number> Motorcycle<T> {
         let t25 = self.a - t10 * (t21 + t22);
         let t26 = self.Mf * t25;
         let zero = self.Mf.like(0.0);
-        let t33 = self.Ifz * t22;
-        let M_22 = self.Ifx * t21 + (t12 * M_12 + (self.Irz + t33));
+        let t34 = self.Ifz * t22;
+        let M_22 = self.Irz + (t12 * M_12 + self.Ifx * t21 + t34);
         let t43 = t21 * self.Ifz;
-        let t44 = t33 + t43;
+        let t44 = t34 + t43;
         let M_24 = cos_eps * t44 - t12 * t26;
-        let M_33 = self.h * t15 + self.Ifx * t22 + (j * t19 + t43 + self.Irx);
+        let M_33 = self.h * t15 + t43 + (j * t19 + (self.Irx + self.Ifx * t22));
         let M_34 = s * t44 - t19 * t25;
         let M_44 = self.Ifz + t25 * t26;
         let t64 = self.Mf.like(1.0) / self.sigma;
         let C0_55 = self.Cr1 * t64;
         let C0_52 = C0_55 * self.b;
         let C0_66 = t64 * self.Cf1;
+        let Kc_26 = (self.a - self.t) * C0_66 / cos_eps;
         let C0_64 = C0_66 * self.t;
-        let C0_62 = (C0_64 - self.a * C0_66) / cos_eps;
         let h_spin_R = self.iry / self.Rr;
         let h_spin_F = self.ify / self.Rf;
         let h_wheels_all = h_spin_R + h_spin_F;
@@ -297,15 +297,15 @@ impl<T: Number> Motorcycle<T> {
         let K1_64 = s * K1_63 + cos_eps * C0_66;
         let K1_66 = self.Cf1 * t95;
         let M_14 = -t26;
-        let M_23 = t12 * t19 - (s * (cos_eps * (self.Ifx - self.Ifz)) + self.Crxz);
+        let M_23 = t12 * t19 - self.Crxz - cos_eps * (s * (self.Ifx - self.Ifz));
         let C0_51 = -C0_55;
         let C0_61 = -C0_66;
+        let C0_62 = -Kc_26;
         let C1_23 = -h_wheels_all;
         let C1_24 = -t82;
         let C1_42 = t82 - t26;
         let C1_43 = -C1_34;
         let Kc_25 = -C0_52;
-        let Kc_26 = -C0_62;
         let Kc_46 = -C0_64;
         let K0_33 = -M_13;
         MotorcycleMatrices::from_entries([
@@ -381,7 +381,7 @@ pub struct MotorcycleDerivatives<T = f64> {
 
 impl<T: Number> Motorcycle<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 49 additions, 106 multiplications, 7 divisions, 13 negations and 2 trigonometric functions: 177 operations.
+    /// 48 additions, 106 multiplications, 7 divisions, 11 negations and 2 trigonometric functions: 174 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -389,7 +389,7 @@ impl<T: Number> Motorcycle<T> {
     pub fn matrices_and_derivatives(&self) -> (MotorcycleMatrices<T>, MotorcycleDerivatives<T>) {
         let M_11 = self.Mf + self.Mr;
         let (s, s_eps) = self.eps.sin_cos();
-        let t6 = s * self.f;
+        let t6 = self.f * s;
         let t10 = self.a + self.e;
         let t11 = s_eps * t10;
         let t12 = t6 - t11;
@@ -405,31 +405,32 @@ impl<T: Number> Motorcycle<T> {
         let t25 = self.a - t24;
         let t26 = self.Mf * t25;
         let zero = self.Mf.like(0.0);
-        let t35 = t12 * K0_33_eps + M_33_Ifx * self.Ifz + M_22_Ifx * self.Ifx;
-        let M_22 = self.Irz + t35;
-        let t38 = t12 * j;
+        let M_22_Mf = t12 * t12;
+        let t36 = M_33_Ifx * self.Ifz + M_22_Ifx * self.Ifx + self.Mf * M_22_Mf;
+        let M_22 = self.Irz + t36;
         let M_23_Ifz = s * s_eps;
-        let t43 = self.Mf * t38 - M_23_Ifz * (self.Ifz - self.Ifx);
+        let t42 = t12 * j;
+        let t44 = M_23_Ifz * (self.Ifz - self.Ifx) - self.Mf * t42;
+        let M_23 = t44 - self.Crxz;
         let M_24_Ifz = s_eps * t23;
-        let M_24_Mf = t12 * t25;
-        let M_24 = self.Ifz * M_24_Ifz + self.Mf * M_24_Mf;
-        let t55 = M_33_Ifx * self.Ifx + M_22_Ifx * self.Ifz + j * t19;
-        let M_33_Mr = self.h * self.h;
-        let M_33 = self.Irx + t55 + self.Mr * M_33_Mr;
+        let M_24 = t12 * t26 + self.Ifz * M_24_Ifz;
+        let t55 = M_22_Ifx * self.Ifz + M_33_Ifx * self.Ifx + j * t19;
+        let M_33 = self.Irx + t55 + self.h * t15;
         let M_34_Ifz = s * t23;
-        let t61 = self.Ifz * M_34_Ifz;
-        let t62 = j * t26;
-        let M_34 = t61 - t62;
-        let M_44 = self.Ifz + t25 * t26;
+        let t60 = self.Ifz * M_34_Ifz;
+        let t61 = j * t26;
+        let M_34 = t60 - t61;
+        let M_44_Mf = t25 * t25;
+        let M_44 = self.Ifz + self.Mf * M_44_Mf;
         let C0_66_Cf1 = self.Mf.like(1.0) / self.sigma;
         let C0_55 = self.Cr1 * C0_66_Cf1;
-        let C0_52_Cr1 = C0_66_Cf1 * self.b;
-        let C0_52 = self.Cr1 * C0_52_Cr1;
+        let C0_52 = C0_55 * self.b;
         let C0_66 = C0_66_Cf1 * self.Cf1;
-        let t76 = self.Mf.like(1.0) / s_eps;
-        let Kc_26_a = C0_66 * t76;
-        let t79 = self.a - self.t;
-        let Kc_26 = Kc_26_a * t79;
+        let t76 = self.a - self.t;
+        let t77 = self.Mf.like(1.0) / s_eps;
+        let t78 = C0_66_Cf1 * t77;
+        let Kc_26_a = self.Cf1 * t78;
+        let Kc_26 = t76 * Kc_26_a;
         let C0_64_Cf1 = C0_66_Cf1 * self.t;
         let C0_64 = self.Cf1 * C0_64_Cf1;
         let C1_32_ify = self.Mf.like(1.0) / self.Rf;
@@ -437,72 +438,69 @@ impl<T: Number> Motorcycle<T> {
         let C1_32_iry = self.Mf.like(1.0) / self.Rr;
         let t90 = self.iry * C1_32_iry;
         let h_wheels_all = h_spin_F + t90;
-        let C1_42_ify = s * C1_32_ify;
-        let C1_43_eps = self.ify * C1_42_ify;
+        let C1_43_eps = s * h_spin_F;
         let C1_32 = M_13 + h_wheels_all;
         let C1_34_ify = s_eps * C1_32_ify;
         let C1_34 = self.ify * C1_34_ify;
         let C1_42 = C1_43_eps - t26;
-        let t99 = self.Mf.like(1.0) / self.g;
-        let t101 = t99 * self.Zf;
-        let t102 = self.t * t101;
-        let t103 = self.g * t99;
-        let t104 = t26 * t103;
-        let t105 = t102 - t104;
+        let t98 = self.Mf.like(1.0) / self.g;
+        let t99 = self.g * t98;
+        let K0_34_Mf = t25 * t99;
+        let t103 = t98 * self.Zf;
+        let K0_34 = self.Mf * K0_34_Mf - self.t * t103;
+        let K0_44 = s * K0_34;
         let K1_53 = C0_66_Cf1 * self.Cr2;
         let t109 = self.sigma * self.sigma;
         let K1_66_Cf1 = self.Mf.like(1.0) / t109;
         let K1_55 = self.Cr1 * K1_66_Cf1;
         let K1_63 = C0_66_Cf1 * self.Cf2;
+        let K1_64_Cf2 = s * C0_66_Cf1;
         let K1_64_Cf1 = s_eps * C0_66_Cf1;
-        let K1_64 = self.Cf1 * K1_64_Cf1 + s * K1_63;
+        let K1_64 = self.Cf2 * K1_64_Cf2 + self.Cf1 * K1_64_Cf1;
         let K1_66 = self.Cf1 * K1_66_Cf1;
-        let M_22_Mf = t12 * t12;
+        let M_24_Mf = t12 * t25;
         let M_33_Mf = j * j;
-        let t122 = j * t25;
-        let M_44_Mf = t25 * t25;
-        let K0_34_Mf = t25 * t103;
+        let t123 = j * t25;
         let K0_44_Mf = s * K0_34_Mf;
+        let M_33_Mr = self.h * self.h;
+        let C1_42_ify = s * C1_32_ify;
         let M_12_a = self.Mf * s_eps;
         let M_13_a = self.Mf * s;
-        let t128 = s_eps * K0_33_eps;
-        let t129 = t128 + t128;
-        let t130 = s * K0_33_eps;
+        let t129 = s_eps * K0_33_eps;
+        let t130 = t129 + t129;
         let t131 = s_eps * t19;
-        let M_23_a = t131 - t130;
-        let M_14_e = self.Mf * t23;
+        let t132 = t12 * M_13_a;
+        let M_23_a = t131 - t132;
         let t135 = s_eps * t26;
-        let t136 = t12 * M_14_e + t135;
+        let t136 = K0_33_eps * t23 + t135;
         let M_24_a = K0_33_eps - t136;
-        let t138 = j * M_13_a;
+        let t138 = s * t19;
         let M_33_a = t138 + t138;
         let M_24_f = t25 * M_13_a;
-        let t141 = j * M_14_e;
-        let t143 = t19 + (M_24_f - t141);
-        let t144 = t25 * M_14_e;
-        let t145 = t144 + t144;
-        let t146 = t103 * M_14_e;
-        let t147 = s * t146;
-        let M_22_f = t130 + t130;
-        let t149 = t128 + t138;
+        let M_14_e = self.Mf * t23;
+        let t142 = j * M_14_e;
+        let t144 = t19 + (M_24_f - t142);
+        let t146 = M_14_e * (t25 + t25);
+        let t147 = t99 * M_14_e;
+        let t148 = s * t147;
+        let M_22_f = t132 + t132;
+        let t150 = t129 + t138;
         let M_33_f = t131 + t131;
         let M_33_h = t15 + t15;
         let C1_23_Rf = C1_32_ify * h_spin_F;
-        let C1_24_Rf = C1_32_ify * C1_43_eps;
-        let C1_43_Rf = s_eps * C1_23_Rf;
+        let C1_24_Rf = h_spin_F * C1_42_ify;
+        let C1_43_Rf = h_spin_F * C1_34_ify;
         let C1_23_Rr = C1_32_iry * t90;
-        let t156 = s * t101;
-        let M_22_eps = t43 + t43;
-        let M_23_eps = t35 - t55;
-        let K1_64_Cf2 = s * C0_66_Cf1;
-        let t160 = self.Cf1 * K1_64_Cf2;
-        let t161 = t76 * t79;
-        let Kc_26_eps = t76 * t160 * t161;
-        let t164 = s_eps * t105;
-        let K1_64_eps = s_eps * K1_63 - t160;
-        let Kc_26_Cf1 = C0_66_Cf1 * t161;
+        let t157 = s * t103;
+        let M_33_eps = t44 + t44;
+        let M_23_eps = t36 - t55;
+        let Kc_26_eps = s * t77 * Kc_26;
+        let K0_44_eps = s_eps * K0_34;
+        let K1_64_eps = self.Cf2 * K1_64_Cf1 - s * C0_66;
+        let Kc_26_Cf1 = t76 * t78;
+        let C0_52_Cr1 = C0_66_Cf1 * self.b;
         let C0_51_sigma = C0_66_Cf1 * C0_55;
-        let Kc_25_sigma = self.b * C0_51_sigma;
+        let Kc_25_sigma = C0_66_Cf1 * C0_52;
         let C0_61_sigma = C0_66_Cf1 * C0_66;
         let C0_62_sigma = C0_66 * Kc_26_Cf1;
         let Kc_46_sigma = self.t * C0_61_sigma;
@@ -513,13 +511,12 @@ impl<T: Number> Motorcycle<T> {
         let t178 = C0_66_Cf1 * K1_63;
         let t179 = C0_66_Cf1 * K1_64;
         let t181 = t175 * (self.Cf1 + self.Cf1);
-        let t182 = self.t * t99;
+        let t182 = self.t * t98;
         let t183 = s * t182;
-        let K0_34_g = t99 * (t26 + t105);
+        let K0_34_g = t98 * (t26 - K0_34);
         let K0_44_g = s * K0_34_g;
         let M_12 = -K0_33_eps;
         let M_14 = -t26;
-        let M_23 = -(self.Crxz + t43);
         let C0_51 = -C0_55;
         let C0_61 = -C0_66;
         let C0_62 = -Kc_26;
@@ -529,12 +526,10 @@ impl<T: Number> Motorcycle<T> {
         let Kc_25 = -C0_52;
         let Kc_46 = -C0_64;
         let K0_33 = -M_13;
-        let K0_34 = t104 - t102;
-        let K0_44 = -(s * t105);
         let M_12_Mf = t11 - t6;
         let M_14_Mf = t24 - self.a;
-        let M_34_e = t141 - M_24_f;
-        let M_24_eps = t62 - t61;
+        let M_34_e = t142 - M_24_f;
+        let M_24_eps = t61 - t60;
         (
             MotorcycleMatrices::from_entries([
                 M_11, M_12, M_13, M_14, zero, zero, M_12, M_22, M_23, M_24, zero, zero, M_13, M_23,
@@ -556,14 +551,14 @@ impl<T: Number> Motorcycle<T> {
             ]),
             MotorcycleDerivatives {
                 values: [
-                    self.Mf.like(1.0), M_12_Mf, j, M_14_Mf, M_22_Mf, t38, M_24_Mf, M_33_Mf, t122,
+                    self.Mf.like(1.0), M_12_Mf, j, M_14_Mf, M_22_Mf, t42, M_24_Mf, M_33_Mf, t123,
                     M_44_Mf, K0_34_Mf, K0_44_Mf, self.h, M_33_Mr, self.Mf.like(-1.0), M_22_Ifx,
                     M_23_Ifz, M_33_Ifx, M_24_Ifz, M_34_Ifz, C1_32_ify, C1_42_ify, C1_34_ify,
-                    C1_32_iry, M_12_a, M_13_a, t129, M_23_a, M_24_a, M_33_a, t143, Kc_26_a, C0_55,
-                    M_14_e, t136, M_34_e, t145, t146, t147, M_22_f, t149, M_24_f, M_33_f, t135,
-                    self.Mr, M_33_h, C1_23_Rf, C1_24_Rf, C1_43_Rf, C1_23_Rr, C0_66, t101, t156, t19,
-                    K0_33_eps, M_22_eps, M_23_eps, M_24_eps, M_24, Kc_26_eps, C1_34, C1_43_eps,
-                    t164, K1_64_eps, C0_66_Cf1, Kc_26_Cf1, C0_64_Cf1, K1_64_Cf1, K1_66_Cf1,
+                    C1_32_iry, M_12_a, M_13_a, t130, M_23_a, M_24_a, M_33_a, t144, Kc_26_a, C0_55,
+                    M_14_e, t136, M_34_e, t146, t147, t148, M_22_f, t150, M_24_f, M_33_f, t135,
+                    self.Mr, M_33_h, C1_23_Rf, C1_24_Rf, C1_43_Rf, C1_23_Rr, C0_66, t103, t157, t19,
+                    K0_33_eps, M_33_eps, M_23_eps, M_24_eps, M_24, Kc_26_eps, C1_34, C1_43_eps,
+                    K0_44_eps, K1_64_eps, C0_66_Cf1, Kc_26_Cf1, C0_64_Cf1, K1_64_Cf1, K1_66_Cf1,
                     K1_64_Cf2, C0_52_Cr1, C0_51_sigma, Kc_25_sigma, C0_61_sigma, C0_62_sigma,
                     Kc_46_sigma, t173, t177, t178, t179, t181, t182, t183, K0_34_g, K0_44_g,
                 ],
@@ -1206,14 +1201,12 @@ impl MotorcycleDerivatives {
         Partial::new(MatrixName::M, 0, 1, 17, 53).negative(),
         Partial::new(MatrixName::M, 0, 2, 17, 54).negative(),
         Partial::new(MatrixName::M, 1, 0, 17, 53).negative(),
-        Partial::new(MatrixName::M, 1, 1, 17, 55),
+        Partial::new(MatrixName::M, 1, 1, 17, 55).negative(),
         Partial::new(MatrixName::M, 1, 2, 17, 56),
         Partial::new(MatrixName::M, 1, 3, 17, 57),
         Partial::new(MatrixName::M, 2, 0, 17, 54).negative(),
-        Partial::new(MatrixName::M, 2, 1, 17, 56),
-        Partial::new(MatrixName::M, 2, 2, 17, 55).negative(),
-        Partial::new(MatrixName::M, 2, 3, 17, 58),
-        Partial::new(MatrixName::M, 3, 1, 17, 57),
+        Partial::new(MatrixName::M, 2, 1, 17, 56), Partial::new(MatrixName::M, 2, 2, 17, 55),
+        Partial::new(MatrixName::M, 2, 3, 17, 58), Partial::new(MatrixName::M, 3, 1, 17, 57),
         Partial::new(MatrixName::M, 3, 2, 17, 58),
         Partial::new(MatrixName::C0, 5, 1, 17, 59).negative(),
         Partial::new(MatrixName::C1, 1, 1, 17, 53).negative(),
@@ -1222,8 +1215,7 @@ impl MotorcycleDerivatives {
         Partial::new(MatrixName::C1, 2, 3, 17, 61).negative(),
         Partial::new(MatrixName::C1, 3, 1, 17, 60), Partial::new(MatrixName::C1, 3, 2, 17, 61),
         Partial::new(MatrixName::Kc, 1, 5, 17, 59), Partial::new(MatrixName::K0, 2, 2, 17, 54),
-        Partial::new(MatrixName::K0, 3, 3, 17, 62).negative(),
-        Partial::new(MatrixName::K1, 5, 3, 17, 63),
+        Partial::new(MatrixName::K0, 3, 3, 17, 62), Partial::new(MatrixName::K1, 5, 3, 17, 63),
         Partial::new(MatrixName::C0, 5, 0, 18, 64).negative(),
         Partial::new(MatrixName::C0, 5, 1, 18, 65).negative(),
         Partial::new(MatrixName::C0, 5, 3, 18, 66), Partial::new(MatrixName::C0, 5, 5, 18, 64),

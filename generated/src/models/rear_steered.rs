@@ -208,50 +208,53 @@ pub struct RearSteeredMatrices<T = f64> {
 
 impl<T: Number> RearSteered<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 40 additions, 44 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 92 operations.
+    /// 41 additions, 44 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 91 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> RearSteeredMatrices<T> {
-        let t4 = self.zB * self.mB;
-        let t8 = self.zH * self.mH;
-        let t15 = self.rR * self.mR;
-        let t20 = self.rF * self.mF;
-        let t24 = self.IHxx + (self.rF * t20 + self.IFxx);
-        let M_11 = self.IBxx + (self.IRxx + (self.zB * t4 + self.zH * t8))
-            + (self.rR * t15 + t24);
+        let t2 = self.zH * self.mH;
+        let t7 = self.rF * self.mF;
+        let t11 = self.IHxx + (self.rF * t7 + self.IFxx);
+        let t14 = self.rR * self.mR;
+        let t18 = self.zB * self.mB;
+        let M_11 = self.zH * t2
+            + (t11 + (self.rR * t14 + (self.zB * t18 + self.IRxx + self.IBxx)));
         let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t33 = self.w.like(1.0) / self.w;
-        let t34 = cos_lam * t33;
-        let yaw_by_delta = self.c * t34;
+        let t31 = self.w.like(1.0) / self.w;
+        let t32 = cos_lam * t31;
+        let yaw_by_delta = self.c * t32;
         let wz_delta2_delta = cos_lam + yaw_by_delta;
-        let K_phi_delta_ = t24 * sin_lam + wz_delta2_delta * self.IHxz;
-        let t45 = self.xH * wz_delta2_delta - cos_lam * (self.c + self.w);
-        let t47 = self.mH * (t45 - self.zH * sin_lam);
-        let t49 = self.zH * t47 - K_phi_delta_;
-        let t53 = t4 * self.xB - self.IBxz;
-        let M_12 = t49 + yaw_by_delta * t53;
-        let t60 = sin_lam * self.IHxz + wz_delta2_delta * (self.IFxx + self.IHzz);
-        let t61 = self.mB * self.xB;
-        let t67 = t60 + yaw_by_delta * (self.xB * t61 + (self.IRxx + self.IBzz));
+        let t39 = wz_delta2_delta * self.IHxz + t11 * sin_lam;
+        let t43 = t18 * self.xB - self.IBxz;
+        let t52 = self.zH * sin_lam + cos_lam * (self.c + self.w)
+            - wz_delta2_delta * self.xH;
+        let t53 = self.mH * t52;
+        let M_12 = yaw_by_delta * t43 - t39 - self.zH * t53;
+        let t59 = self.mB * self.xB;
+        let t62 = yaw_by_delta * (self.IRxx + self.IBzz + t59 * self.xB);
+        let t69 = self.IHxz * sin_lam + wz_delta2_delta * (self.IFxx + self.IHzz);
+        let M_22 = t53 * t52 + yaw_by_delta * t62
+            + (wz_delta2_delta * t69 + sin_lam * t39);
         let zero = self.w.like(0.0);
-        let t76 = self.IRyy / self.rR;
         let h_spin_R = self.IFyy / self.rF;
-        let t81 = yaw_by_delta * t76 + wz_delta2_delta * h_spin_R;
-        let K0_11 = t8 - (t15 + t20 - t4);
-        let C1_12 = t81
-            + (t20 * cos_lam
-                - t34 * (t53 + self.c * K0_11 + (t8 * self.xH - self.IHxz)));
-        let t98 = t20 * sin_lam;
-        let K0_12 = yaw_by_delta * t61 + t47 + t98;
-        let t104 = cos_lam * (t33 * (t67 + self.xH * t47 + K0_12 * self.c) + t98);
-        let K2_12 = t34 * (K0_11 - t76 - h_spin_R);
-        let K2_22 = t34 * (K0_12 + sin_lam * h_spin_R);
-        let M_22 = yaw_by_delta * t67 - (sin_lam * t49 - cos_lam * t60 - t47 * t45);
-        let C1_21 = -t81;
-        let C1_22 = -t104;
-        let K0_22 = -(K0_12 * sin_lam);
+        let K0_11 = t18 + t2 - (t7 + t14);
+        let t84 = self.IRyy / self.rR;
+        let t85 = K0_11 - h_spin_R - t84;
+        let t91 = t7 + h_spin_R
+            - t31 * (t2 * self.xH + (self.c * t85 + t43) - self.IHxz);
+        let C1_12 = t91 * cos_lam;
+        let t96 = t7 * sin_lam;
+        let t101 = t96 + yaw_by_delta * t59;
+        let t102 = t53 - t101;
+        let C1_22 = cos_lam
+            * (t31 * (self.xH * t53 - (t62 + t69) + self.c * t102) - t96);
+        let K0_22 = sin_lam * t102;
+        let K2_12 = t32 * t85;
+        let K2_22 = t32 * (sin_lam * h_spin_R - t102);
+        let C1_21 = -(yaw_by_delta * t84 + wz_delta2_delta * h_spin_R);
+        let K0_12 = t101 - t53;
         RearSteeredMatrices::from_entries([
             M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
             K2_12, zero, K2_22,
@@ -323,140 +326,134 @@ pub struct RearSteeredDerivatives<T = f64> {
 
 impl<T: Number> RearSteered<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 99 additions, 177 multiplications, 3 divisions, 6 negations and 2 trigonometric functions: 287 operations.
+    /// 98 additions, 184 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 292 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (RearSteeredMatrices<T>, RearSteeredDerivatives<T>) {
+        let t2 = self.zH * self.mH;
         let M_11_mB = self.zB * self.zB;
-        let M_11_mF = self.rF * self.rF;
-        let t13 = self.IHxx + self.IFxx + self.mF * M_11_mF;
-        let t16 = self.zH * self.mH;
-        let t18 = t13 + self.zH * t16;
-        let M_11_mR = self.rR * self.rR;
-        let M_11 = self.IBxx + self.mB * M_11_mB + self.IRxx + t18 + self.mR * M_11_mR;
+        let t11 = self.rR * self.mR;
+        let t18 = self.rF * self.mF;
+        let t21 = self.IFxx + self.IHxx + self.rF * t18;
+        let M_11 = self.zH * t2 + self.IRxx + self.mB * M_11_mB + self.rR * t11
+            + self.IBxx + t21;
         let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t29 = t13 * sin_lam;
-        let t34 = self.w.like(1.0) / self.w;
-        let t35 = self.c * t34;
-        let yaw_by_delta = cos_lam * t35;
+        let t29 = self.zH * sin_lam;
+        let t35 = self.xH - self.c - self.w;
+        let t37 = t29 - cos_lam * t35;
+        let t38 = self.w.like(1.0) / self.w;
+        let C1_12_IBxz = cos_lam * t38;
+        let yaw_by_delta = self.c * C1_12_IBxz;
+        let t41 = self.xH * yaw_by_delta;
+        let t42 = t37 - t41;
         let wz_delta2_delta = cos_lam + yaw_by_delta;
-        let t39 = t29 + self.IHxz * wz_delta2_delta;
-        let t42 = self.mB * self.xB;
-        let t44 = self.IBxz - self.zB * t42;
-        let t49 = self.c + self.w - self.xH;
-        let t50 = t35 * self.xH;
-        let t51 = t49 - t50;
-        let t53 = self.zH * sin_lam + cos_lam * t51;
-        let t54 = self.mH * t53;
-        let C1_12_IBxz = cos_lam * t34;
-        let t59 = yaw_by_delta * C1_12_IBxz;
-        let M_22_IRxx = self.c * t59;
-        let t64 = self.IRxx + self.IBzz + self.xB * t42;
-        let t66 = sin_lam * self.IHxz;
-        let t68 = self.IFxx + self.IHzz;
-        let t70 = t66 + wz_delta2_delta * t68;
-        let M_22_mH = t53 * t53;
-        let M_22 = M_22_IRxx * t64 + wz_delta2_delta * (t66 + t70) + self.mH * M_22_mH
-            + sin_lam * t29;
+        let t48 = t21 * sin_lam + wz_delta2_delta * self.IHxz;
+        let t51 = self.mB * self.xB;
+        let t53 = self.IBxz - self.zB * t51;
+        let t58 = sin_lam * self.IHxz;
+        let t60 = self.IFxx + self.IHzz;
+        let t62 = t58 + wz_delta2_delta * t60;
+        let t67 = self.IRxx + self.xB * t51 + self.IBzz;
+        let t68 = C1_12_IBxz * yaw_by_delta;
+        let M_22_IRxx = self.c * t68;
+        let t71 = self.mH * t42;
+        let M_22 = sin_lam * t48 + wz_delta2_delta * t62 + t67 * M_22_IRxx + t42 * t71;
         let zero = self.w.like(0.0);
-        let t81 = self.w.like(1.0) / self.rR;
-        let t82 = self.IRyy * t81;
-        let t84 = self.w.like(1.0) / self.rF;
-        let h_spin_R = self.IFyy * t84;
-        let t86 = t82 + h_spin_R;
-        let t87 = C1_12_IBxz * t86;
-        let t88 = self.c * t87;
-        let t89 = cos_lam * h_spin_R;
-        let t90 = t88 + t89;
-        let t91 = self.mF * self.rF;
-        let t92 = cos_lam * t91;
-        let t93 = self.mB * self.zB;
-        let t94 = self.mR * self.rR;
-        let K0_11 = t93 - (t91 + t94 - t16);
-        let t101 = self.IHxz + t44 - t16 * self.xH;
-        let t102 = t101 - self.c * K0_11;
-        let t103 = C1_12_IBxz * t102;
-        let C1_12 = t90 + t92 + t103;
-        let K0_12_mF = self.rF * sin_lam;
-        let t107 = self.mF * K0_12_mF;
-        let t110 = t70 + yaw_by_delta * t64;
+        let t78 = self.w.like(1.0) / self.rF;
+        let h_spin_R = self.IFyy * t78;
+        let t80 = self.IHxz + t53;
+        let t82 = self.w.like(1.0) / self.rR;
+        let t83 = self.IRyy * t82;
+        let t84 = h_spin_R + t83;
+        let t85 = self.mB * self.zB;
+        let t87 = t2 + t85 - t18;
+        let t89 = t84 + (t11 - t87);
+        let t94 = t38 * (t80 + self.c * t89 - t2 * self.xH);
+        let t96 = t18 + h_spin_R + t94;
+        let C1_12 = cos_lam * t96;
+        let t98 = yaw_by_delta * t84;
+        let t99 = cos_lam * h_spin_R;
+        let K0_12_rF = self.mF * sin_lam;
+        let t102 = self.rF * K0_12_rF;
+        let K0_12_mB = yaw_by_delta * self.xB;
+        let M_12_zB = self.mB * K0_12_mB;
+        let K0_12 = t102 + M_12_zB - t71;
+        let t110 = t62 + yaw_by_delta * t67;
+        let t113 = t38 * (self.c * K0_12 + t110 - self.xH * t71);
+        let t114 = t102 + t113;
+        let C1_12_c = C1_12_IBxz * t89;
+        let t118 = sin_lam * h_spin_R;
+        let t119 = K0_12 + t118;
+        let K2_22 = C1_12_IBxz * t119;
+        let t122 = cos_lam + t38 * t41;
+        let t124 = t38 * yaw_by_delta;
+        let M_12_w = t80 * t124 - t2 * t122;
+        let t129 = t110 * t124 - t71 * t122;
+        let t130 = t129 + t129;
+        let t131 = C1_12_IBxz * t94;
+        let C1_21_w = t38 * t98;
+        let t135 = M_12_zB + C1_12_IBxz * (t60 + t67);
+        let t138 = self.mH * t122;
+        let t139 = self.xH * C1_12_IBxz;
+        let t140 = yaw_by_delta + t139;
+        let C1_22_w = t124 * t135 + C1_12_IBxz * t113 + t138 * t140;
+        let t145 = t138 + t51 * t124;
+        let K0_22_w = sin_lam * t145;
+        let K2_12_w = t38 * C1_12_c;
+        let t151 = C1_12_IBxz * (t138 + t38 * (M_12_zB + t119));
+        let t152 = cos_lam - t139;
+        let t153 = self.mH * t152;
+        let t156 = self.zH * t153 + C1_12_IBxz * t80;
+        let t159 = t71 * t152 + C1_12_IBxz * t110;
+        let M_22_c = t159 + t159;
+        let t161 = C1_12_IBxz * t84;
+        let C1_22_c = t140 * t153 - C1_12_IBxz * (K0_12 + t135);
         let K2_12_zB = self.mB * C1_12_IBxz;
-        let K0_12_xB = self.c * K2_12_zB;
-        let M_12_zB = self.xB * K0_12_xB;
-        let K0_12 = t107 + M_12_zB - t54;
-        let t119 = t34 * (self.xH * t54 - t110 - self.c * K0_12);
-        let t120 = t107 - t119;
-        let t123 = t86 - K0_11;
-        let C1_12_c = C1_12_IBxz * t123;
-        let t125 = sin_lam * h_spin_R;
-        let t126 = K0_12 + t125;
-        let K2_22 = C1_12_IBxz * t126;
-        let t128 = C1_12_IBxz * t101;
-        let t130 = t16 * cos_lam;
-        let M_12_w = t35 * t128 - t130;
-        let t133 = cos_lam + t50 * C1_12_IBxz;
-        let t135 = C1_12_IBxz * t110;
-        let t137 = t54 * t133 - t35 * t135;
-        let M_22_w = t137 + t137;
-        let t140 = t34 * (t88 + t103);
-        let C1_21_w = t34 * t88;
-        let t142 = self.mH * t133;
-        let t143 = self.c + self.xH;
-        let t147 = M_12_zB + C1_12_IBxz * (t64 + t68);
-        let t148 = t35 * t147;
-        let t151 = C1_12_IBxz * (t119 - t142 * t143 - t148);
-        let t152 = t42 * C1_12_IBxz;
-        let t154 = t142 + t35 * t152;
-        let K0_22_w = sin_lam * t154;
-        let K2_12_w = t34 * C1_12_c;
-        let t159 = t34 * (K2_22 + cos_lam * t154);
-        let t160 = t128 + t130;
-        let t161 = t54 + t54;
-        let t162 = self.xH * C1_12_IBxz;
-        let t163 = cos_lam - t162;
-        let M_22_c = t135 + t135 + t161 * t163;
-        let t167 = self.mH * t163;
-        let t171 = C1_12_IBxz * (K0_12 + t147 - t143 * t167);
-        let K0_12_c = t152 - t167;
-        let t173 = sin_lam * K0_12_c;
-        let K2_22_c = C1_12_IBxz * K0_12_c;
-        let t176 = sin_lam * t34;
-        let t177 = self.c * t176;
-        let t179 = self.mH * sin_lam;
-        let t180 = self.zH * t179;
-        let M_12_lam = t66 + t101 * t177 + t49 * t180 - t18 * cos_lam;
-        let t186 = t130 - t51 * t179;
-        let t193 = t53 * t186 + cos_lam * t39 - sin_lam * (t70 + t35 * t110);
-        let M_22_lam = t193 + t193;
-        let C1_21_lam = t125 + t86 * t177;
-        let t199 = t107 + t102 * t176 + C1_21_lam;
-        let t200 = yaw_by_delta + t162;
-        let t202 = cos_lam * C1_12_IBxz;
-        let C1_22_lam = t186 * t200 + sin_lam * (t120 + t148 + C1_12_IBxz * t68)
-            - self.IHxz * t202 - wz_delta2_delta * t92;
-        let K0_12_lam = t92 - t186 - t42 * t177;
-        let K2_12_lam = t123 * t176;
-        let K2_22_lam = C1_12_IBxz * (t89 + K0_12_lam) - t126 * t176;
-        let M_11_rR = t94 + t94;
-        let t226 = C1_12_IBxz * (self.mR - t81 * t82);
-        let C1_12_rR = self.c * t226;
-        let C1_12_IRyy = yaw_by_delta * t81;
-        let C1_21_rR = t82 * C1_12_IRyy;
-        let C1_12_mR = self.rR * yaw_by_delta;
-        let t231 = self.rR * C1_12_IBxz;
-        let t233 = C1_12_IBxz * t81;
-        let M_12_xB = yaw_by_delta * t93;
-        let M_22_xB = yaw_by_delta * (M_12_zB + M_12_zB);
-        let t237 = self.zB * K2_12_zB;
+        let K2_22_yaw_by_delta = self.xB * K2_12_zB;
+        let t168 = t153 - K2_22_yaw_by_delta;
+        let K0_22_c = sin_lam * t168;
+        let t170 = C1_12_IBxz * t168;
+        let t172 = sin_lam * t38;
+        let t173 = self.c * t172;
+        let t177 = self.zH * cos_lam;
+        let t179 = sin_lam * t35 + self.xH * t173 + t177;
+        let t183 = t21 * cos_lam + t2 * t179 - t58 - t80 * t173;
+        let t185 = self.mH * t179;
+        let t191 = sin_lam * t62 + t110 * t173 - t42 * t185 - cos_lam * t48;
+        let t192 = t191 + t191;
+        let t193 = sin_lam * t96;
+        let C1_21_lam = t118 + t84 * t173;
+        let C1_12_mF = self.rF * wz_delta2_delta;
+        let t205 = self.mH * t140;
+        let C1_22_lam = sin_lam * t114 + t135 * t173 + t179 * t205
+            - cos_lam * (C1_12_IBxz * self.IHxz + self.mF * C1_12_mF - t60 * t172);
+        let K0_12_lam = t18 * cos_lam - t185 - t51 * t173;
+        let t216 = cos_lam * K0_12 + sin_lam * K0_12_lam;
+        let K2_12_lam = t89 * t172;
+        let K2_22_lam = C1_12_IBxz * (t99 + K0_12_lam) - t119 * t172;
+        let M_11_rR = t11 + t11;
+        let t223 = t82 * t83;
+        let t225 = C1_12_IBxz * (self.mR - t223);
+        let C1_12_rR = self.c * t225;
+        let C1_21_rR = yaw_by_delta * t223;
+        let M_11_mR = self.rR * self.rR;
+        let t229 = self.rR * C1_12_IBxz;
+        let C1_12_mR = self.c * t229;
+        let t232 = C1_12_IBxz * t82;
+        let C1_12_IRyy = self.c * t232;
+        let t234 = C1_12_IBxz * t85;
+        let M_12_xB = self.c * t234;
+        let t236 = yaw_by_delta * M_12_zB;
+        let M_22_xB = t236 + t236;
         let t238 = self.c + self.xB;
         let t239 = K2_12_zB * t238;
-        let t241 = yaw_by_delta * (t152 + t239);
-        let t242 = sin_lam * K0_12_xB;
-        let K2_22_xB = self.mB * t59;
-        let M_11_zB = t93 + t93;
-        let K0_12_mB = yaw_by_delta * self.xB;
+        let t241 = yaw_by_delta * (K2_22_yaw_by_delta + t239);
+        let K0_12_xB = self.mB * yaw_by_delta;
+        let t243 = sin_lam * K0_12_xB;
+        let K2_22_xB = C1_12_IBxz * K0_12_xB;
+        let M_11_zB = t85 + t85;
         let M_12_mB = self.zB * K0_12_mB;
         let M_22_mB = K0_12_mB * K0_12_mB;
         let K2_12_mB = self.zB * C1_12_IBxz;
@@ -466,61 +463,65 @@ impl<T: Number> RearSteered<T> {
         let t252 = sin_lam * K0_12_mB;
         let K0_12_xH = self.mH * wz_delta2_delta;
         let M_12_xH = self.zH * K0_12_xH;
-        let t255 = wz_delta2_delta * t161;
-        let t256 = t34 * t130;
+        let t255 = t71 + t71;
+        let t256 = wz_delta2_delta * t255;
         let K2_12_zH = self.mH * C1_12_IBxz;
-        let t259 = t143 * K2_12_zH;
-        let C1_22_xH = t53 * K2_12_zH - wz_delta2_delta * t259;
+        let t258 = self.zH * K2_12_zH;
+        let C1_22_xH = t42 * K2_12_zH - wz_delta2_delta * t205;
         let t262 = sin_lam * wz_delta2_delta;
         let t263 = self.mH * t262;
-        let t264 = t59 + t202;
+        let t264 = C1_12_IBxz * wz_delta2_delta;
         let K2_22_xH = self.mH * t264;
-        let M_11_zH = t16 + t16;
-        let t267 = t54 + t180;
-        let M_22_zH = sin_lam * t161;
-        let C1_22_zH = t179 * t200;
-        let M_22_IHxx = sin_lam * sin_lam;
-        let K0_22_zH = self.mH * M_22_IHxx;
-        let t272 = sin_lam * K2_12_zH;
+        let M_11_zH = t2 + t2;
+        let t268 = self.mH * (t29 + t42);
+        let M_22_zH = sin_lam * t255;
+        let C1_22_zH = sin_lam * t205;
+        let t271 = self.mH * sin_lam;
+        let K0_22_zH = sin_lam * t271;
+        let t273 = C1_12_IBxz * t271;
         let M_11_mH = self.zH * self.zH;
-        let t274 = self.zH * t53;
-        let t275 = self.zH * t200;
-        let C1_22_mH = t53 * t200;
-        let K0_22_mH = sin_lam * t53;
-        let K2_12_mH = self.zH * C1_12_IBxz;
-        let t279 = t53 * C1_12_IBxz;
+        let t275 = self.zH * t42;
+        let M_22_mH = t42 * t42;
+        let t277 = self.zH * t140;
+        let C1_22_mH = t42 * t140;
+        let K0_22_mH = sin_lam * t42;
+        let K2_12_mH = t38 * t177;
+        let t281 = C1_12_IBxz * t42;
+        let M_22_IHxx = sin_lam * sin_lam;
         let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
         let M_22_IHxz = t262 + t262;
-        let K2_22_h_spin_R = cos_lam * t176;
-        let M_11_rF = t91 + t91;
-        let t284 = t107 + t107;
-        let M_22_rF = sin_lam * t284;
-        let t286 = t84 * h_spin_R;
-        let t287 = self.mF - t286;
-        let C1_12_rF = wz_delta2_delta * t287;
-        let C1_21_rF = wz_delta2_delta * t286;
-        let K0_12_rF = self.mF * sin_lam;
-        let t291 = wz_delta2_delta * K0_12_rF;
-        let t292 = sin_lam * K0_12_rF;
-        let t293 = C1_12_IBxz * t287;
-        let K2_22_rF = K2_22_h_spin_R * t287;
-        let t295 = self.rF * K0_12_mF;
-        let t296 = self.rF * M_22_IHxx;
-        let M_22_mF = self.rF * t296;
-        let C1_12_mF = self.rF * wz_delta2_delta;
-        let t299 = sin_lam * C1_12_mF;
-        let t300 = self.rF * C1_12_IBxz;
-        let K2_22_mF = C1_12_IBxz * K0_12_mF;
+        let K2_22_h_spin_R = cos_lam * t172;
+        let M_11_rF = t18 + t18;
+        let t287 = t102 + t102;
+        let M_22_rF = sin_lam * t287;
+        let t289 = t78 * h_spin_R;
+        let t290 = self.mF - t289;
+        let C1_12_rF = wz_delta2_delta * t290;
+        let C1_21_rF = wz_delta2_delta * t289;
+        let t293 = self.mF * t262;
+        let t294 = sin_lam * K0_12_rF;
+        let t295 = C1_12_IBxz * t290;
+        let K2_22_rF = K2_22_h_spin_R * t290;
+        let M_11_mF = self.rF * self.rF;
+        let K0_12_mF = self.rF * sin_lam;
+        let t299 = self.rF * K0_12_mF;
+        let M_22_mF = sin_lam * t299;
+        let t301 = wz_delta2_delta * K0_12_mF;
+        let t302 = sin_lam * K0_12_mF;
+        let t303 = self.rF * C1_12_IBxz;
+        let K2_22_mF = self.rF * K2_22_h_spin_R;
         let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let C1_12_IFyy = wz_delta2_delta * t84;
-        let t304 = C1_12_IBxz * t84;
-        let K2_22_IFyy = t84 * K2_22_h_spin_R;
-        let M_12 = -(t39 + yaw_by_delta * t44 + self.zH * t54);
-        let C1_21 = -t90;
-        let C1_22 = -(cos_lam * t120);
+        let C1_12_IFyy = wz_delta2_delta * t78;
+        let t307 = C1_12_IBxz * t78;
+        let K2_22_IFyy = t78 * K2_22_h_spin_R;
+        let M_12 = -(t2 * t42 + t48 + yaw_by_delta * t53);
+        let C1_21 = -(t98 + t99);
+        let C1_22 = -(cos_lam * t114);
+        let K0_11 = t87 - t11;
         let K0_22 = -(sin_lam * K0_12);
         let K2_12 = -C1_12_c;
-        let K0_22_lam = -(sin_lam * K0_12_lam + cos_lam * K0_12);
+        let K0_12_c = K2_22_yaw_by_delta - t153;
+        let K0_12_mH = t41 - t37;
         (
             RearSteeredMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
@@ -528,20 +529,20 @@ impl<T: Number> RearSteered<T> {
             ]),
             RearSteeredDerivatives {
                 values: [
-                    M_12_w, M_22_w, t140, C1_21_w, t151, t154, K0_22_w, K2_12_w, t159, t160, M_22_c,
-                    C1_12_c, t87, t171, K0_12_c, t173, K2_22_c, M_12_lam, M_22_lam, t199, C1_21_lam,
-                    C1_22_lam, K0_12_lam, K0_22_lam, K2_12_lam, K2_22_lam, M_11_rR, C1_12_rR,
-                    C1_21_rR, self.mR, t226, M_11_mR, C1_12_mR, self.rR, t231, self.w.like(1.0),
-                    M_22_IRxx, t59, C1_12_IRyy, t233, M_12_xB, M_22_xB, t237, t241, K0_12_xB, t242,
+                    M_12_w, t130, t131, C1_21_w, C1_22_w, t145, K0_22_w, K2_12_w, t151, t156,
+                    M_22_c, C1_12_c, t161, C1_22_c, K0_12_c, K0_22_c, t170, t183, t192, t193,
+                    C1_21_lam, C1_22_lam, K0_12_lam, t216, K2_12_lam, K2_22_lam, M_11_rR, C1_12_rR,
+                    C1_21_rR, self.mR, t225, M_11_mR, C1_12_mR, self.rR, t229, self.w.like(1.0),
+                    M_22_IRxx, t68, C1_12_IRyy, t232, M_12_xB, M_22_xB, t234, t241, K0_12_xB, t243,
                     K2_22_xB, M_11_zB, M_12_zB, t239, self.mB, K2_12_zB, M_11_mB, M_12_mB, M_22_mB,
                     t249, t251, self.zB, K0_12_mB, t252, K2_12_mB, K2_22_mB, yaw_by_delta,
-                    C1_12_IBxz, M_12_xH, t255, t256, C1_22_xH, K0_12_xH, t263, K2_22_xH, M_11_zH,
-                    t267, M_22_zH, t259, C1_22_zH, self.mH, t179, K0_22_zH, K2_12_zH, t272, M_11_mH,
-                    t274, M_22_mH, t275, C1_22_mH, self.zH, t53, K0_22_mH, K2_12_mH, t279, sin_lam,
-                    M_22_IHxx, M_22_IHzz, t264, wz_delta2_delta, M_22_IHxz, K2_22_h_spin_R, M_11_rF,
-                    t284, M_22_rF, C1_12_rF, C1_21_rF, t291, self.mF, K0_12_rF, t292, t293,
-                    K2_22_rF, M_11_mF, t295, M_22_mF, C1_12_mF, t299, self.rF, K0_12_mF, t296, t300,
-                    K2_22_mF, M_22_IFxx, C1_12_IFyy, t304, K2_22_IFyy,
+                    C1_12_IBxz, M_12_xH, t256, t258, C1_22_xH, K0_12_xH, t263, K2_22_xH, M_11_zH,
+                    t268, M_22_zH, t205, C1_22_zH, self.mH, t271, K0_22_zH, K2_12_zH, t273, M_11_mH,
+                    t275, M_22_mH, t277, C1_22_mH, self.zH, K0_12_mH, K0_22_mH, K2_12_mH, t281,
+                    sin_lam, M_22_IHxx, M_22_IHzz, t264, wz_delta2_delta, M_22_IHxz, K2_22_h_spin_R,
+                    M_11_rF, t287, M_22_rF, C1_12_rF, C1_21_rF, t293, self.mF, K0_12_rF, t294, t295,
+                    K2_22_rF, M_11_mF, t299, M_22_mF, C1_12_mF, t301, self.rF, K0_12_mF, t302, t303,
+                    K2_22_mF, M_22_IFxx, C1_12_IFyy, t307, K2_22_IFyy,
                 ],
             },
         )
@@ -990,10 +991,9 @@ impl RearSteeredDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 158] = &[
         Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1),
+        Partial::new(MatrixName::M, 1, 1, 0, 1).negative(),
         Partial::new(MatrixName::C1, 0, 1, 0, 2).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 0, 3),
-        Partial::new(MatrixName::C1, 1, 1, 0, 4).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
         Partial::new(MatrixName::K0, 0, 1, 0, 5).negative(),
         Partial::new(MatrixName::K0, 1, 0, 0, 5).negative(),
         Partial::new(MatrixName::K0, 1, 1, 0, 6), Partial::new(MatrixName::K2, 0, 1, 0, 7),
@@ -1002,18 +1002,19 @@ impl RearSteeredDerivatives {
         Partial::new(MatrixName::M, 1, 0, 1, 9).negative(),
         Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
         Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 13).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 1, 14),
-        Partial::new(MatrixName::K0, 1, 0, 1, 14),
-        Partial::new(MatrixName::K0, 1, 1, 1, 15).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 1, 16), Partial::new(MatrixName::M, 0, 1, 2, 17),
-        Partial::new(MatrixName::M, 1, 0, 2, 17), Partial::new(MatrixName::M, 1, 1, 2, 18),
+        Partial::new(MatrixName::C1, 1, 1, 1, 13), Partial::new(MatrixName::K0, 0, 1, 1, 14),
+        Partial::new(MatrixName::K0, 1, 0, 1, 14), Partial::new(MatrixName::K0, 1, 1, 1, 15),
+        Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
+        Partial::new(MatrixName::M, 0, 1, 2, 17).negative(),
+        Partial::new(MatrixName::M, 1, 0, 2, 17).negative(),
+        Partial::new(MatrixName::M, 1, 1, 2, 18).negative(),
         Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
         Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
         Partial::new(MatrixName::K0, 0, 1, 2, 22), Partial::new(MatrixName::K0, 1, 0, 2, 22),
-        Partial::new(MatrixName::K0, 1, 1, 2, 23), Partial::new(MatrixName::K2, 0, 1, 2, 24),
-        Partial::new(MatrixName::K2, 1, 1, 2, 25), Partial::new(MatrixName::M, 0, 0, 4, 26),
-        Partial::new(MatrixName::C1, 0, 1, 4, 27), Partial::new(MatrixName::C1, 1, 0, 4, 28),
+        Partial::new(MatrixName::K0, 1, 1, 2, 23).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 2, 24), Partial::new(MatrixName::K2, 1, 1, 2, 25),
+        Partial::new(MatrixName::M, 0, 0, 4, 26), Partial::new(MatrixName::C1, 0, 1, 4, 27),
+        Partial::new(MatrixName::C1, 1, 0, 4, 28),
         Partial::new(MatrixName::K0, 0, 0, 4, 29).negative(),
         Partial::new(MatrixName::K2, 0, 1, 4, 30).negative(),
         Partial::new(MatrixName::M, 0, 0, 5, 31),
@@ -1078,12 +1079,9 @@ impl RearSteeredDerivatives {
         Partial::new(MatrixName::M, 1, 0, 17, 82).negative(),
         Partial::new(MatrixName::M, 1, 1, 17, 83),
         Partial::new(MatrixName::C1, 0, 1, 17, 84).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 17, 85),
-        Partial::new(MatrixName::K0, 0, 0, 17, 86),
-        Partial::new(MatrixName::K0, 0, 1, 17, 87).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 17, 87).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 17, 88),
-        Partial::new(MatrixName::K2, 0, 1, 17, 89),
+        Partial::new(MatrixName::C1, 1, 1, 17, 85), Partial::new(MatrixName::K0, 0, 0, 17, 86),
+        Partial::new(MatrixName::K0, 0, 1, 17, 87), Partial::new(MatrixName::K0, 1, 0, 17, 87),
+        Partial::new(MatrixName::K0, 1, 1, 17, 88), Partial::new(MatrixName::K2, 0, 1, 17, 89),
         Partial::new(MatrixName::K2, 1, 1, 17, 90).negative(),
         Partial::new(MatrixName::M, 0, 0, 18, 35),
         Partial::new(MatrixName::M, 0, 1, 18, 91).negative(),

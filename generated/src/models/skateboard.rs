@@ -275,52 +275,51 @@ impl<T: Number> Skateboard<T> {
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (SkateboardMatrices<T>, SkateboardDerivatives<T>) {
-        let P_gamma_lateral = self.h * self.m;
-        let M_11 = self.Ixx + self.h * P_gamma_lateral;
-        let t7 = self.L.like(1.0) / self.L;
-        let (lateral_per_v_deltaR, cos_lamR) = self.lamR.sin_cos();
-        let t10 = self.L.like(1.0) / cos_lamR;
-        let t12 = t10 * lateral_per_v_deltaR;
-        let (sin_lamF, cos_lamF) = self.lamF.sin_cos();
-        let t15 = self.L.like(1.0) / cos_lamF;
-        let t17 = t15 * sin_lamF;
-        let C1_11_Ixz = t7 * (t12 + t17);
-        let t23 = self.Ixz + P_gamma_lateral * self.x;
-        let t24 = C1_11_Ixz * t23;
-        let C1_11 = t24 - P_gamma_lateral * t12;
-        let Kc_11_kF = t15 * t15;
-        let t29 = self.kF * Kc_11_kF;
-        let Kc_11_kR = t10 * t10;
-        let t32 = self.kR * Kc_11_kR;
-        let Kc_11 = t29 + t32;
-        let K2_11_h = self.m * C1_11_Ixz;
-        let K2_11 = self.h * K2_11_h;
-        let t36 = t7 * t24;
-        let t37 = P_gamma_lateral * t7;
-        let t38 = C1_11_Ixz * t37;
-        let t39 = t7 * t23;
-        let P_gamma_yaw = cos_lamF + sin_lamF * t17;
-        let t42 = t15 * P_gamma_yaw;
-        let C1_11_lamF = t39 * t42;
-        let t44 = t17 * t29;
-        let Kc_11_lamF = t44 + t44;
-        let K2_11_lamF = t37 * t42;
-        let t50 = t12 * t12 + self.L.like(1.0);
-        let C1_11_lamR = (t39 - P_gamma_lateral) * t50;
-        let Kc_11_lamR = t32 * (t12 + t12);
-        let K2_11_lamR = t37 * t50;
         let M_11_m = self.h * self.h;
-        let t57 = C1_11_Ixz * self.x - t12;
-        let C1_11_m = self.h * t57;
+        let M_11 = self.Ixx + self.m * M_11_m;
+        let (lateral_per_v_deltaR, cos_lamR) = self.lamR.sin_cos();
+        let t8 = self.L.like(1.0) / cos_lamR;
+        let t10 = t8 * lateral_per_v_deltaR;
+        let P_gamma_lateral = self.m * self.h;
+        let P_gamma_yaw = self.Ixz + P_gamma_lateral * self.x;
+        let t17 = self.L.like(1.0) / self.L;
+        let t18 = P_gamma_yaw * t17;
+        let t19 = t18 - P_gamma_lateral;
+        let (sin_lamF, cos_lamF) = self.lamF.sin_cos();
+        let t23 = self.L.like(1.0) / cos_lamF;
+        let t25 = t23 * sin_lamF;
+        let C1_11 = t10 * t19 + t18 * t25;
+        let Kc_11_kF = t23 * t23;
+        let t30 = self.kF * Kc_11_kF;
+        let Kc_11_kR = t8 * t8;
+        let t33 = self.kR * Kc_11_kR;
+        let Kc_11 = t30 + t33;
+        let C1_11_Ixz = t17 * (t10 + t25);
+        let K2_11 = P_gamma_lateral * C1_11_Ixz;
+        let t38 = t18 * C1_11_Ixz;
+        let t39 = P_gamma_lateral * t17;
+        let t40 = C1_11_Ixz * t39;
+        let t43 = t23 * (cos_lamF + sin_lamF * t25);
+        let C1_11_lamF = t18 * t43;
+        let Kc_11_lamF = t25 * (t30 + t30);
+        let K2_11_lamF = t39 * t43;
+        let t50 = self.L.like(1.0) + t10 * t10;
+        let C1_11_lamR = t19 * t50;
+        let t52 = t10 * t33;
+        let Kc_11_lamR = t52 + t52;
+        let K2_11_lamR = t39 * t50;
+        let t56 = self.x * C1_11_Ixz - t10;
+        let C1_11_m = self.h * t56;
         let K2_11_m = self.h * C1_11_Ixz;
         let M_11_h = P_gamma_lateral + P_gamma_lateral;
-        let C1_11_h = self.m * t57;
+        let C1_11_h = self.m * t56;
+        let K2_11_h = self.m * C1_11_Ixz;
         let K0_11 = -P_gamma_lateral;
         (
             SkateboardMatrices::from_entries([M_11, C1_11, Kc_11, K0_11, K2_11]),
             SkateboardDerivatives {
                 values: [
-                    t36, t38, C1_11_lamF, Kc_11_lamF, K2_11_lamF, C1_11_lamR, Kc_11_lamR,
+                    t38, t40, C1_11_lamF, Kc_11_lamF, K2_11_lamF, C1_11_lamR, Kc_11_lamR,
                     K2_11_lamR, Kc_11_kF, Kc_11_kR, M_11_m, C1_11_m, self.h, K2_11_m, K2_11, M_11_h,
                     C1_11_h, self.m, K2_11_h, self.L.like(1.0), C1_11_Ixz,
                 ],

@@ -142,16 +142,16 @@ impl<T: Number> Wheelset<T> {
         let t7 = self.b + self.b;
         let Cm1_22_f11 = self.b * t7;
         let Cm1_22 = self.f11 * Cm1_22_f11;
-        let t12 = self.f11 * t7;
-        let t14 = self.m.like(1.0) / self.r;
-        let Kc_21_lam = t12 * t14;
-        let Kc_21 = self.lam * Kc_21_lam;
-        let t19 = self.lam * t14;
-        let Kc_21_f11 = t7 * t19;
-        let Cm1_22_b = t12 + t12;
-        let t23 = self.f11 * t19;
-        let Kc_21_b = t23 + t23;
-        let t25 = Kc_21_lam * t19;
+        let t13 = self.m.like(1.0) / self.r;
+        let t14 = self.lam * t13;
+        let Kc_21_f11 = t7 * t14;
+        let Kc_21 = self.f11 * Kc_21_f11;
+        let t20 = self.f11 * t7;
+        let Cm1_22_b = t20 + t20;
+        let t22 = self.f11 * t14;
+        let Kc_21_b = t22 + t22;
+        let Kc_21_lam = t13 * t20;
+        let t25 = t13 * Kc_21;
         let Kc_12 = -Cm1_11;
         (
             WheelsetMatrices::from_entries([

@@ -265,212 +265,221 @@ pub struct WhippleDerivatives<T = f64> {
 
 impl<T: Number> Whipple<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 108 additions, 198 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 314 operations.
+    /// 110 additions, 195 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 312 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleMatrices<T>, WhippleDerivatives<T>) {
-        let t2 = self.rR * self.mR;
-        let M_11_mF = self.rF * self.rF;
-        let M_11_mH = self.zH * self.zH;
-        let t18 = self.mF * M_11_mF + self.mH * M_11_mH + self.IHxx + self.IFxx;
         let M_11_mB = self.zB * self.zB;
-        let M_11 = self.rR * t2 + self.IRxx + self.IBxx + t18 + self.mB * M_11_mB;
+        let t8 = self.rF * self.mF;
+        let t12 = self.zH * self.mH;
+        let t18 = self.rF * t8 + self.zH * t12 + self.IHxx + self.IFxx;
+        let t21 = self.rR * self.mR;
+        let M_11 = self.IRxx + self.IBxx + self.mB * M_11_mB + t18 + self.rR * t21;
         let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t30 = self.mF * self.rF;
-        let t32 = t30 * self.c;
-        let t33 = self.mH * self.zH;
-        let t36 = self.w - self.xH;
-        let t37 = self.c + t36;
-        let t40 = self.IHxz + t33 * t37 - t32;
-        let t44 = cos_lam * t40 + t18 * sin_lam;
-        let t49 = self.IHxz + t30 * self.w - t33 * self.xH;
-        let t50 = self.mB * self.zB;
-        let t54 = self.IBxz + t49 - t50 * self.xB;
-        let t55 = self.w.like(1.0) / self.w;
-        let C1_12_IBxz = cos_lam * t55;
+        let t32 = self.c + self.w;
+        let t33 = self.xH - t32;
+        let t34 = self.mH * t33;
+        let t39 = self.IHxz - self.zH * t34 - t8 * self.c;
+        let t43 = cos_lam * t39 + t18 * sin_lam;
+        let t44 = self.mH * self.xH;
+        let t46 = self.mF * self.w;
+        let t49 = self.IHxz + self.rF * t46 - self.zH * t44;
+        let t52 = self.mB * self.xB;
+        let t55 = t49 + self.IBxz - self.zB * t52;
+        let t56 = self.w.like(1.0) / self.w;
+        let C1_12_IBxz = cos_lam * t56;
         let mu = self.c * C1_12_IBxz;
-        let M_12 = t44 + t54 * mu;
-        let t61 = self.mH * t37;
-        let t62 = self.mF * self.c;
-        let t63 = t61 + t62;
-        let t66 = self.IFxx + self.IHzz;
-        let t75 = t66 - self.w * t62 - self.xH * t61;
-        let t77 = sin_lam * t49 + cos_lam * t75;
-        let t79 = self.mB * self.xB;
-        let t81 = self.mH * self.xH;
-        let t83 = self.mF * self.w;
-        let t89 = self.IRxx + t66 + self.IBzz + self.xB * t79 + self.xH * t81
-            + self.w * t83;
-        let t90 = mu * t89;
-        let t91 = t77 + t90;
-        let t92 = self.c * t55;
-        let t96 = cos_lam * (self.c * t63 + t66 + t36 * t61) + t91 * t92 + t40 * sin_lam;
-        let M_22 = sin_lam * t44 + cos_lam * (t96 + t77 * t92);
+        let M_12 = t43 + t55 * mu;
+        let t62 = sin_lam * t56;
+        let t65 = self.IFxx + self.IHzz;
+        let t69 = t65 + self.xH * t34 - self.c * t46;
+        let t71 = t49 * t62 + C1_12_IBxz * t69;
+        let t73 = t39 * sin_lam;
+        let t86 = C1_12_IBxz
+            * (self.IRxx + t65 + self.xH * t44 + self.xB * t52 + self.w * t46
+                + self.IBzz);
+        let t87 = self.c * t56;
+        let t88 = t86 * t87;
+        let t89 = t71 + t88;
+        let t90 = self.mF * self.c;
+        let t91 = cos_lam * t90;
+        let t95 = t73 + cos_lam * (t65 + t33 * t34) + self.c * (t89 + t91);
+        let M_22 = sin_lam * t43 + cos_lam * (self.c * t71 + t95);
         let zero = self.w.like(0.0);
-        let t103 = self.w.like(1.0) / self.rF;
-        let SF = self.IFyy * t103;
-        let t106 = self.w.like(1.0) / self.rR;
-        let t107 = self.IRyy * t106;
-        let ST = SF + t107;
-        let t109 = t33 - t30;
-        let t110 = t50 + t109;
-        let t112 = ST + (t2 - t110);
-        let t116 = t54 + self.c * t112 + self.w * SF;
-        let t117 = t55 * t116;
-        let C1_12 = cos_lam * t117;
-        let t119 = t92 * ST;
-        let t120 = SF + t119;
-        let t123 = t81 + t83;
-        let t124 = t79 + t123;
-        let t126 = t92 * t124 - t63;
-        let K0_12 = sin_lam * t109 - cos_lam * t126;
-        let t130 = self.c * K0_12 - t91;
+        let t101 = self.w.like(1.0) / self.rF;
+        let SF = self.IFyy * t101;
+        let t104 = self.w.like(1.0) / self.rR;
+        let t105 = self.IRyy * t104;
+        let ST = SF + t105;
+        let t107 = self.mB * self.zB;
+        let t108 = t8 - t107;
+        let t109 = t12 - t21;
+        let t111 = ST + (t108 - t109);
+        let t115 = t55 + self.c * t111 + self.w * SF;
+        let C1_12 = C1_12_IBxz * t115;
+        let t117 = t87 * ST;
+        let t118 = SF + t117;
+        let t120 = t44 + t46;
+        let ITzz_mB = t56 * (t52 + t120);
+        let t123 = self.mF - ITzz_mB;
+        let t125 = self.c * t123 - t34;
+        let t127 = self.mF * sin_lam;
+        let t128 = self.rF * t127;
+        let K0_12 = cos_lam * t125 + t12 * sin_lam - t128;
+        let t133 = t89 - t87 * K0_12;
+        let C1_22 = cos_lam * t133;
         let K0_22 = sin_lam * K0_12;
-        let K2_12 = C1_12_IBxz * t112;
-        let ITzz_w = K0_12 - sin_lam * SF;
-        let t136 = C1_12_IBxz * ITzz_w;
-        let t137 = self.mH * cos_lam;
-        let t139 = t54 * t92;
-        let M_12_w = self.zH * t137 + C1_12_IBxz * (t32 - t139);
-        let t145 = cos_lam * (self.xH * t92 - t37);
-        let t146 = self.zH * sin_lam;
-        let t147 = t145 - t146;
-        let t148 = t147 + t147;
-        let t149 = t137 * t148;
-        let t150 = self.w * C1_12_IBxz;
-        let K0_12_mF = self.c * (cos_lam - t150) - self.rF * sin_lam;
-        let t155 = self.mF * K0_12_mF;
-        let t158 = cos_lam * t155 + C1_12_IBxz * t91;
-        let t159 = t158 + t158;
-        let t161 = t149 + t92 * t159;
-        let C1_12_w = C1_12_IBxz * (t30 + SF - t117);
-        let C1_21_w = C1_12_IBxz * t119;
-        let t166 = self.xH * C1_12_IBxz;
-        let t167 = t137 * t166;
-        let t170 = cos_lam * (self.mF - t55 * t124);
-        let K0_12_w = t137 - t92 * t170;
-        let t176 = t90 - t130;
-        let t181 = t167
-            + C1_12_IBxz * (t155 + t55 * t176 - self.c * (C1_12_IBxz * t83 - K0_12_w));
+        let K2_12 = C1_12_IBxz * t111;
+        let t138 = sin_lam * SF - K0_12;
+        let K2_22 = C1_12_IBxz * t138;
+        let t140 = t12 * cos_lam;
+        let t141 = t55 * t56;
+        let M_12_w = t140 + mu * (t8 - t141);
+        let t145 = self.mH * cos_lam;
+        let M_12_IHxz = cos_lam + mu;
+        let t149 = cos_lam * t32 - self.xH * M_12_IHxz;
+        let t150 = self.zH * sin_lam;
+        let K0_12_mH = t149 + t150;
+        let t152 = t150 + K0_12_mH;
+        let t153 = t149 + t152;
+        let t154 = t145 * t153;
+        let t155 = self.w * C1_12_IBxz;
+        let t156 = t90 * t155;
+        let t158 = t128 + t156 - t91;
+        let t159 = t89 - t158;
+        let t160 = mu + mu;
+        let M_22_w = t154 - t159 * t160;
+        let t163 = cos_lam * SF;
+        let t164 = t8 * cos_lam;
+        let t167 = t56 * (C1_12 - t163 - t164);
+        let C1_21_w = C1_12_IBxz * t117;
+        let t169 = cos_lam * C1_12_IBxz;
+        let t170 = t44 * t169;
+        let t171 = t88 + t133;
+        let K0_12_w = t145 - mu * t123;
+        let C1_22_w = C1_12_IBxz * (t156 + t158 - t171 - self.c * K0_12_w) - t170;
         let K0_22_w = sin_lam * K0_12_w;
-        let t183 = t55 * K2_12;
-        let K2_22_w = t55 * t136 - C1_12_IBxz * K0_12_w;
-        let t188 = cos_lam * t109;
-        let M_12_c = t54 * C1_12_IBxz + t188;
-        let M_22_c = t159 - t149;
+        let t181 = t56 * K2_12;
+        let t182 = t56 * t138;
+        let t184 = C1_12_IBxz * (K0_12_w + t182);
+        let t186 = t140 - t164;
+        let M_12_c = cos_lam * t141 + t186;
+        let t188 = cos_lam * t159;
+        let M_22_c = t154 + t188 + t188;
         let t191 = C1_12_IBxz * ST;
-        let K0_12_c = t137 + t170;
-        let t199 = C1_12_IBxz
-            * (K0_12 + cos_lam * t123 + self.c * K0_12_c - C1_12_IBxz * t89);
+        let K0_12_c = t145 + cos_lam * t123;
+        let t199 = C1_12_IBxz * (K0_12 + cos_lam * t120 + self.c * K0_12_c - t86);
         let K0_22_c = sin_lam * K0_12_c;
         let t201 = C1_12_IBxz * K0_12_c;
-        let M_12_lam = t18 * cos_lam - sin_lam * (t40 + t139);
-        let t207 = sin_lam * t55;
-        let K2_22_SF = cos_lam * t207;
-        let t212 = t75 * K2_22_SF - cos_lam * t49 * C1_12_IBxz;
-        let t216 = self.c * t212 + sin_lam * t96 - cos_lam * t44;
-        let t217 = t216 + t216;
-        let t218 = t116 * t207;
-        let C1_21_lam = sin_lam * t120;
-        let K0_12_lam = t188 + sin_lam * t126;
-        let t225 = t212 + mu * K0_12_lam + t176 * t207;
+        let M_12_lam = t18 * cos_lam - t73 - self.c * t55 * t62;
+        let K2_22_SF = sin_lam * C1_12_IBxz;
+        let ITzz_xB = t69 * K2_22_SF;
+        let t211 = ITzz_xB - t49 * t169;
+        let t215 = cos_lam * t43 - self.c * t211 - sin_lam * t95;
+        let M_22_lam = t215 + t215;
+        let t217 = t62 * t115;
+        let C1_21_lam = sin_lam * t118;
+        let K0_12_lam = t186 - sin_lam * t125;
         let K0_22_lam = sin_lam * K0_12_lam + cos_lam * K0_12;
-        let t229 = t112 * t207;
-        let K2_22_lam = ITzz_w * t207 + C1_12_IBxz * (cos_lam * SF - K0_12_lam);
-        let M_11_rR = t2 + t2;
-        let t236 = t106 * t107;
-        let K2_12_rR = C1_12_IBxz * (self.mR - t236);
-        let C1_12_rR = self.c * K2_12_rR;
-        let C1_21_rR = mu * t236;
+        let t228 = t62 * t111;
+        let K2_22_lam = C1_12_IBxz * (t163 - K0_12_lam) - sin_lam * t182;
+        let M_11_rR = t21 + t21;
+        let t234 = t104 * t105;
+        let t235 = self.mR - t234;
+        let C1_12_rR = mu * t235;
+        let C1_21_rR = mu * t234;
+        let K2_12_rR = C1_12_IBxz * t235;
         let M_11_mR = self.rR * self.rR;
         let C1_12_mR = self.rR * mu;
         let K2_12_mR = self.rR * C1_12_IBxz;
         let M_22_ITzz = mu * mu;
         let C1_22_ITzz = C1_12_IBxz * mu;
-        let K2_12_IRyy = C1_12_IBxz * t106;
+        let K2_12_IRyy = C1_12_IBxz * t104;
         let C1_12_IRyy = self.c * K2_12_IRyy;
-        let t249 = t50 * C1_12_IBxz;
-        let t250 = self.c * t249;
+        let t247 = mu * t107;
+        let t248 = self.xB * mu;
+        let t249 = self.mB * t248;
+        let M_22_xB = t160 * t249;
         let t251 = self.mB * C1_12_IBxz;
-        let t252 = self.c * t251;
-        let t253 = self.xB * t252;
-        let t254 = mu * t253;
-        let M_22_xB = t254 + t254;
-        let t256 = self.c + self.xB;
-        let t258 = self.xB * mu;
-        let K2_22_mB = C1_12_IBxz * t258;
-        let C1_22_xB = self.mB * (C1_22_ITzz * t256 + K2_22_mB);
-        let t262 = sin_lam * t252;
+        let t252 = self.zB * t251;
+        let t253 = self.c * t251;
+        let t254 = self.xB * C1_12_IBxz;
+        let t255 = mu + t254;
+        let C1_22_xB = t253 * (t254 + t255);
+        let t258 = sin_lam * t253;
         let K2_22_xB = self.mB * C1_22_ITzz;
-        let M_11_zB = t50 + t50;
-        let t265 = t251 * t256;
-        let t266 = self.zB * t258;
-        let M_22_mB = t258 * t258;
-        let t268 = self.zB * C1_12_IBxz;
-        let t269 = t256 * t268;
-        let C1_22_mB = t256 * K2_22_mB;
-        let t271 = sin_lam * t258;
-        let M_12_IHxz = cos_lam + mu;
-        let t273 = t33 * M_12_IHxz;
-        let t274 = self.mH * M_12_IHxz;
-        let M_22_xH = t148 * t274;
-        let t276 = self.mH * C1_12_IBxz;
-        let t277 = self.zH * t276;
-        let K2_22_mH = C1_12_IBxz * t147;
-        let C1_22_xH = t167 + self.mH * (mu * (t166 + M_12_IHxz) + K2_22_mH);
-        let t284 = sin_lam * t274;
-        let K2_22_xH = C1_12_IBxz * t274;
-        let M_11_zH = t33 + t33;
-        let M_12_zH = self.mH * (t146 - t147);
+        let M_11_zB = t107 + t107;
+        let t261 = self.mB * t255;
+        let t262 = self.zB * t248;
+        let M_22_mB = t248 * t248;
+        let t264 = self.zB * t255;
+        let C1_22_mB = t248 * t255;
+        let t266 = sin_lam * t248;
+        let t267 = self.zB * C1_12_IBxz;
+        let K2_22_mB = mu * t254;
+        let t269 = self.mH * M_12_IHxz;
+        let t270 = self.zH * t269;
+        let t271 = t153 * t269;
+        let t272 = t12 * C1_12_IBxz;
+        let t274 = C1_12_IBxz * (self.xH + self.c);
+        let t277 = C1_12_IBxz * K0_12_mH;
+        let C1_22_xH = t170 + self.mH * (mu * (cos_lam + t274) - t277);
         let K0_12_zH = self.mH * sin_lam;
-        let t290 = t148 * K0_12_zH;
-        let t291 = self.c + self.xH;
-        let t292 = t276 * t291;
-        let t293 = sin_lam * t292;
+        let t282 = M_12_IHxz * K0_12_zH;
+        let C1_22_IHzz = t169 + C1_22_ITzz;
+        let K2_22_xH = self.mH * C1_22_IHzz;
+        let M_11_zH = t12 + t12;
+        let M_12_zH = self.mH * t152;
+        let M_22_zH = t153 * K0_12_zH;
+        let t288 = self.mH * t274;
+        let t289 = sin_lam * t288;
         let K0_22_zH = sin_lam * K0_12_zH;
-        let t295 = C1_12_IBxz * K0_12_zH;
-        let t296 = self.zH * t147;
-        let M_22_mH = t147 * t147;
-        let t298 = self.zH * C1_12_IBxz;
-        let t299 = t291 * t298;
-        let C1_22_mH = K2_22_mH * t291;
-        let t301 = sin_lam * t147;
+        let t291 = self.mH * C1_12_IBxz;
+        let t292 = sin_lam * t291;
+        let M_11_mH = self.zH * self.zH;
+        let M_12_mH = self.zH * K0_12_mH;
+        let M_22_mH = K0_12_mH * K0_12_mH;
+        let t296 = self.zH * t274;
+        let t297 = K0_12_mH * t274;
+        let K0_22_mH = sin_lam * K0_12_mH;
+        let t299 = self.zH * C1_12_IBxz;
         let M_22_IHxx = sin_lam * sin_lam;
         let M_22_IHzz = M_12_IHxz * M_12_IHxz;
-        let C1_22_IHzz = C1_12_IBxz * M_12_IHxz;
-        let t305 = sin_lam + sin_lam;
-        let M_22_IHxz = M_12_IHxz * t305;
-        let M_11_rF = t30 + t30;
-        let M_12_rF = t30 * sin_lam - t155;
-        let t310 = t155 * t305;
-        let C1_12_SF = mu + t150;
-        let t313 = self.mF - t103 * SF;
-        let C1_12_rF = C1_12_SF * t313;
-        let t315 = t103 * M_12_IHxz;
-        let C1_21_rF = SF * t315;
-        let C1_22_rF = K2_22_SF * (t62 + t83);
-        let t319 = self.mF * sin_lam;
-        let t320 = sin_lam * t319;
-        let K2_12_rF = C1_12_IBxz * t313;
-        let K2_22_rF = K2_22_SF * t313;
-        let t323 = self.rF * K0_12_mF;
-        let M_22_mF = K0_12_mF * K0_12_mF;
+        let t302 = sin_lam + sin_lam;
+        let M_22_IHxz = M_12_IHxz * t302;
+        let M_11_rF = t8 + t8;
+        let M_12_rF = t128 + t158;
+        let M_22_rF = t158 * t302;
+        let C1_12_SF = t32 * C1_12_IBxz;
+        let t309 = self.mF - t101 * SF;
+        let C1_12_rF = C1_12_SF * t309;
+        let t311 = t101 * M_12_IHxz;
+        let C1_21_rF = SF * t311;
+        let C1_22_rF = t127 * C1_12_SF;
+        let t314 = sin_lam * t127;
+        let K2_12_rF = C1_12_IBxz * t309;
+        let K2_22_rF = K2_22_SF * t309;
+        let M_11_mF = self.rF * self.rF;
+        let t318 = self.rF * sin_lam;
+        let t320 = self.c * (cos_lam - t155);
+        let t321 = t318 - t320;
+        let M_12_mF = self.rF * t321;
+        let M_22_mF = t321 * t321;
         let C1_12_mF = self.rF * C1_12_SF;
-        let t326 = K0_12_mF * C1_12_SF;
-        let K0_22_mF = sin_lam * K0_12_mF;
+        let K2_22_mF = C1_12_IBxz * t321;
+        let C1_22_mF = t32 * K2_22_mF;
+        let t327 = sin_lam * t321;
         let K2_12_mF = self.rF * C1_12_IBxz;
-        let t329 = C1_12_IBxz * K0_12_mF;
         let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let C1_12_IFyy = t103 * C1_12_SF;
-        let K2_12_IFyy = C1_12_IBxz * t103;
-        let K2_22_IFyy = t103 * K2_22_SF;
-        let C1_21 = -(cos_lam * t120);
-        let C1_22 = -(C1_12_IBxz * t130);
-        let K0_11 = t110 - t2;
-        let K2_22 = -t136;
-        let K0_12_mH = t146 - t145;
+        let C1_12_IFyy = t101 * C1_12_SF;
+        let K2_12_IFyy = C1_12_IBxz * t101;
+        let K2_22_IFyy = sin_lam * K2_12_IFyy;
+        let C1_21 = -(cos_lam * t118);
+        let K0_11 = t109 - t108;
+        let C1_22_lam = -(t211 + sin_lam * t171 + mu * K0_12_lam);
+        let K0_12_mF = t320 - t318;
         (
             WhippleMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
@@ -478,20 +487,20 @@ impl<T: Number> Whipple<T> {
             ]),
             WhippleDerivatives {
                 values: [
-                    M_12_w, t161, C1_12_w, C1_21_w, t181, K0_12_w, K0_22_w, t183, K2_22_w, M_12_c,
-                    M_22_c, K2_12, t191, t199, K0_12_c, K0_22_c, t201, M_12_lam, t217, t218,
-                    C1_21_lam, t225, K0_12_lam, K0_22_lam, t229, K2_22_lam, M_11_rR, C1_12_rR,
+                    M_12_w, M_22_w, t167, C1_21_w, C1_22_w, K0_12_w, K0_22_w, t181, t184, M_12_c,
+                    M_22_c, K2_12, t191, t199, K0_12_c, K0_22_c, t201, M_12_lam, M_22_lam, t217,
+                    C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t228, K2_22_lam, M_11_rR, C1_12_rR,
                     C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
-                    self.w.like(1.0), M_22_ITzz, C1_22_ITzz, C1_12_IRyy, K2_12_IRyy, t250, M_22_xB,
-                    t249, C1_22_xB, t252, t262, K2_22_xB, M_11_zB, t253, t265, self.mB, t251,
-                    M_11_mB, t266, M_22_mB, t269, C1_22_mB, self.zB, t258, t271, t268, K2_22_mB, mu,
-                    C1_12_IBxz, t273, M_22_xH, t277, C1_22_xH, t274, t284, K2_22_xH, M_11_zH,
-                    M_12_zH, t290, t292, t293, self.mH, K0_12_zH, K0_22_zH, t276, t295, M_11_mH,
-                    t296, M_22_mH, t299, C1_22_mH, self.zH, K0_12_mH, t301, t298, K2_22_mH, sin_lam,
+                    self.w.like(1.0), M_22_ITzz, C1_22_ITzz, C1_12_IRyy, K2_12_IRyy, t247, M_22_xB,
+                    t252, C1_22_xB, t253, t258, K2_22_xB, M_11_zB, t249, t261, self.mB, t251,
+                    M_11_mB, t262, M_22_mB, t264, C1_22_mB, self.zB, t248, t266, t267, K2_22_mB, mu,
+                    C1_12_IBxz, t270, t271, t272, C1_22_xH, t269, t282, K2_22_xH, M_11_zH, M_12_zH,
+                    M_22_zH, t288, t289, self.mH, K0_12_zH, K0_22_zH, t291, t292, M_11_mH, M_12_mH,
+                    M_22_mH, t296, t297, self.zH, K0_12_mH, K0_22_mH, t299, t277, sin_lam,
                     M_22_IHxx, M_22_IHzz, C1_22_IHzz, M_12_IHxz, M_22_IHxz, K2_22_SF, M_11_rF,
-                    M_12_rF, t310, C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t319, t320, K2_12_rF,
-                    K2_22_rF, M_11_mF, t323, M_22_mF, C1_12_mF, t326, self.rF, K0_12_mF, K0_22_mF,
-                    K2_12_mF, t329, M_22_IFxx, C1_12_IFyy, t315, K2_12_IFyy, K2_22_IFyy,
+                    M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t127, t314, K2_12_rF,
+                    K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF, C1_22_mF, self.rF, K0_12_mF,
+                    t327, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy, t311, K2_12_IFyy, K2_22_IFyy,
                 ],
             },
         )
@@ -997,15 +1006,15 @@ impl WhippleDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 158] = &[
         Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 0, 2), Partial::new(MatrixName::C1, 1, 0, 0, 3),
-        Partial::new(MatrixName::C1, 1, 1, 0, 4).negative(),
+        Partial::new(MatrixName::M, 1, 1, 0, 1),
+        Partial::new(MatrixName::C1, 0, 1, 0, 2).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
         Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
         Partial::new(MatrixName::K0, 1, 1, 0, 6),
         Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 0, 8), Partial::new(MatrixName::M, 0, 1, 1, 9),
-        Partial::new(MatrixName::M, 1, 0, 1, 9), Partial::new(MatrixName::M, 1, 1, 1, 10),
-        Partial::new(MatrixName::C1, 0, 1, 1, 11),
+        Partial::new(MatrixName::K2, 1, 1, 0, 8).negative(),
+        Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
+        Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
         Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
         Partial::new(MatrixName::C1, 1, 1, 1, 13).negative(),
         Partial::new(MatrixName::K0, 0, 1, 1, 14),
@@ -1014,12 +1023,10 @@ impl WhippleDerivatives {
         Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
         Partial::new(MatrixName::M, 0, 1, 2, 17),
         Partial::new(MatrixName::M, 1, 0, 2, 17),
-        Partial::new(MatrixName::M, 1, 1, 2, 18).negative(),
+        Partial::new(MatrixName::M, 1, 1, 2, 18),
         Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 2, 20),
-        Partial::new(MatrixName::C1, 1, 1, 2, 21).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 2, 22),
-        Partial::new(MatrixName::K0, 1, 0, 2, 22),
+        Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
+        Partial::new(MatrixName::K0, 0, 1, 2, 22), Partial::new(MatrixName::K0, 1, 0, 2, 22),
         Partial::new(MatrixName::K0, 1, 1, 2, 23),
         Partial::new(MatrixName::K2, 0, 1, 2, 24).negative(),
         Partial::new(MatrixName::K2, 1, 1, 2, 25), Partial::new(MatrixName::M, 0, 0, 4, 26),
@@ -1065,7 +1072,7 @@ impl WhippleDerivatives {
         Partial::new(MatrixName::C1, 0, 1, 14, 63),
         Partial::new(MatrixName::M, 0, 1, 15, 64).negative(),
         Partial::new(MatrixName::M, 1, 0, 15, 64).negative(),
-        Partial::new(MatrixName::M, 1, 1, 15, 65),
+        Partial::new(MatrixName::M, 1, 1, 15, 65).negative(),
         Partial::new(MatrixName::C1, 0, 1, 15, 66).negative(),
         Partial::new(MatrixName::C1, 1, 1, 15, 67),
         Partial::new(MatrixName::K0, 0, 1, 15, 68).negative(),
@@ -1073,50 +1080,43 @@ impl WhippleDerivatives {
         Partial::new(MatrixName::K0, 1, 1, 15, 69).negative(),
         Partial::new(MatrixName::K2, 1, 1, 15, 70), Partial::new(MatrixName::M, 0, 0, 16, 71),
         Partial::new(MatrixName::M, 0, 1, 16, 72), Partial::new(MatrixName::M, 1, 0, 16, 72),
-        Partial::new(MatrixName::M, 1, 1, 16, 73).negative(),
+        Partial::new(MatrixName::M, 1, 1, 16, 73),
         Partial::new(MatrixName::C1, 0, 1, 16, 74).negative(),
         Partial::new(MatrixName::C1, 1, 1, 16, 75).negative(),
         Partial::new(MatrixName::K0, 0, 0, 16, 76), Partial::new(MatrixName::K0, 0, 1, 16, 77),
         Partial::new(MatrixName::K0, 1, 0, 16, 77), Partial::new(MatrixName::K0, 1, 1, 16, 78),
         Partial::new(MatrixName::K2, 0, 1, 16, 79).negative(),
         Partial::new(MatrixName::K2, 1, 1, 16, 80).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 81),
-        Partial::new(MatrixName::M, 0, 1, 17, 82).negative(),
-        Partial::new(MatrixName::M, 1, 0, 17, 82).negative(),
-        Partial::new(MatrixName::M, 1, 1, 17, 83),
+        Partial::new(MatrixName::M, 0, 0, 17, 81), Partial::new(MatrixName::M, 0, 1, 17, 82),
+        Partial::new(MatrixName::M, 1, 0, 17, 82), Partial::new(MatrixName::M, 1, 1, 17, 83),
         Partial::new(MatrixName::C1, 0, 1, 17, 84).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 17, 85), Partial::new(MatrixName::K0, 0, 0, 17, 86),
-        Partial::new(MatrixName::K0, 0, 1, 17, 87), Partial::new(MatrixName::K0, 1, 0, 17, 87),
-        Partial::new(MatrixName::K0, 1, 1, 17, 88).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 85).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 17, 86), Partial::new(MatrixName::K0, 0, 1, 17, 87),
+        Partial::new(MatrixName::K0, 1, 0, 17, 87), Partial::new(MatrixName::K0, 1, 1, 17, 88),
         Partial::new(MatrixName::K2, 0, 1, 17, 89).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 17, 90), Partial::new(MatrixName::M, 0, 0, 18, 35),
-        Partial::new(MatrixName::M, 0, 1, 18, 91), Partial::new(MatrixName::M, 1, 0, 18, 91),
-        Partial::new(MatrixName::M, 1, 1, 18, 92), Partial::new(MatrixName::M, 1, 1, 20, 93),
-        Partial::new(MatrixName::C1, 1, 1, 20, 94), Partial::new(MatrixName::M, 0, 1, 21, 95),
-        Partial::new(MatrixName::M, 1, 0, 21, 95), Partial::new(MatrixName::M, 1, 1, 21, 96),
-        Partial::new(MatrixName::C1, 0, 1, 21, 63), Partial::new(MatrixName::C1, 1, 1, 21, 97),
-        Partial::new(MatrixName::M, 0, 0, 22, 98), Partial::new(MatrixName::M, 0, 1, 22, 99),
-        Partial::new(MatrixName::M, 1, 0, 22, 99),
-        Partial::new(MatrixName::M, 1, 1, 22, 100).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 22, 101),
-        Partial::new(MatrixName::C1, 1, 0, 22, 102),
-        Partial::new(MatrixName::C1, 1, 1, 22, 103),
+        Partial::new(MatrixName::K2, 1, 1, 17, 90).negative(),
+        Partial::new(MatrixName::M, 0, 0, 18, 35), Partial::new(MatrixName::M, 0, 1, 18, 91),
+        Partial::new(MatrixName::M, 1, 0, 18, 91), Partial::new(MatrixName::M, 1, 1, 18, 92),
+        Partial::new(MatrixName::M, 1, 1, 20, 93), Partial::new(MatrixName::C1, 1, 1, 20, 94),
+        Partial::new(MatrixName::M, 0, 1, 21, 95), Partial::new(MatrixName::M, 1, 0, 21, 95),
+        Partial::new(MatrixName::M, 1, 1, 21, 96), Partial::new(MatrixName::C1, 0, 1, 21, 63),
+        Partial::new(MatrixName::C1, 1, 1, 21, 97), Partial::new(MatrixName::M, 0, 0, 22, 98),
+        Partial::new(MatrixName::M, 0, 1, 22, 99), Partial::new(MatrixName::M, 1, 0, 22, 99),
+        Partial::new(MatrixName::M, 1, 1, 22, 100), Partial::new(MatrixName::C1, 0, 1, 22, 101),
+        Partial::new(MatrixName::C1, 1, 0, 22, 102), Partial::new(MatrixName::C1, 1, 1, 22, 103),
         Partial::new(MatrixName::K0, 0, 0, 22, 104).negative(),
         Partial::new(MatrixName::K0, 0, 1, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 0, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 1, 22, 106).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 107),
-        Partial::new(MatrixName::K2, 1, 1, 22, 108),
-        Partial::new(MatrixName::M, 0, 0, 23, 109),
-        Partial::new(MatrixName::M, 0, 1, 23, 110).negative(),
-        Partial::new(MatrixName::M, 1, 0, 23, 110).negative(),
-        Partial::new(MatrixName::M, 1, 1, 23, 111),
-        Partial::new(MatrixName::C1, 0, 1, 23, 112),
-        Partial::new(MatrixName::C1, 1, 1, 23, 113).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 22, 107), Partial::new(MatrixName::K2, 1, 1, 22, 108),
+        Partial::new(MatrixName::M, 0, 0, 23, 109), Partial::new(MatrixName::M, 0, 1, 23, 110),
+        Partial::new(MatrixName::M, 1, 0, 23, 110), Partial::new(MatrixName::M, 1, 1, 23, 111),
+        Partial::new(MatrixName::C1, 0, 1, 23, 112), Partial::new(MatrixName::C1, 1, 1, 23, 113),
         Partial::new(MatrixName::K0, 0, 0, 23, 114).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 23, 115), Partial::new(MatrixName::K0, 1, 0, 23, 115),
-        Partial::new(MatrixName::K0, 1, 1, 23, 116), Partial::new(MatrixName::K2, 0, 1, 23, 117),
-        Partial::new(MatrixName::K2, 1, 1, 23, 118).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 23, 115),
+        Partial::new(MatrixName::K0, 1, 0, 23, 115),
+        Partial::new(MatrixName::K0, 1, 1, 23, 116).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 23, 117), Partial::new(MatrixName::K2, 1, 1, 23, 118),
         Partial::new(MatrixName::M, 0, 0, 24, 35), Partial::new(MatrixName::M, 0, 1, 24, 91),
         Partial::new(MatrixName::M, 1, 0, 24, 91), Partial::new(MatrixName::M, 1, 1, 24, 119),
         Partial::new(MatrixName::C1, 1, 1, 24, 94), Partial::new(MatrixName::C1, 0, 1, 25, 120),

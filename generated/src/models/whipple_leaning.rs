@@ -267,66 +267,70 @@ pub struct WhippleLeaningMatrices<T = f64> {
 
 impl<T: Number> WhippleLeaning<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 53 additions, 55 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 115 operations.
+    /// 54 additions, 55 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 116 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleLeaningMatrices<T> {
-        let t2 = self.rR * self.mR;
-        let t11 = self.zH * self.mH;
-        let t16 = self.rF * self.mF;
-        let t20 = self.IFxx + (self.rF * t16 + self.IHxx);
-        let t25 = self.zB * self.mB;
-        let t29 = self.zU * self.mU;
-        let ay_all1_delta = self.IRxx + (self.zH * t11 + t20)
-            + (self.zB * t25 + self.zU * t29);
-        let M_11 = self.rR * t2 + (self.IBxx + self.IUxx) + ay_all1_delta;
+        let t3 = self.rF * self.mF;
+        let t7 = self.IFxx + (self.rF * t3 + self.IHxx);
+        let t10 = self.zB * self.mB;
+        let t15 = self.zU * self.mU;
+        let t20 = self.zH * self.mH;
+        let t28 = self.rR * self.mR;
+        let ay_spin_F5_delta = self.IRxx + self.rR * t28;
+        let t32 = self.zB * t10
+            + (self.IBxx + (self.zU * t15 + (self.IUxx + self.zH * t20))
+                + ay_spin_F5_delta);
+        let M_11 = t7 + t32;
         let (wx_delta2_delta, cos_lam) = self.lam.sin_cos();
         let yaw_per_v_delta = cos_lam / self.w;
         let yaw_by_delta = self.c * yaw_per_v_delta;
+        let t46 = self.mU * self.xU;
+        let t49 = t10 * self.xB + self.zU * t46 - (self.IUxz + self.IBxz);
         let wz_delta2_delta = cos_lam + yaw_by_delta;
-        let vy_spin_F5_delta = self.IHxz * wz_delta2_delta;
-        let t45 = wx_delta2_delta * t20 + vy_spin_F5_delta;
-        let t51 = self.mB * self.xB;
-        let t55 = t29 * self.xU + (self.zB * t51 - self.IUxz) - self.IBxz;
-        let t63 = self.zH * wx_delta2_delta
-            - (self.xH * wz_delta2_delta - cos_lam * (self.c + self.w));
-        let t64 = self.mH * t63;
+        let t54 = self.c + self.w;
+        let t55 = cos_lam * t54;
+        let t59 = t55 + self.zH * wx_delta2_delta - wz_delta2_delta * self.xH;
+        let t63 = self.IHxz * wz_delta2_delta;
+        let t65 = t20 * t59 + (t7 * wx_delta2_delta + t63);
+        let M_12 = t65 - yaw_by_delta * t49;
         let t68 = self.zP - self.zU;
-        let t69 = self.mU * t68;
-        let M_13 = self.IUxx - self.zU * t69;
-        let t74 = wz_delta2_delta * (self.IFxx + self.IHzz);
-        let t81 = self.mU * self.xU;
+        let M_13 = self.IUxx - t15 * t68;
+        let t73 = self.mH * t59;
+        let t81 = self.mB * self.xB;
+        let ay_theta3_delta = self.xB * t81;
         let t85 = yaw_by_delta
-            * (self.IRxx + (self.IBzz + (self.IUzz + self.xB * t51) + self.xU * t81));
-        let vy_all1_delta = vy_spin_F5_delta + t45;
-        let M_22 = wz_delta2_delta * t74 + yaw_by_delta * t85
-            + (t63 * t64 + vy_all1_delta * wx_delta2_delta);
-        let t94 = self.IUxz + t68 * t81;
-        let M_23 = yaw_by_delta * t94;
-        let M_33 = M_13 + self.zP * t69;
+            * (self.IUzz + (self.xU * t46 + self.IBzz) + (self.IRxx + ay_theta3_delta));
+        let t91 = self.xH * t73 - wz_delta2_delta * (self.IFxx + self.IHzz);
+        let t95 = self.mU * t68;
+        let K2_32 = yaw_per_v_delta * t95;
+        let t98 = yaw_per_v_delta * self.IUxz + self.xU * K2_32;
+        let M_23 = self.c * t98;
+        let M_33 = M_13 + self.zP * t95;
         let zero = self.w.like(0.0);
         let h_spin_F = self.IFyy / self.rF;
-        let t106 = h_spin_F + self.IRyy / self.rR;
-        let K0_11 = t25 + t29 - t2 + (t11 - t16);
-        let t111 = t106 - K0_11;
-        let t114 = self.IHxz + t16 * self.w;
-        let t118 = cos_lam * h_spin_F;
-        let C1_12 = yaw_per_v_delta * (self.c * t111 + t114 - (t55 + t11 * self.xH))
-            + t118;
-        let ay_delta2_delta = wx_delta2_delta * t114;
-        let K0_12 = t64 - t16 * wx_delta2_delta - yaw_by_delta * (t51 + t81);
+        let h_wheels_all = h_spin_F + self.IRyy / self.rR;
+        let t111 = t10 - (t28 - t15 - t20);
+        let t112 = t111 - h_wheels_all;
+        let t115 = self.IHxz + t3 * t54;
+        let t121 = cos_lam * h_spin_F;
+        let C1_12 = yaw_per_v_delta * (t115 - self.c * t112 - t49 - t20 * self.xH)
+            + t121;
+        let t129 = t73 - yaw_by_delta * (t81 + t46);
         let C1_22 = yaw_per_v_delta
-            * (ay_delta2_delta + t85 - self.xH * t64 - self.c * K0_12 + t74);
-        let C1_32 = yaw_per_v_delta * (t94 + self.c * t69);
+            * (t85 + wx_delta2_delta * t115 - (self.c * t129 + t91));
+        let C1_32 = self.c * K2_32 + t98;
+        let K0_11 = t111 - t3;
+        let K0_12 = t129 - t3 * wx_delta2_delta;
         let K0_22 = wx_delta2_delta * K0_12;
-        let K2_12 = yaw_per_v_delta * t111;
+        let K2_12 = (t3 - t112) * yaw_per_v_delta;
         let K2_22 = yaw_per_v_delta * (wx_delta2_delta * h_spin_F - K0_12);
-        let K2_32 = yaw_per_v_delta * t69;
-        let M_12 = t45 - (yaw_by_delta * t55 - self.zH * t64);
-        let C1_21 = -(t106 * yaw_by_delta + t118);
-        let K0_13 = -t69;
+        let M_22 = wx_delta2_delta * (t63 + t65) + t55 * t73
+            - (wz_delta2_delta * t91 - t85 * yaw_by_delta);
+        let C1_21 = -(t121 + yaw_by_delta * h_wheels_all);
+        let K0_13 = -t95;
         WhippleLeaningMatrices::from_entries([
             M_11, M_12, M_13, M_12, M_22, M_23, M_13, M_23, M_33, zero, zero, zero, zero, zero,
             zero, zero, zero, self.dU, zero, C1_12, zero, C1_21, C1_22, zero, zero, C1_32, zero,
@@ -6941,262 +6945,259 @@ pub struct WhippleLeaningDerivatives<T = f64> {
 
 impl<T: Number> WhippleLeaning<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 120 additions, 230 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 358 operations.
+    /// 118 additions, 227 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 354 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleLeaningMatrices<T>, WhippleLeaningDerivatives<T>) {
-        let t4 = self.rF * self.mF;
-        let t7 = self.IFxx + self.IHxx + self.rF * t4;
-        let M_11_mB = self.zB * self.zB;
-        let t15 = self.zU * self.mU;
-        let t17 = self.IUxx + self.zU * t15;
-        let t20 = self.zH * self.mH;
-        let t26 = self.rR * self.mR;
-        let t32 = t7 + self.mB * M_11_mB + t17 + self.zH * t20 + self.IRxx + self.IBxx;
-        let M_11 = t32 + self.rR * t26;
+        let t2 = self.zH * self.mH;
+        let t6 = self.rF * self.mF;
+        let t11 = self.rF * t6 + self.IHxx + self.IFxx;
+        let t15 = self.rR * self.mR;
+        let t19 = self.zU * self.mU;
+        let t23 = self.zB * self.mB;
+        let t31 = self.zH * t2 + t11 + self.IRxx + self.rR * t15 + self.zU * t19
+            + self.zB * t23;
+        let M_11 = t31 + self.IBxx + self.IUxx;
         let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
-        let t38 = self.c + self.w;
-        let t42 = self.w.like(1.0) / self.w;
-        let t43 = self.c * t42;
-        let yaw_by_delta = wx_delta2_delta_lam * t43;
+        let t40 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = wx_delta2_delta_lam * t40;
+        let yaw_by_delta = self.c * yaw_per_v_delta;
         let wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
-        let K0_12_mH = wx_delta2_delta_lam * t38 + self.zH * wx_delta2_delta
-            - wz_delta2_delta * self.xH;
-        let M_12_mH = self.zH * K0_12_mH;
-        let vy_spin_F5_delta = wz_delta2_delta * self.IHxz;
-        let t55 = vy_spin_F5_delta + t7 * wx_delta2_delta;
-        let t59 = self.mB * self.xB;
-        let t62 = self.mU * self.xU;
-        let t66 = self.IBxz + self.IUxz - self.zB * t59 - self.zU * t62;
-        let M_12 = self.mH * M_12_mH + t55 + yaw_by_delta * t66;
-        let M_13 = t17 - t15 * self.zP;
-        let t73 = self.mH * K0_12_mH;
-        let t82 = self.IRxx + self.IBzz + self.IUzz + self.xB * t59 + self.xU * t62;
-        let t83 = yaw_by_delta * t82;
-        let t86 = self.IFxx + self.IHzz;
-        let t88 = wx_delta2_delta * self.IHxz;
-        let t89 = wz_delta2_delta * t86 + t88;
-        let M_22 = K0_12_mH * t73 + yaw_by_delta * t83 + wz_delta2_delta * t89
-            + wx_delta2_delta * t55;
-        let yaw_per_v_delta = wx_delta2_delta_lam * t42;
+        let t45 = wz_delta2_delta * self.xH;
+        let t46 = self.zH * wx_delta2_delta;
+        let t47 = self.c + self.w;
+        let t48 = wx_delta2_delta_lam * t47;
+        let t49 = t46 + t48;
+        let t50 = t45 - t49;
+        let t51 = self.zH * t50;
+        let t56 = t11 * wx_delta2_delta + wz_delta2_delta * self.IHxz - self.mH * t51;
+        let t62 = self.mB * self.xB;
+        let t66 = self.IUxz + self.IBxz - t19 * self.xU - self.zB * t62;
+        let M_12 = t56 + yaw_by_delta * t66;
         let K0_13_mU = self.zU - self.zP;
-        let t98 = self.IUxz - t62 * K0_13_mU;
-        let M_23_c = yaw_per_v_delta * t98;
-        let M_23 = self.c * M_23_c;
+        let M_13_mU = self.zU * K0_13_mU;
+        let M_13 = self.IUxx + self.mU * M_13_mU;
+        let t74 = self.mH * self.xH;
+        let t77 = self.IFxx + self.IHzz;
+        let t79 = wx_delta2_delta * self.IHxz;
+        let t81 = t50 * t74 + wz_delta2_delta * t77 + t79;
+        let t83 = self.mU * self.xU;
+        let t90 = self.IRxx + self.IBzz + self.xU * t83 + self.xB * t62 + self.IUzz;
+        let t92 = t81 + yaw_by_delta * t90;
+        let t93 = yaw_by_delta * t92;
+        let t95 = self.mH * t50;
+        let t97 = t81 - t47 * t95;
+        let M_22 = t93 + wx_delta2_delta * t56 + wx_delta2_delta_lam * t97;
         let K0_13 = self.mU * K0_13_mU;
-        let M_13_zU = t15 + K0_13;
-        let M_33 = t17 - self.zP * M_13_zU;
+        let t103 = self.IUxz - self.xU * K0_13;
+        let M_23 = yaw_by_delta * t103;
+        let M_33 = self.IUxx + K0_13_mU * K0_13;
         let zero = self.w.like(0.0);
-        let t108 = self.w.like(1.0) / self.rF;
-        let h_spin_F = self.IFyy * t108;
-        let t111 = self.w.like(1.0) / self.rR;
-        let t112 = self.IRyy * t111;
-        let t113 = h_spin_F + t112;
-        let t114 = self.mB * self.zB;
-        let K0_11 = t15 + t20 + t114 - t4 - t26;
-        let t119 = t113 - K0_11;
-        let t121 = t4 * self.w;
-        let M_12_yaw_by_delta = self.IHxz + t66;
-        let t124 = t20 * self.xH - M_12_yaw_by_delta;
-        let t127 = t42 * (self.c * t119 + t121 - t124);
-        let t128 = h_spin_F + t127;
-        let C1_12 = wx_delta2_delta_lam * t128;
-        let t131 = wx_delta2_delta_lam * h_spin_F;
-        let t134 = t83 + t89;
-        let t137 = wx_delta2_delta * t121 + t134 - self.xH * t73;
-        let t138 = t4 * wx_delta2_delta;
-        let t139 = t59 + t62;
-        let t140 = yaw_per_v_delta * t139;
-        let t141 = self.c * t140;
-        let K0_12 = t73 - t138 - t141;
-        let C1_22_yaw_per_v_delta = t137 - self.c * K0_12;
-        let C1_22 = yaw_per_v_delta * C1_22_yaw_per_v_delta;
-        let t147 = yaw_by_delta * K0_13;
-        let C1_32 = M_23_c - t147;
-        let K0_22 = wx_delta2_delta * K0_12;
-        let K2_12 = yaw_per_v_delta * t119;
-        let t152 = wx_delta2_delta * h_spin_F;
-        let K2_22_yaw_per_v_delta = t152 - K0_12;
-        let K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
+        let t110 = self.w.like(1.0) / self.rF;
+        let h_spin_F = self.IFyy * t110;
+        let t112 = wx_delta2_delta_lam * h_spin_F;
+        let t115 = self.w.like(1.0) / self.rR;
+        let t116 = self.IRyy * t115;
+        let h_wheels_all = h_spin_F + t116;
+        let K0_11 = t2 + t19 + t23 - t6 - t15;
+        let K2_12_yaw_per_v_delta = h_wheels_all - K0_11;
+        let t126 = self.IHxz + t66 - t2 * self.xH;
+        let C1_12_yaw_per_v_delta = t6 * self.w + self.c * K2_12_yaw_per_v_delta + t126;
+        let t129 = yaw_per_v_delta * C1_12_yaw_per_v_delta;
+        let C1_12 = t112 + t129;
+        let t133 = self.mF * wx_delta2_delta;
+        let t134 = self.rF * t133;
+        let t136 = yaw_by_delta * t62;
+        let t137 = self.mU * yaw_by_delta;
+        let M_23_zP = self.xU * t137;
+        let t139 = t136 + M_23_zP;
+        let t140 = t95 + t139;
+        let t141 = t134 + t140;
+        let t144 = t92 + self.w * t134 + self.c * t141;
+        let C1_22 = yaw_per_v_delta * t144;
+        let M_23_c = yaw_per_v_delta * t103;
         let K2_32_zP = self.mU * yaw_per_v_delta;
-        let t156 = K0_13_mU * K2_32_zP;
-        let t157 = t20 * wx_delta2_delta_lam;
-        let t158 = yaw_per_v_delta * t124;
-        let M_12_w = t157 + t43 * t158;
-        let t161 = self.xH * yaw_per_v_delta;
-        let t163 = wx_delta2_delta_lam + t43 * t161;
-        let t165 = t43 * t134;
-        let C1_22_wz_delta2_delta = yaw_per_v_delta * t165;
-        let t167 = C1_22_wz_delta2_delta - t73 * t163;
-        let t168 = t167 + t167;
-        let t169 = t42 * M_23;
-        let C1_12_w = yaw_per_v_delta * (t4 - t127);
-        let t172 = yaw_per_v_delta * t113;
-        let C1_21_w = t43 * t172;
-        let C1_22_yaw_by_delta = yaw_per_v_delta * (t82 + t86);
-        let t177 = t141 + C1_22_yaw_by_delta - K0_12;
-        let t183 = self.mH * t163;
-        let t184 = yaw_by_delta + t161;
-        let t186 = yaw_per_v_delta * (t42 * (t137 + self.c * t177) - t138) + t183 * t184;
-        let t187 = t42 * C1_32;
-        let K0_12_w = t183 + t43 * t140;
+        let t148 = K0_13_mU * K2_32_zP;
+        let t149 = self.c * t148;
+        let C1_32 = M_23_c - t149;
+        let K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
+        let t154 = wx_delta2_delta * h_spin_F;
+        let t155 = t141 + t154;
+        let K2_22 = yaw_per_v_delta * t155;
+        let t157 = t40 * yaw_per_v_delta;
+        let t158 = self.c * t157;
+        let t160 = self.mH * wx_delta2_delta_lam;
+        let t161 = self.zH * t160;
+        let M_12_w = t161 - t126 * t158;
+        let t163 = t40 * t93;
+        let t165 = t50 * (t160 + t160);
+        let t167 = t163 + t163 + t165;
+        let t168 = t103 * t158;
+        let t169 = t6 * wx_delta2_delta_lam;
+        let t171 = t40 * (t129 - t169);
+        let C1_21_w = h_wheels_all * t158;
+        let t173 = wx_delta2_delta * t40;
+        let t175 = self.c + self.xH;
+        let t176 = self.mH * yaw_per_v_delta;
+        let t177 = t175 * t176;
+        let t179 = t169 * t173 - wx_delta2_delta_lam * t177;
+        let t181 = t77 + t74 * t175;
+        let C1_22_yaw_by_delta = t139 + yaw_per_v_delta * (t90 + t181);
+        let t186 = t144 + self.c * C1_22_yaw_by_delta;
+        let C1_22_w = t179 - t157 * t186;
+        let C1_32_yaw_per_v_delta = t103 - self.c * K0_13;
+        let t191 = t157 * C1_32_yaw_per_v_delta;
+        let t193 = t62 + t74 + t83;
+        let K0_12_w = t160 + t158 * t193;
         let K0_22_w = wx_delta2_delta * K0_12_w;
-        let t191 = t42 * K2_12;
-        let t192 = t42 * K2_22_yaw_per_v_delta;
-        let t194 = yaw_per_v_delta * (K0_12_w + t192);
-        let K2_32_w = t42 * t156;
-        let M_12_c = t157 - t158;
-        let t199 = self.mH * (wx_delta2_delta_lam - t161);
-        let t201 = yaw_per_v_delta * t134 + K0_12_mH * t199;
-        let M_22_c = t201 + t201;
-        let t203 = self.c + self.xH;
-        let t206 = yaw_per_v_delta * (t199 * t203 - t177);
-        let t207 = t140 - t199;
-        let t208 = wx_delta2_delta * t207;
-        let K2_22_c = yaw_per_v_delta * t207;
-        let t210 = wx_delta2_delta * t43;
-        let t213 = wx_delta2_delta + t210;
-        let t218 = t157 + self.mH * (self.xH * t213 - t38 * wx_delta2_delta);
-        let t222 = t88 + M_12_yaw_by_delta * t210 - t7 * wx_delta2_delta_lam
-            - self.zH * t218;
-        let t228 = wx_delta2_delta_lam * t55 + K0_12_mH * t218
-            - wx_delta2_delta * (t89 + t165);
-        let M_22_lam = t228 + t228;
-        let t230 = t98 * t210;
-        let t231 = wx_delta2_delta * t128;
-        let C1_21_lam = t152 + t113 * t210;
-        let K0_12_lam = t218 + t139 * t210 - t4 * wx_delta2_delta_lam;
-        let t247 = wx_delta2_delta * t42;
-        let t250 = yaw_per_v_delta
-            * (t86 * t213 + self.c * K0_12_lam + self.xH * t218
-                - wx_delta2_delta_lam * (self.IHxz + t121))
-            + t247 * (t83 + C1_22_yaw_per_v_delta);
-        let t251 = self.c + self.xU;
-        let t254 = t247 * (self.IUxz - K0_13 * t251);
-        let t258 = t119 * t247;
-        let K2_22_lam = yaw_per_v_delta * (t131 - K0_12_lam) - wx_delta2_delta * t192;
-        let K2_32_lam = K0_13 * t247;
-        let M_11_rR = t26 + t26;
-        let t265 = t111 * t112;
-        let K2_12_rR = yaw_per_v_delta * (self.mR - t265);
-        let C1_12_rR = self.c * K2_12_rR;
-        let C1_21_rR = yaw_by_delta * t265;
+        let t197 = t40 * K2_12;
+        let t200 = yaw_per_v_delta * (K0_12_w + t40 * t155);
+        let K2_32_w = K0_13 * t157;
+        let M_12_c = t161 + yaw_per_v_delta * t126;
+        let t204 = yaw_per_v_delta + yaw_per_v_delta;
+        let M_22_c = t92 * t204 - t165;
+        let t207 = yaw_per_v_delta * h_wheels_all;
+        let C1_22_c = t179 + yaw_per_v_delta * (t140 + C1_22_yaw_by_delta);
+        let K0_12_c = t160 - yaw_per_v_delta * t193;
+        let K0_22_c = wx_delta2_delta * K0_12_c;
+        let t214 = yaw_per_v_delta * K0_12_c;
+        let K0_12_zH = self.mH * wx_delta2_delta;
+        let t219 = wx_delta2_delta * t47 - self.zH * wx_delta2_delta_lam;
+        let t221 = self.xH * K0_12_zH - self.mH * t219;
+        let t223 = self.c * t173;
+        let t228 = t79 + t126 * t223 - self.zH * t221 - t11 * wx_delta2_delta_lam;
+        let t233 = wx_delta2_delta * t97 + t92 * t223 - wx_delta2_delta_lam * t56;
+        let t234 = t233 + t233;
+        let t235 = t103 * t223;
+        let t237 = t154 + C1_12_yaw_per_v_delta * t173;
+        let C1_21_lam = t154 + h_wheels_all * t223;
+        let t240 = wx_delta2_delta_lam * yaw_per_v_delta;
+        let K2_22_h_spin_F = wx_delta2_delta * yaw_per_v_delta;
+        let t245 = t40 * t48;
+        let ay_theta3_delta = t169 * t245;
+        let C1_22_lam = self.IHxz * t240 + ay_theta3_delta + t177 * t219
+            - t181 * K2_22_h_spin_F - t173 * t186;
+        let t252 = t173 * C1_32_yaw_per_v_delta;
+        let K0_12_lam = t221 + t193 * t223 - t169;
+        let t258 = wx_delta2_delta_lam * t141 - wx_delta2_delta * K0_12_lam;
+        let t259 = K2_12_yaw_per_v_delta * t173;
+        let K2_22_lam = yaw_per_v_delta * (t112 - K0_12_lam) - t155 * t173;
+        let K2_32_lam = K0_13 * t173;
+        let M_11_rR = t15 + t15;
+        let t266 = t115 * t116;
+        let t267 = self.mR - t266;
+        let C1_12_rR = yaw_by_delta * t267;
+        let C1_21_rR = yaw_by_delta * t266;
+        let K2_12_rR = yaw_per_v_delta * t267;
         let M_11_mR = self.rR * self.rR;
         let K2_12_mR = self.rR * yaw_per_v_delta;
         let C1_12_mR = self.c * K2_12_mR;
-        let M_22_wz_delta2_delta = yaw_by_delta * yaw_per_v_delta;
-        let M_22_IRxx = self.c * M_22_wz_delta2_delta;
-        let K2_12_IRyy = yaw_per_v_delta * t111;
-        let C1_12_IRyy = self.c * K2_12_IRyy;
-        let t278 = yaw_per_v_delta * t114;
-        let t279 = self.c * t278;
-        let t280 = self.mB * yaw_by_delta;
-        let K2_22_xB = yaw_per_v_delta * t280;
-        let t282 = self.xB * K2_22_xB;
-        let t283 = t282 + t282;
-        let M_22_xB = self.c * t283;
-        let C1_22_xB = t283 + yaw_by_delta * t280;
-        let t287 = wx_delta2_delta * t280;
-        let M_11_zB = t114 + t114;
-        let t289 = self.xB * t280;
-        let t290 = self.c + self.xB;
-        let t291 = self.mB * yaw_per_v_delta;
-        let t292 = t290 * t291;
-        let t293 = yaw_by_delta * self.xB;
-        let t294 = self.zB * t293;
-        let M_22_mB = t293 * t293;
-        let t296 = self.zB * yaw_per_v_delta;
-        let t297 = t290 * t296;
-        let K2_22_mB = yaw_per_v_delta * t293;
-        let C1_22_mB = t290 * K2_22_mB;
-        let t300 = wx_delta2_delta * t293;
-        let t301 = t20 * wz_delta2_delta;
+        let C1_22_ay_theta3_delta = wx_delta2_delta_lam * t158;
+        let M_22_ay_theta3_delta = self.c * C1_22_ay_theta3_delta;
+        let C1_12_IRyy = yaw_by_delta * t115;
+        let K2_12_IRyy = yaw_per_v_delta * t115;
+        let t279 = t23 * yaw_by_delta;
+        let t280 = yaw_by_delta * t136;
+        let M_22_xB = t280 + t280;
+        let t282 = t23 * yaw_per_v_delta;
+        let t283 = self.mB * yaw_by_delta;
+        let t284 = yaw_per_v_delta * self.xB;
+        let t285 = yaw_by_delta + t284;
+        let C1_22_xB = t283 * (t284 + t285);
+        let t288 = wx_delta2_delta * t283;
+        let K2_22_xB = yaw_per_v_delta * t283;
+        let M_11_zB = t23 + t23;
+        let t291 = self.mB * t285;
+        let t292 = self.mB * yaw_per_v_delta;
+        let M_11_mB = self.zB * self.zB;
+        let t294 = yaw_by_delta * self.xB;
+        let t295 = self.zB * t294;
+        let M_22_mB = t294 * t294;
+        let t297 = self.zB * t285;
+        let C1_22_mB = t285 * t294;
+        let t299 = wx_delta2_delta * t294;
+        let t300 = self.zB * yaw_per_v_delta;
+        let K2_22_mB = yaw_per_v_delta * t294;
         let t302 = self.mH * wz_delta2_delta;
-        let t303 = K0_12_mH * t302;
-        let t304 = t303 + t303;
-        let t305 = t42 * t157;
-        let C1_22_xH = t184 * t302 - t73 * yaw_per_v_delta;
-        let t309 = wx_delta2_delta * t302;
-        let t310 = self.mH * yaw_per_v_delta;
-        let K2_22_xH = wz_delta2_delta * t310;
-        let M_11_zH = t20 + t20;
-        let K0_12_zH = self.mH * wx_delta2_delta;
-        let M_12_zH = t73 + self.zH * K0_12_zH;
-        let M_22_zH = wx_delta2_delta * (t73 + t73);
-        let t318 = t203 * t310;
-        let t319 = t184 * K0_12_zH;
-        let K0_22_zH = wx_delta2_delta * K0_12_zH;
-        let K2_22_h_spin_F = wx_delta2_delta * yaw_per_v_delta;
-        let t322 = self.mH * K2_22_h_spin_F;
-        let M_11_mH = self.zH * self.zH;
-        let M_22_mH = K0_12_mH * K0_12_mH;
-        let t325 = self.zH * t184;
-        let t326 = K0_12_mH * yaw_per_v_delta;
-        let t327 = t203 * t326;
-        let K0_22_mH = wx_delta2_delta * K0_12_mH;
-        let t329 = self.zH * yaw_per_v_delta;
+        let t303 = self.zH * t302;
+        let M_22_xH = t50 * (t302 + t302);
+        let t306 = t2 * yaw_per_v_delta;
+        let C1_22_xH = yaw_per_v_delta * (t95 + t175 * t302);
+        let t310 = wx_delta2_delta * t302;
+        let K2_22_xH = yaw_per_v_delta * t302;
+        let M_11_zH = t2 + t2;
+        let M_12_zH = self.mH * (t46 - t50);
+        let t316 = wx_delta2_delta * (t95 + t95);
+        let t317 = wx_delta2_delta * t177;
         let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+        let K0_22_zH = self.mH * M_22_IHxx;
+        let t320 = t160 * t173;
+        let M_11_mH = self.zH * self.zH;
+        let M_22_mH = t50 * t50;
+        let t323 = self.zH * yaw_per_v_delta;
+        let t324 = t175 * t323;
+        let K2_22_mH = yaw_per_v_delta * t50;
+        let C1_22_mH = t175 * K2_22_mH;
+        let t327 = wx_delta2_delta * t50;
         let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-        let C1_22_IHzz = wz_delta2_delta * yaw_per_v_delta;
-        let t333 = wx_delta2_delta_lam * t213;
-        let M_22_IHxz = t333 + t333;
-        let M_11_rF = t4 + t4;
+        let C1_22_IHzz = t240 + C1_22_ay_theta3_delta;
+        let t330 = wx_delta2_delta * wz_delta2_delta;
+        let M_22_IHxz = t330 + t330;
+        let M_11_rF = t6 + t6;
         let M_12_rF = wx_delta2_delta * M_11_rF;
-        let M_22_rF = wx_delta2_delta * M_12_rF;
-        let C1_12_IFyy = wz_delta2_delta * t108;
+        let M_22_rF = M_22_IHxx * M_11_rF;
+        let t335 = self.mF * t245;
+        let C1_12_IFyy = wz_delta2_delta * t110;
         let C1_21_rF = h_spin_F * C1_12_IFyy;
-        let t340 = self.mF * yaw_per_v_delta;
-        let t341 = t38 * t340;
-        let C1_12_rF = t341 - C1_21_rF;
-        let C1_22_rF = wx_delta2_delta * t341;
-        let t344 = self.mF * wx_delta2_delta;
-        let t345 = wx_delta2_delta * t344;
-        let K2_12_IFyy = yaw_per_v_delta * t108;
-        let K2_12_rF = t340 - h_spin_F * K2_12_IFyy;
+        let C1_12_rF = t335 - C1_21_rF;
+        let C1_22_rF = wx_delta2_delta * t335;
+        let t340 = self.mF * M_22_IHxx;
+        let K2_12_IFyy = yaw_per_v_delta * t110;
+        let K2_12_rF = self.mF * yaw_per_v_delta - h_spin_F * K2_12_IFyy;
         let K2_22_rF = wx_delta2_delta * K2_12_rF;
         let M_11_mF = self.rF * self.rF;
-        let t351 = self.rF * wx_delta2_delta;
-        let M_12_mF = self.rF * t351;
-        let t353 = wx_delta2_delta * t351;
-        let M_22_mF = self.rF * t353;
+        let t347 = self.rF * wx_delta2_delta;
+        let M_12_mF = self.rF * t347;
+        let t349 = wx_delta2_delta * t347;
+        let M_22_mF = self.rF * t349;
+        let C1_12_mF = self.rF * t245;
+        let C1_22_mF = t245 * t347;
         let K2_12_mF = self.rF * yaw_per_v_delta;
-        let C1_12_mF = t38 * K2_12_mF;
-        let C1_22_mF = wx_delta2_delta * C1_12_mF;
-        let K2_22_mF = wx_delta2_delta * K2_12_mF;
+        let K2_22_mF = yaw_per_v_delta * t347;
         let M_22_IFxx = M_22_IHxx + M_22_IHzz;
         let K2_22_IFyy = wx_delta2_delta * K2_12_IFyy;
-        let M_23_zP = yaw_by_delta * t62;
         let M_33_zU = K0_13 + K0_13;
-        let C1_32_zP = K2_32_zP * t251;
+        let t358 = self.c + self.xU;
+        let C1_32_zP = K2_32_zP * t358;
         let M_11_mU = self.zU * self.zU;
-        let t365 = yaw_by_delta * self.xU;
-        let t366 = self.zU * t365;
-        let M_13_mU = self.zU * K0_13_mU;
-        let M_22_mU = t365 * t365;
-        let t369 = K0_13_mU * t365;
+        let t361 = yaw_by_delta * self.xU;
+        let t362 = self.zU * t361;
+        let M_22_mU = t361 * t361;
+        let t364 = K0_13_mU * t361;
         let M_33_mU = K0_13_mU * K0_13_mU;
-        let t371 = self.zU * yaw_per_v_delta;
-        let t372 = t251 * t371;
-        let K2_22_mU = self.xU * M_22_wz_delta2_delta;
-        let C1_22_mU = t251 * K2_22_mU;
-        let t375 = yaw_per_v_delta * K0_13_mU;
-        let t376 = t251 * t375;
-        let t377 = wx_delta2_delta * t365;
-        let t378 = self.c * K2_32_zP;
-        let t379 = self.zU * t378;
-        let t380 = t365 * t378;
-        let M_22_xU = t380 + t380;
-        let t382 = self.zU * K2_32_zP;
-        let K2_22_xU = yaw_per_v_delta * t378;
-        let C1_22_xU = (self.xU + t251) * K2_22_xU;
-        let t386 = wx_delta2_delta * t378;
-        let M_11_zU = t15 + t15;
-        let C1_21 = -(yaw_by_delta * t113 + t131);
-        let K2_32 = -t156;
-        let K0_12_c = t199 - t140;
-        let t391 = -(wx_delta2_delta * K0_12_lam + wx_delta2_delta_lam * K0_12);
+        let t366 = self.zU * yaw_per_v_delta;
+        let t367 = t358 * t366;
+        let K2_22_mU = self.xU * C1_22_ay_theta3_delta;
+        let C1_22_mU = t358 * K2_22_mU;
+        let t370 = yaw_per_v_delta * K0_13_mU;
+        let t371 = t358 * t370;
+        let t372 = wx_delta2_delta * t361;
+        let t373 = self.zU * K2_32_zP;
+        let t374 = self.c * t373;
+        let t375 = M_23_zP * t204;
+        let M_22_xU = self.c * t375;
+        let C1_22_xU = t375 + self.mU * M_22_ay_theta3_delta;
+        let t379 = wx_delta2_delta * t137;
+        let K2_22_xU = self.mU * C1_22_ay_theta3_delta;
+        let M_11_zU = t19 + t19;
+        let M_13_zU = t19 + K0_13;
+        let C1_21 = -(t112 + yaw_by_delta * h_wheels_all);
+        let K0_12 = -t141;
+        let K0_22 = -(wx_delta2_delta * t141);
+        let K2_32 = -t148;
+        let K0_12_mH = t49 - t45;
         (
             WhippleLeaningMatrices::from_entries([
                 M_11, M_12, M_13, M_12, M_22, M_23, M_13, M_23, M_33, zero, zero, zero, zero, zero,
@@ -7207,25 +7208,25 @@ impl<T: Number> WhippleLeaning<T> {
             ]),
             WhippleLeaningDerivatives {
                 values: [
-                    M_12_w, t168, t169, C1_12_w, C1_21_w, t186, t187, K0_12_w, K0_22_w, t191, t194,
-                    K2_32_w, M_12_c, M_22_c, M_23_c, K2_12, t172, t206, t156, K0_12_c, t208,
-                    K2_22_c, t222, M_22_lam, t230, t231, C1_21_lam, t250, t254, K0_12_lam, t391,
-                    t258, K2_22_lam, K2_32_lam, M_11_rR, C1_12_rR, C1_21_rR, self.mR, K2_12_rR,
-                    M_11_mR, C1_12_mR, self.rR, K2_12_mR, self.w.like(1.0), M_22_IRxx,
-                    M_22_wz_delta2_delta, C1_12_IRyy, K2_12_IRyy, t279, M_22_xB, t278, C1_22_xB,
-                    t280, t287, K2_22_xB, M_11_zB, t289, t292, self.mB, t291, M_11_mB, t294,
-                    M_22_mB, t297, C1_22_mB, self.zB, t293, t300, t296, K2_22_mB, yaw_by_delta,
-                    yaw_per_v_delta, t301, t304, t305, C1_22_xH, t302, t309, K2_22_xH, M_11_zH,
-                    M_12_zH, M_22_zH, t318, t319, self.mH, K0_12_zH, K0_22_zH, t310, t322, M_11_mH,
-                    M_12_mH, M_22_mH, t325, t327, self.zH, K0_12_mH, K0_22_mH, t329, t326,
+                    M_12_w, t167, t168, t171, C1_21_w, C1_22_w, t191, K0_12_w, K0_22_w, t197, t200,
+                    K2_32_w, M_12_c, M_22_c, M_23_c, K2_12, t207, C1_22_c, t148, K0_12_c, K0_22_c,
+                    t214, t228, t234, t235, t237, C1_21_lam, C1_22_lam, t252, K0_12_lam, t258, t259,
+                    K2_22_lam, K2_32_lam, M_11_rR, C1_12_rR, C1_21_rR, self.mR, K2_12_rR, M_11_mR,
+                    C1_12_mR, self.rR, K2_12_mR, self.w.like(1.0), M_22_ay_theta3_delta,
+                    C1_22_ay_theta3_delta, C1_12_IRyy, K2_12_IRyy, t279, M_22_xB, t282, C1_22_xB,
+                    t283, t288, K2_22_xB, M_11_zB, t136, t291, self.mB, t292, M_11_mB, t295,
+                    M_22_mB, t297, C1_22_mB, self.zB, t294, t299, t300, K2_22_mB, yaw_by_delta,
+                    yaw_per_v_delta, t303, M_22_xH, t306, C1_22_xH, t302, t310, K2_22_xH, M_11_zH,
+                    M_12_zH, t316, t177, t317, self.mH, K0_12_zH, K0_22_zH, t176, t320, M_11_mH,
+                    t51, M_22_mH, t324, C1_22_mH, self.zH, K0_12_mH, t327, t323, K2_22_mH,
                     wx_delta2_delta, M_22_IHxx, M_22_IHzz, C1_22_IHzz, wz_delta2_delta, M_22_IHxz,
                     K2_22_h_spin_F, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF,
-                    self.mF, t344, t345, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF,
-                    C1_22_mF, self.rF, t351, t353, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy,
-                    K2_12_IFyy, K2_22_IFyy, t15, M_23_zP, M_33_zU, C1_32_zP, self.mU, K2_32_zP,
-                    M_11_mU, t366, M_13_mU, M_22_mU, t369, M_33_mU, t372, C1_22_mU, t376, self.zU,
-                    t365, K0_13_mU, t377, t371, K2_22_mU, t375, t379, M_22_xU, t147, t382, C1_22_xU,
-                    t378, t386, K2_22_xU, M_11_zU, M_13_zU,
+                    self.mF, t133, t340, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF,
+                    C1_22_mF, self.rF, t347, t349, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy,
+                    K2_12_IFyy, K2_22_IFyy, t19, M_23_zP, M_33_zU, C1_32_zP, self.mU, K2_32_zP,
+                    M_11_mU, t362, M_13_mU, M_22_mU, t364, M_33_mU, t367, C1_22_mU, t371, self.zU,
+                    t361, K0_13_mU, t372, t366, K2_22_mU, t370, t374, M_22_xU, t149, t373, C1_22_xU,
+                    t137, t379, K2_22_xU, M_11_zU, M_13_zU,
                 ],
             },
         )
@@ -7773,8 +7774,8 @@ impl WhippleLeaningDerivatives {
         Partial::new(MatrixName::M, 1, 1, 0, 1).negative(),
         Partial::new(MatrixName::M, 1, 2, 0, 2).negative(),
         Partial::new(MatrixName::M, 2, 1, 0, 2).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 0, 3), Partial::new(MatrixName::C1, 1, 0, 0, 4),
-        Partial::new(MatrixName::C1, 1, 1, 0, 5).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 0, 3).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 0, 4), Partial::new(MatrixName::C1, 1, 1, 0, 5),
         Partial::new(MatrixName::C1, 2, 1, 0, 6).negative(),
         Partial::new(MatrixName::K0, 0, 1, 0, 7), Partial::new(MatrixName::K0, 1, 0, 0, 7),
         Partial::new(MatrixName::K0, 1, 1, 0, 8),
@@ -7785,20 +7786,20 @@ impl WhippleLeaningDerivatives {
         Partial::new(MatrixName::M, 1, 2, 1, 14), Partial::new(MatrixName::M, 2, 1, 1, 14),
         Partial::new(MatrixName::C1, 0, 1, 1, 15),
         Partial::new(MatrixName::C1, 1, 0, 1, 16).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 17).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 1, 17),
         Partial::new(MatrixName::C1, 2, 1, 1, 18).negative(),
         Partial::new(MatrixName::K0, 0, 1, 1, 19),
         Partial::new(MatrixName::K0, 1, 0, 1, 19),
-        Partial::new(MatrixName::K0, 1, 1, 1, 20).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 1, 21),
+        Partial::new(MatrixName::K0, 1, 1, 1, 20),
+        Partial::new(MatrixName::K2, 1, 1, 1, 21).negative(),
         Partial::new(MatrixName::M, 0, 1, 2, 22).negative(),
         Partial::new(MatrixName::M, 1, 0, 2, 22).negative(),
-        Partial::new(MatrixName::M, 1, 1, 2, 23),
+        Partial::new(MatrixName::M, 1, 1, 2, 23).negative(),
         Partial::new(MatrixName::M, 1, 2, 2, 24).negative(),
         Partial::new(MatrixName::M, 2, 1, 2, 24).negative(),
         Partial::new(MatrixName::C1, 0, 1, 2, 25).negative(),
         Partial::new(MatrixName::C1, 1, 0, 2, 26),
-        Partial::new(MatrixName::C1, 1, 1, 2, 27).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 2, 27),
         Partial::new(MatrixName::C1, 2, 1, 2, 28).negative(),
         Partial::new(MatrixName::K0, 0, 1, 2, 29),
         Partial::new(MatrixName::K0, 1, 0, 2, 29),
@@ -7848,7 +7849,7 @@ impl WhippleLeaningDerivatives {
         Partial::new(MatrixName::C1, 0, 1, 14, 71),
         Partial::new(MatrixName::M, 0, 1, 15, 72).negative(),
         Partial::new(MatrixName::M, 1, 0, 15, 72).negative(),
-        Partial::new(MatrixName::M, 1, 1, 15, 73).negative(),
+        Partial::new(MatrixName::M, 1, 1, 15, 73),
         Partial::new(MatrixName::C1, 0, 1, 15, 74).negative(),
         Partial::new(MatrixName::C1, 1, 1, 15, 75),
         Partial::new(MatrixName::K0, 0, 1, 15, 76).negative(),
@@ -7856,30 +7857,32 @@ impl WhippleLeaningDerivatives {
         Partial::new(MatrixName::K0, 1, 1, 15, 77).negative(),
         Partial::new(MatrixName::K2, 1, 1, 15, 78), Partial::new(MatrixName::M, 0, 0, 16, 79),
         Partial::new(MatrixName::M, 0, 1, 16, 80), Partial::new(MatrixName::M, 1, 0, 16, 80),
-        Partial::new(MatrixName::M, 1, 1, 16, 81),
+        Partial::new(MatrixName::M, 1, 1, 16, 81).negative(),
         Partial::new(MatrixName::C1, 0, 1, 16, 82).negative(),
         Partial::new(MatrixName::C1, 1, 1, 16, 83).negative(),
         Partial::new(MatrixName::K0, 0, 0, 16, 84), Partial::new(MatrixName::K0, 0, 1, 16, 85),
         Partial::new(MatrixName::K0, 1, 0, 16, 85), Partial::new(MatrixName::K0, 1, 1, 16, 86),
         Partial::new(MatrixName::K2, 0, 1, 16, 87).negative(),
         Partial::new(MatrixName::K2, 1, 1, 16, 88).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 89), Partial::new(MatrixName::M, 0, 1, 17, 90),
-        Partial::new(MatrixName::M, 1, 0, 17, 90), Partial::new(MatrixName::M, 1, 1, 17, 91),
+        Partial::new(MatrixName::M, 0, 0, 17, 89),
+        Partial::new(MatrixName::M, 0, 1, 17, 90).negative(),
+        Partial::new(MatrixName::M, 1, 0, 17, 90).negative(),
+        Partial::new(MatrixName::M, 1, 1, 17, 91),
         Partial::new(MatrixName::C1, 0, 1, 17, 92).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 17, 93).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 17, 94), Partial::new(MatrixName::K0, 0, 1, 17, 95),
-        Partial::new(MatrixName::K0, 1, 0, 17, 95), Partial::new(MatrixName::K0, 1, 1, 17, 96),
+        Partial::new(MatrixName::C1, 1, 1, 17, 93), Partial::new(MatrixName::K0, 0, 0, 17, 94),
+        Partial::new(MatrixName::K0, 0, 1, 17, 95), Partial::new(MatrixName::K0, 1, 0, 17, 95),
+        Partial::new(MatrixName::K0, 1, 1, 17, 96).negative(),
         Partial::new(MatrixName::K2, 0, 1, 17, 97).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 17, 98).negative(),
-        Partial::new(MatrixName::M, 0, 0, 18, 43), Partial::new(MatrixName::M, 0, 1, 18, 99),
-        Partial::new(MatrixName::M, 1, 0, 18, 99), Partial::new(MatrixName::M, 1, 1, 18, 100),
-        Partial::new(MatrixName::M, 1, 1, 20, 101), Partial::new(MatrixName::C1, 1, 1, 20, 102),
-        Partial::new(MatrixName::M, 0, 1, 21, 103), Partial::new(MatrixName::M, 1, 0, 21, 103),
-        Partial::new(MatrixName::M, 1, 1, 21, 104), Partial::new(MatrixName::C1, 0, 1, 21, 71),
-        Partial::new(MatrixName::C1, 1, 1, 21, 105), Partial::new(MatrixName::M, 0, 0, 22, 106),
-        Partial::new(MatrixName::M, 0, 1, 22, 107), Partial::new(MatrixName::M, 1, 0, 22, 107),
-        Partial::new(MatrixName::M, 1, 1, 22, 108), Partial::new(MatrixName::C1, 0, 1, 22, 109),
-        Partial::new(MatrixName::C1, 1, 0, 22, 110), Partial::new(MatrixName::C1, 1, 1, 22, 111),
+        Partial::new(MatrixName::K2, 1, 1, 17, 98), Partial::new(MatrixName::M, 0, 0, 18, 43),
+        Partial::new(MatrixName::M, 0, 1, 18, 99), Partial::new(MatrixName::M, 1, 0, 18, 99),
+        Partial::new(MatrixName::M, 1, 1, 18, 100), Partial::new(MatrixName::M, 1, 1, 20, 101),
+        Partial::new(MatrixName::C1, 1, 1, 20, 102), Partial::new(MatrixName::M, 0, 1, 21, 103),
+        Partial::new(MatrixName::M, 1, 0, 21, 103), Partial::new(MatrixName::M, 1, 1, 21, 104),
+        Partial::new(MatrixName::C1, 0, 1, 21, 71), Partial::new(MatrixName::C1, 1, 1, 21, 105),
+        Partial::new(MatrixName::M, 0, 0, 22, 106), Partial::new(MatrixName::M, 0, 1, 22, 107),
+        Partial::new(MatrixName::M, 1, 0, 22, 107), Partial::new(MatrixName::M, 1, 1, 22, 108),
+        Partial::new(MatrixName::C1, 0, 1, 22, 109), Partial::new(MatrixName::C1, 1, 0, 22, 110),
+        Partial::new(MatrixName::C1, 1, 1, 22, 111),
         Partial::new(MatrixName::K0, 0, 0, 22, 112).negative(),
         Partial::new(MatrixName::K0, 0, 1, 22, 113).negative(),
         Partial::new(MatrixName::K0, 1, 0, 22, 113).negative(),

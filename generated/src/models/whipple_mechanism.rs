@@ -217,48 +217,47 @@ impl<T: Number> WhippleMechanism<T> {
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleMechanismMatrices<T> {
-        let t3 = self.zB * self.mB;
-        let t8 = self.rR * self.mR;
-        let t12 = self.zH * self.mH;
+        let t3 = self.zH * self.mH;
+        let t7 = self.rR * self.mR;
+        let t13 = self.zB * self.mB;
         let t19 = self.rF * self.mF;
-        let t23 = self.IHxx + (self.rF * t19 + self.IFxx);
-        let M_11 = self.IBxx + self.zB * t3
-            + (self.rR * t8 + self.zH * t12 + (self.IRxx + t23));
+        let t22 = self.IFxx + (self.IHxx + self.rF * t19);
+        let M_11 = self.IBxx + (self.zH * t3 + self.rR * t7)
+            + (self.zB * t13 + (t22 + self.IRxx));
         let (wx_delta2_delta, cos_lam) = self.lam.sin_cos();
         let yaw_per_v_delta = cos_lam / self.w;
         let mu = self.c * yaw_per_v_delta;
+        let t35 = self.mB * self.xB;
+        let t37 = self.zB * t35 - self.IBxz;
         let wz_delta2_delta = cos_lam + mu;
-        let t38 = self.IHxz * wz_delta2_delta + wx_delta2_delta * t23;
-        let t45 = self.zH * wx_delta2_delta
+        let t41 = wz_delta2_delta * self.IHxz;
+        let t44 = t41 + t22 * wx_delta2_delta;
+        let t51 = self.zH * wx_delta2_delta
             + (cos_lam * (self.c + self.w) - self.xH * wz_delta2_delta);
-        let t51 = self.IBxz - t3 * self.xB;
-        let M_12 = t38 + t12 * t45 + mu * t51;
-        let t54 = self.mH * t45;
-        let ay_all1_delta = t38 * wx_delta2_delta;
-        let t61 = wz_delta2_delta * (self.IFxx + self.IHzz)
-            + wx_delta2_delta * self.IHxz;
-        let vy_spin_F4_delta = ay_all1_delta + t61 * wz_delta2_delta;
-        let t65 = self.mB * self.xB;
-        let t69 = mu * (self.IBzz + (self.IRxx + self.xB * t65));
-        let M_22 = t45 * t54 + (vy_spin_F4_delta + mu * t69);
+        let t54 = self.mH * t51;
+        let t58 = wz_delta2_delta * (self.IFxx + self.IHzz);
+        let t65 = mu * (self.IBzz + (self.IRxx + self.xB * t35));
+        let M_22 = t51 * t54 + wz_delta2_delta * t58
+            + (mu * t65 + wx_delta2_delta * (t41 + t44));
         let zero = self.w.like(0.0);
-        let t76 = t3 + (t12 - t8);
-        let SR = self.IRyy / self.rR;
-        let t79 = SR - t76;
         let SF = self.IFyy / self.rF;
-        let t87 = t19 + SF;
-        let C1_12 = (t51 - (t12 * self.xH - (self.IHxz + self.c * t79)))
-            * yaw_per_v_delta + wz_delta2_delta * t87;
-        let t93 = t19 * wx_delta2_delta;
-        let t97 = t54 - mu * t65;
-        let C1_22 = wz_delta2_delta * t93
-            + yaw_per_v_delta * (t69 - (self.xH * t54 - (t61 - self.c * t97)));
-        let K0_12 = t97 - t93;
+        let SR = self.IRyy / self.rR;
+        let t78 = wz_delta2_delta * SF + mu * SR;
+        let t81 = yaw_per_v_delta * self.IHxz + t19 * wz_delta2_delta;
+        let ST = t3 + t13;
+        let t84 = ST - t7;
+        let vy_all1_delta = self.xH * t54;
+        let t94 = t54 - mu * t35;
+        let C1_22 = wx_delta2_delta * t81
+            - yaw_per_v_delta * (vy_all1_delta - t58 - t65 + t94 * self.c);
+        let K0_11 = t84 - t19;
+        let K0_12 = t94 - t19 * wx_delta2_delta;
         let K0_22 = wx_delta2_delta * K0_12;
-        let K2_12 = yaw_per_v_delta * (t87 + t79);
-        let K2_22 = yaw_per_v_delta * (wx_delta2_delta * t87 - t97);
-        let C1_21 = -(mu * SR + wz_delta2_delta * SF);
-        let K0_11 = t76 - t19;
+        let K2_12 = yaw_per_v_delta * (SF - (K0_11 - SR));
+        let K2_22 = yaw_per_v_delta * (wx_delta2_delta * SF - K0_12);
+        let M_12 = t44 + t3 * t51 - mu * t37;
+        let C1_12 = t78 + t81 - yaw_per_v_delta * (t37 + self.c * t84 + t3 * self.xH);
+        let C1_21 = -t78;
         WhippleMechanismMatrices::from_entries([
             M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
             K2_12, zero, K2_22,
@@ -4913,202 +4912,211 @@ pub struct WhippleMechanismDerivatives<T = f64> {
 
 impl<T: Number> WhippleMechanism<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 92 additions, 180 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 279 operations.
+    /// 94 additions, 178 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 279 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleMechanismMatrices<T>, WhippleMechanismDerivatives<T>) {
+        let t2 = self.zB * self.mB;
+        let t7 = self.rR * self.mR;
+        let M_22_mu = self.rR * t7;
         let M_11_mF = self.rF * self.rF;
-        let t8 = self.IHxx + self.IFxx + self.mF * M_11_mF;
-        let M_11_mB = self.zB * self.zB;
-        let t15 = self.zH * self.mH;
-        let t20 = self.rR * self.mR;
-        let M_11 = self.IBxx + t8 + self.mB * M_11_mB + self.zH * t15 + self.IRxx
-            + self.rR * t20;
+        let t17 = self.IFxx + self.IHxx + self.mF * M_11_mF;
+        let M_11_mH = self.zH * self.zH;
+        let M_11 = self.zB * t2 + self.IRxx + M_22_mu + self.IBxx + t17
+            + self.mH * M_11_mH;
         let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
-        let t34 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = wx_delta2_delta_lam * t34;
-        let mu = self.c * yaw_per_v_delta;
+        let t31 = self.w.like(1.0) / self.w;
+        let t32 = self.c * t31;
+        let mu = wx_delta2_delta_lam * t32;
+        let t36 = self.mB * self.xB;
+        let t38 = self.IBxz - self.zB * t36;
         let wz_delta2_delta = wx_delta2_delta_lam + mu;
-        let t40 = self.c * t34;
-        let t44 = self.c + self.w - self.xH - self.xH * t40;
-        let t46 = self.zH * wx_delta2_delta;
-        let K0_12_mH = wx_delta2_delta_lam * t44 + t46;
-        let M_12_mH = self.zH * K0_12_mH;
-        let t51 = t8 * wx_delta2_delta + self.IHxz * wz_delta2_delta + self.mH * M_12_mH;
-        let t54 = self.mB * self.xB;
-        let t56 = self.IBxz - self.zB * t54;
-        let M_12 = t51 + mu * t56;
+        let t45 = t17 * wx_delta2_delta + self.IHxz * wz_delta2_delta;
+        let t47 = t32 * self.xH;
+        let t50 = self.c + self.w - self.xH - t47;
+        let t52 = self.zH * wx_delta2_delta;
+        let K0_12_mH = wx_delta2_delta_lam * t50 + t52;
+        let t54 = self.mH * K0_12_mH;
+        let t56 = t45 + self.zH * t54;
+        let M_12 = mu * t38 + t56;
         let t60 = self.IFxx + self.IHzz;
         let t62 = wx_delta2_delta * self.IHxz;
         let t63 = wz_delta2_delta * t60 + t62;
-        let t64 = self.mH * K0_12_mH;
-        let t70 = yaw_per_v_delta * (self.IRxx + self.IBzz + self.xB * t54);
-        let t73 = t34 * (t63 + self.c * t70);
-        let t76 = t63 + t44 * t64 + self.c * t73;
-        let M_22 = wx_delta2_delta_lam * t76 + wx_delta2_delta * t51;
+        let t67 = self.IRxx + self.xB * t36 + self.IBzz;
+        let t68 = mu * t67;
+        let t69 = t63 + t68;
+        let t71 = t63 + t32 * t69;
+        let M_22 = wx_delta2_delta * t56 + wx_delta2_delta_lam * (t71 + t50 * t54);
         let zero = self.w.like(0.0);
-        let t82 = self.w.like(1.0) / self.rF;
-        let SF = self.IFyy * t82;
-        let t84 = self.mF * self.rF;
-        let t86 = self.mB * self.zB;
-        let K0_11 = t15 + t86 - t20 - t84;
-        let t91 = self.w.like(1.0) / self.rR;
-        let SR = self.IRyy * t91;
-        let t93 = SF + SR;
-        let K2_12_yaw_per_v_delta = t93 - K0_11;
-        let M_12_mu = self.IHxz + t56;
-        let t99 = t34 * (t15 * self.xH - self.c * K2_12_yaw_per_v_delta - M_12_mu);
-        let t101 = SF + t84 - t99;
-        let C1_12 = wx_delta2_delta_lam * t101;
-        let t103 = yaw_per_v_delta * t93;
-        let t105 = wx_delta2_delta_lam * SF;
-        let t107 = self.rF * wx_delta2_delta;
-        let t108 = self.mF * t107;
-        let t109 = self.mB * mu;
-        let t110 = self.xB * t109;
-        let K0_12 = t64 - t108 - t110;
-        let t116 = t73 - t34 * self.xH * t64;
-        let C1_22 = wx_delta2_delta_lam * (t108 + t116 - t40 * K0_12);
+        let t78 = self.w.like(1.0) / self.rF;
+        let SF = self.IFyy * t78;
+        let t80 = wx_delta2_delta_lam * SF;
+        let yaw_per_v_delta = wx_delta2_delta_lam * t31;
+        let t82 = self.mH * self.zH;
+        let M_12_mu = t38 + self.IHxz;
+        let t85 = self.xH * t82 - M_12_mu;
+        let t87 = self.w.like(1.0) / self.rR;
+        let SR = self.IRyy * t87;
+        let t89 = SF + SR;
+        let t90 = self.mF * self.rF;
+        let K0_11 = t2 + t82 - t7 - t90;
+        let K2_12_yaw_per_v_delta = t89 - K0_11;
+        let t96 = t85 - self.c * K2_12_yaw_per_v_delta;
+        let t97 = yaw_per_v_delta * t96;
+        let t98 = wx_delta2_delta_lam * t90;
+        let C1_12 = t80 + t98 - t97;
+        let t101 = yaw_per_v_delta * t89;
+        let t102 = self.c * t101;
+        let t104 = self.rF * wx_delta2_delta;
+        let t105 = self.mF * t104;
+        let t108 = t63 - self.xH * t54;
+        let t110 = self.mB * mu;
+        let t111 = self.xB * t110;
+        let t112 = t54 - t111;
+        let t114 = t112 - t67 * yaw_per_v_delta;
+        let C1_22 = wz_delta2_delta * t105 + yaw_per_v_delta * t108 - mu * t114;
+        let K0_12 = t112 - t105;
         let K0_22 = wx_delta2_delta * K0_12;
         let K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
-        let K2_22_mu = wx_delta2_delta * SF;
-        let K2_22 = yaw_per_v_delta * (K2_22_mu - K0_12);
-        let t125 = yaw_per_v_delta * M_12_mu;
-        let t127 = yaw_per_v_delta * self.xH;
-        let t129 = wx_delta2_delta_lam + t40 * t127;
-        let t130 = self.mH * t129;
-        let M_12_w = self.zH * t130 - t40 * t125;
-        let t133 = t64 + t64;
-        let t135 = wx_delta2_delta_lam + wx_delta2_delta_lam;
-        let t136 = t73 * t135;
-        let M_22_w = t129 * t133 - t40 * t136;
-        let C1_12_w = yaw_per_v_delta * t99;
-        let C1_21_w = t40 * t103;
-        let t141 = mu + t127;
-        let t142 = self.mH * t141;
-        let t144 = yaw_per_v_delta * t60;
-        let t145 = t110 - K0_12;
-        let t147 = t70 + t144 + t145;
-        let t149 = t116 + t40 * t147;
-        let t151 = t129 * t142 + yaw_per_v_delta * t149;
-        let t152 = self.mB * yaw_per_v_delta;
-        let t153 = self.xB * t152;
-        let t154 = t40 * t153;
-        let K0_12_w = t130 + t154;
+        let t121 = wx_delta2_delta * SF;
+        let t122 = t105 + t121;
+        let t123 = t112 - t122;
+        let t124 = yaw_per_v_delta * t123;
+        let t125 = wx_delta2_delta_lam * t82;
+        let t126 = yaw_per_v_delta * t85;
+        let M_12_w = t125 + t32 * t126;
+        let t130 = wx_delta2_delta_lam + t47 * yaw_per_v_delta;
+        let t131 = t54 + t54;
+        let t133 = t69 * yaw_per_v_delta;
+        let C1_12_mu = t133 + t133;
+        let M_22_w = t130 * t131 - t32 * C1_12_mu;
+        let C1_12_w = t31 * t97;
+        let C1_21_w = t31 * t102;
+        let C1_22_wz_delta2_delta = t105 + t60 * yaw_per_v_delta;
+        let t142 = t114 - t111 - C1_22_wz_delta2_delta;
+        let t146 = t31 * (t68 + t108 - self.c * t142);
+        let M_12_yaw_per_v_delta = yaw_per_v_delta * t146;
+        let t148 = self.xH * yaw_per_v_delta;
+        let t149 = mu + t148;
+        let t150 = self.mH * t149;
+        let t152 = M_12_yaw_per_v_delta + t130 * t150;
+        let t153 = t36 * yaw_per_v_delta;
+        let K0_12_w = t32 * t153 + self.mH * t130;
         let K0_22_w = wx_delta2_delta * K0_12_w;
-        let t157 = t34 * K2_12;
-        let t159 = t34 * (K2_22_mu + t145);
-        let t161 = yaw_per_v_delta * (t130 + t159);
-        let t162 = wx_delta2_delta_lam - t127;
-        let t163 = self.mH * t162;
-        let M_12_c = t125 + self.zH * t163;
-        let M_22_c = t136 + t133 * t162;
-        let C1_22_c = yaw_per_v_delta * t147 - t141 * t163;
-        let t171 = t153 - t163;
-        let t172 = wx_delta2_delta * t171;
-        let K2_22_c = yaw_per_v_delta * t171;
-        let t174 = wx_delta2_delta * t40;
-        let t177 = t15 * wx_delta2_delta_lam;
+        let t158 = t31 * K2_12;
+        let M_22_yaw_per_v_delta = wx_delta2_delta_lam * K0_12_w;
+        let K2_22_w = t31 * (t124 - M_22_yaw_per_v_delta);
+        let M_12_c = t125 - t126;
+        let t163 = wx_delta2_delta_lam - t148;
+        let M_22_c = C1_12_mu + t131 * t163;
+        let t166 = self.mH * t163;
+        let t169 = t149 * t166 + yaw_per_v_delta * t142;
+        let K0_12_c = t166 - t153;
+        let K0_22_c = wx_delta2_delta * K0_12_c;
+        let t172 = yaw_per_v_delta * K0_12_c;
         let K0_12_zH = self.mH * wx_delta2_delta;
-        let t180 = t177 - t44 * K0_12_zH;
-        let t184 = t62 + M_12_mu * t174 - t8 * wx_delta2_delta_lam - self.zH * t180;
-        let t187 = wx_delta2_delta_lam * t51 - wx_delta2_delta * t76;
-        let M_22_lam = t187 + t187;
-        let t189 = wx_delta2_delta * t101;
-        let C1_21_lam = K2_22_mu + t93 * t174;
-        let t192 = wx_delta2_delta_lam * t84;
-        let K2_22_yaw_per_v_delta = wx_delta2_delta * (t108 + t144 + t149);
-        let t198 = wx_delta2_delta_lam * yaw_per_v_delta;
-        let C1_22_lam = wz_delta2_delta * t192 + self.IHxz * t198 - K2_22_yaw_per_v_delta
-            - t141 * t180;
-        let t204 = t180 - t192;
-        let K0_12_lam = t54 * t174 + t204;
-        let t210 = wx_delta2_delta * t34 * K2_12_yaw_per_v_delta;
-        let K2_22_lam = yaw_per_v_delta * (t105 - t204) - wx_delta2_delta * t159;
-        let M_11_rR = t20 + t20;
-        let t216 = t91 * SR;
-        let t217 = self.mR - t216;
-        let C1_12_rR = mu * t217;
-        let C1_21_rR = mu * t216;
-        let K2_12_rR = yaw_per_v_delta * t217;
+        let t175 = t125 - t50 * K0_12_zH;
+        let C1_22_mu = self.zH * t175;
+        let t177 = t32 * wx_delta2_delta;
+        let M_12_lam = C1_22_mu + t17 * wx_delta2_delta_lam - t62 - M_12_mu * t177;
+        let t187 = wx_delta2_delta * t71 - K0_12_mH * t175 - wx_delta2_delta_lam * t45;
+        let t188 = t187 + t187;
+        let t189 = t31 * wx_delta2_delta;
+        let C1_12_lam = t96 * t189 - t122;
+        let C1_21_lam = t121 + t89 * t177;
+        let C1_22_lam = wz_delta2_delta * t98
+            + wx_delta2_delta_lam * self.IHxz * yaw_per_v_delta - t149 * t175
+            - wx_delta2_delta * (C1_22_wz_delta2_delta + t146);
+        let K0_12_lam = t175 + t36 * t177 - t98;
+        let K0_22_lam = wx_delta2_delta * K0_12_lam + wx_delta2_delta_lam * K0_12;
+        let t209 = K2_12_yaw_per_v_delta * t189;
+        let K2_22_lam = t123 * t189 + yaw_per_v_delta * (t80 - K0_12_lam);
+        let M_11_rR = t7 + t7;
+        let t215 = t87 * SR;
+        let t216 = self.mR - t215;
+        let C1_12_rR = mu * t216;
+        let C1_21_rR = mu * t215;
+        let K2_12_rR = yaw_per_v_delta * t216;
         let M_11_mR = self.rR * self.rR;
+        let C1_12_mR = self.rR * mu;
         let K2_12_mR = self.rR * yaw_per_v_delta;
-        let C1_12_mR = self.c * K2_12_mR;
-        let C1_22_IRxx = yaw_per_v_delta * mu;
+        let C1_22_IRxx = mu * yaw_per_v_delta;
         let M_22_IRxx = self.c * C1_22_IRxx;
-        let C1_12_IRyy = mu * t91;
-        let K2_12_IRyy = yaw_per_v_delta * t91;
-        let t229 = mu * t86;
-        let t230 = t135 * t154;
-        let M_22_xB = self.c * t230;
-        let t232 = self.zB * yaw_per_v_delta;
-        let t233 = self.mB * t232;
-        let C1_22_xB = t230 + mu * t109;
-        let t236 = wx_delta2_delta * t109;
-        let K2_22_xB = self.mB * C1_22_IRxx;
-        let M_11_zB = t86 + t86;
-        let t239 = self.c + self.xB;
-        let t240 = t152 * t239;
-        let t241 = mu * self.xB;
-        let t242 = self.zB * t241;
-        let M_22_mB = t241 * t241;
-        let t244 = t232 * t239;
-        let K2_22_mB = yaw_per_v_delta * t241;
-        let C1_22_mB = t239 * K2_22_mB;
-        let t247 = wx_delta2_delta * t241;
-        let t248 = t15 * wz_delta2_delta;
-        let t249 = wz_delta2_delta * t133;
-        let t250 = t34 * t177;
-        let t252 = yaw_per_v_delta * K0_12_mH;
-        let C1_22_xH = wz_delta2_delta * t142 - self.mH * t252;
-        let t255 = self.mH * wz_delta2_delta;
-        let t256 = wz_delta2_delta * K0_12_zH;
-        let K2_22_xH = yaw_per_v_delta * t255;
-        let M_11_zH = t15 + t15;
-        let M_12_zH = self.mH * (t46 + K0_12_mH);
-        let M_22_zH = wx_delta2_delta * t133;
-        let t262 = t141 * K0_12_zH;
-        let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
-        let K0_22_zH = self.mH * M_22_IHxx;
-        let t265 = self.mH * yaw_per_v_delta;
-        let t266 = yaw_per_v_delta * K0_12_zH;
-        let M_11_mH = self.zH * self.zH;
+        let K2_12_IRyy = yaw_per_v_delta * t87;
+        let C1_12_IRyy = self.c * K2_12_IRyy;
+        let t228 = self.zB * t110;
+        let C1_22_yaw_per_v_delta = t36 * M_22_IRxx;
+        let M_22_xB = C1_22_yaw_per_v_delta + C1_22_yaw_per_v_delta;
+        let t231 = t2 * yaw_per_v_delta;
+        let t232 = t110 + t153;
+        let C1_22_xB = mu * (t153 + t232);
+        let t235 = wx_delta2_delta * t110;
+        let K2_22_xB = yaw_per_v_delta * t110;
+        let M_11_zB = t2 + t2;
+        let t238 = self.mB * yaw_per_v_delta;
+        let M_11_mB = self.zB * self.zB;
+        let t240 = mu * self.xB;
+        let t241 = self.zB * t240;
+        let M_22_mB = t240 * t240;
+        let t243 = self.c + self.xB;
+        let t244 = self.zB * yaw_per_v_delta;
+        let t245 = t243 * t244;
+        let K2_22_mB = yaw_per_v_delta * t240;
+        let C1_22_mB = t243 * K2_22_mB;
+        let t248 = wx_delta2_delta * t240;
+        let t249 = self.mH * wz_delta2_delta;
+        let t250 = self.zH * t249;
+        let t251 = wz_delta2_delta * t131;
+        let t252 = self.zH * yaw_per_v_delta;
+        let t253 = self.mH * t252;
+        let t254 = K0_12_mH * yaw_per_v_delta;
+        let t257 = self.mH * (t254 - wz_delta2_delta * t149);
+        let t258 = wz_delta2_delta * K0_12_zH;
+        let C1_22_IHzz = wz_delta2_delta * yaw_per_v_delta;
+        let K2_22_xH = self.mH * C1_22_IHzz;
+        let M_11_zH = t82 + t82;
+        let M_12_zH = self.mH * (t52 + K0_12_mH);
+        let M_22_zH = wx_delta2_delta * t131;
+        let t265 = wx_delta2_delta * t150;
+        let K0_22_zH = wx_delta2_delta * K0_12_zH;
+        let t267 = self.mH * yaw_per_v_delta;
+        let K2_22_SF = wx_delta2_delta * yaw_per_v_delta;
+        let t269 = self.mH * K2_22_SF;
+        let M_12_mH = self.zH * K0_12_mH;
         let M_22_mH = K0_12_mH * K0_12_mH;
-        let t269 = self.zH * t141;
-        let t270 = K0_12_mH * t141;
+        let t272 = self.zH * t149;
+        let t273 = K0_12_mH * t149;
         let K0_22_mH = wx_delta2_delta * K0_12_mH;
-        let t272 = self.zH * yaw_per_v_delta;
+        let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
         let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-        let C1_22_IHzz = t198 + C1_22_IRxx;
-        let M_22_IHxz = t135 * (wx_delta2_delta + t174);
-        let M_22_wz_delta2_delta = wx_delta2_delta * yaw_per_v_delta;
-        let M_11_rF = t84 + t84;
-        let M_12_rF = t108 + t108;
-        let M_22_rF = M_22_IHxx * M_11_rF;
-        let t282 = self.mF - t82 * SF;
-        let C1_12_rF = wz_delta2_delta * t282;
-        let C1_12_IFyy = wz_delta2_delta * t82;
+        let M_22_wz_delta2_delta = wx_delta2_delta + wx_delta2_delta;
+        let M_22_IHxz = wz_delta2_delta * M_22_wz_delta2_delta;
+        let M_11_rF = t90 + t90;
+        let M_12_rF = t90 * M_22_wz_delta2_delta;
+        let M_22_rF = t105 * M_22_wz_delta2_delta;
+        let t283 = self.mF - t78 * SF;
+        let C1_12_rF = wz_delta2_delta * t283;
+        let C1_12_IFyy = wz_delta2_delta * t78;
         let C1_21_rF = SF * C1_12_IFyy;
-        let t286 = self.mF * wx_delta2_delta;
-        let C1_22_rF = wz_delta2_delta * t286;
-        let t288 = self.mF * M_22_IHxx;
-        let K2_12_rF = yaw_per_v_delta * t282;
-        let K2_22_rF = wx_delta2_delta * K2_12_rF;
-        let M_12_mF = self.rF * t107;
-        let M_22_mF = M_11_mF * M_22_IHxx;
+        let t287 = self.mF * wx_delta2_delta;
+        let C1_22_rF = wz_delta2_delta * t287;
+        let t289 = wx_delta2_delta * t287;
+        let K2_12_rF = yaw_per_v_delta * t283;
+        let K2_22_rF = K2_22_SF * t283;
+        let M_12_mF = M_11_mF * wx_delta2_delta;
+        let t293 = wx_delta2_delta * t104;
+        let M_22_mF = self.rF * t293;
         let C1_12_mF = self.rF * wz_delta2_delta;
-        let C1_22_mF = wz_delta2_delta * t107;
-        let t295 = self.rF * M_22_IHxx;
+        let C1_22_mF = wz_delta2_delta * t104;
         let K2_12_mF = self.rF * yaw_per_v_delta;
-        let K2_22_mF = self.rF * M_22_wz_delta2_delta;
+        let K2_22_mF = wx_delta2_delta * K2_12_mF;
         let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let K2_12_IFyy = yaw_per_v_delta * t82;
-        let K2_22_IFyy = t82 * M_22_wz_delta2_delta;
-        let C1_21 = -(self.c * t103 + t105);
-        let K0_12_c = t163 - t153;
-        let t303 = -(wx_delta2_delta * K0_12_lam + wx_delta2_delta_lam * K0_12);
+        let K2_12_IFyy = t78 * yaw_per_v_delta;
+        let K2_22_IFyy = wx_delta2_delta * K2_12_IFyy;
+        let C1_21 = -(t80 + t102);
+        let K2_22 = -t124;
         (
             WhippleMechanismMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
@@ -5116,21 +5124,20 @@ impl<T: Number> WhippleMechanism<T> {
             ]),
             WhippleMechanismDerivatives {
                 values: [
-                    M_12_w, M_22_w, C1_12_w, C1_21_w, t151, K0_12_w, K0_22_w, t157, t161, M_12_c,
-                    M_22_c, K2_12, t103, C1_22_c, K0_12_c, t172, K2_22_c, t184, M_22_lam, t189,
-                    C1_21_lam, C1_22_lam, K0_12_lam, t303, t210, K2_22_lam, M_11_rR, C1_12_rR,
+                    M_12_w, M_22_w, C1_12_w, C1_21_w, t152, K0_12_w, K0_22_w, t158, K2_22_w, M_12_c,
+                    M_22_c, K2_12, t101, t169, K0_12_c, K0_22_c, t172, M_12_lam, t188, C1_12_lam,
+                    C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t209, K2_22_lam, M_11_rR, C1_12_rR,
                     C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
-                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t229, M_22_xB,
-                    t233, C1_22_xB, t109, t236, K2_22_xB, M_11_zB, t110, t240, self.mB, t152,
-                    M_11_mB, t242, M_22_mB, t244, C1_22_mB, self.zB, t241, t247, t232, K2_22_mB, mu,
-                    yaw_per_v_delta, t248, t249, t250, C1_22_xH, t255, t256, K2_22_xH, M_11_zH,
-                    M_12_zH, M_22_zH, t142, t262, self.mH, K0_12_zH, K0_22_zH, t265, t266, M_11_mH,
-                    M_12_mH, M_22_mH, t269, t270, self.zH, K0_12_mH, K0_22_mH, t272, t252,
-                    wx_delta2_delta, M_22_IHxx, M_22_IHzz, C1_22_IHzz, wz_delta2_delta, M_22_IHxz,
-                    M_22_wz_delta2_delta, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF,
-                    self.mF, t286, t288, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF,
-                    C1_22_mF, self.rF, t107, t295, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy,
-                    K2_12_IFyy, K2_22_IFyy,
+                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t228, M_22_xB,
+                    t231, C1_22_xB, t110, t235, K2_22_xB, M_11_zB, t111, t232, self.mB, t238,
+                    M_11_mB, t241, M_22_mB, t245, C1_22_mB, self.zB, t240, t248, t244, K2_22_mB, mu,
+                    yaw_per_v_delta, t250, t251, t253, t257, t249, t258, K2_22_xH, M_11_zH, M_12_zH,
+                    M_22_zH, t150, t265, self.mH, K0_12_zH, K0_22_zH, t267, t269, M_11_mH, M_12_mH,
+                    M_22_mH, t272, t273, self.zH, K0_12_mH, K0_22_mH, t252, t254, wx_delta2_delta,
+                    M_22_IHxx, M_22_IHzz, C1_22_IHzz, wz_delta2_delta, M_22_IHxz, K2_22_SF, M_11_rF,
+                    M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t287, t289, K2_12_rF,
+                    K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF, C1_22_mF, self.rF, t104, t293,
+                    K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy, K2_12_IFyy, K2_22_IFyy,
                 ],
             },
         )
@@ -5690,22 +5697,20 @@ impl WhippleMechanismDerivatives {
         Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
         Partial::new(MatrixName::K0, 1, 1, 0, 6),
         Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 0, 8).negative(),
-        Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
-        Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
+        Partial::new(MatrixName::K2, 1, 1, 0, 8), Partial::new(MatrixName::M, 0, 1, 1, 9),
+        Partial::new(MatrixName::M, 1, 0, 1, 9), Partial::new(MatrixName::M, 1, 1, 1, 10),
+        Partial::new(MatrixName::C1, 0, 1, 1, 11),
         Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 13),
+        Partial::new(MatrixName::C1, 1, 1, 1, 13).negative(),
         Partial::new(MatrixName::K0, 0, 1, 1, 14),
         Partial::new(MatrixName::K0, 1, 0, 1, 14),
-        Partial::new(MatrixName::K0, 1, 1, 1, 15).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 1, 16),
-        Partial::new(MatrixName::M, 0, 1, 2, 17).negative(),
-        Partial::new(MatrixName::M, 1, 0, 2, 17).negative(),
-        Partial::new(MatrixName::M, 1, 1, 2, 18),
-        Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
-        Partial::new(MatrixName::K0, 0, 1, 2, 22), Partial::new(MatrixName::K0, 1, 0, 2, 22),
-        Partial::new(MatrixName::K0, 1, 1, 2, 23).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 1, 15),
+        Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
+        Partial::new(MatrixName::M, 0, 1, 2, 17), Partial::new(MatrixName::M, 1, 0, 2, 17),
+        Partial::new(MatrixName::M, 1, 1, 2, 18).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 2, 19), Partial::new(MatrixName::C1, 1, 0, 2, 20),
+        Partial::new(MatrixName::C1, 1, 1, 2, 21), Partial::new(MatrixName::K0, 0, 1, 2, 22),
+        Partial::new(MatrixName::K0, 1, 0, 2, 22), Partial::new(MatrixName::K0, 1, 1, 2, 23),
         Partial::new(MatrixName::K2, 0, 1, 2, 24).negative(),
         Partial::new(MatrixName::K2, 1, 1, 2, 25), Partial::new(MatrixName::M, 0, 0, 4, 26),
         Partial::new(MatrixName::C1, 0, 1, 4, 27), Partial::new(MatrixName::C1, 1, 0, 4, 28),
@@ -5752,7 +5757,7 @@ impl WhippleMechanismDerivatives {
         Partial::new(MatrixName::M, 1, 0, 15, 64).negative(),
         Partial::new(MatrixName::M, 1, 1, 15, 65).negative(),
         Partial::new(MatrixName::C1, 0, 1, 15, 66).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 15, 67),
+        Partial::new(MatrixName::C1, 1, 1, 15, 67).negative(),
         Partial::new(MatrixName::K0, 0, 1, 15, 68).negative(),
         Partial::new(MatrixName::K0, 1, 0, 15, 68).negative(),
         Partial::new(MatrixName::K0, 1, 1, 15, 69).negative(),

@@ -222,56 +222,53 @@ pub struct WhippleSprungMatrices<T = f64> {
 
 impl<T: Number> WhippleSprung<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 40 additions, 43 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 89 operations.
+    /// 41 additions, 43 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 90 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleSprungMatrices<T> {
-        let t3 = self.rR * self.mR;
-        let t8 = self.zH * self.mH;
-        let t14 = self.zB * self.mB;
-        let t19 = self.rF * self.mF;
-        let t23 = self.IHxx + (self.rF * t19 + self.IFxx);
-        let M_11 = self.IBxx
-            + (self.rR * t3 + (self.IRxx + self.zH * t8) + (self.zB * t14 + t23));
+        let t3 = self.zB * self.mB;
+        let t10 = self.rR * self.mR;
+        let t14 = self.zH * self.mH;
+        let t18 = self.rF * self.mF;
+        let t23 = self.rF * t18 + (self.IFxx + self.IHxx);
+        let M_11 = self.IBxx + (self.zB * t3 + self.IRxx)
+            + (self.rR * t10 + (self.zH * t14 + t23));
         let (wx_delta2_delta, cos_lam) = self.lam.sin_cos();
-        let vy_spin_F4_delta = wx_delta2_delta * t23;
         let yaw_per_v_delta = cos_lam / self.w;
         let yaw_by_delta = self.c * yaw_per_v_delta;
         let wz_delta2_delta = cos_lam + yaw_by_delta;
-        let t37 = self.IHxz * wz_delta2_delta;
-        let h_wheels_all = vy_spin_F4_delta + t37;
-        let t45 = self.zH * wx_delta2_delta
-            - (self.xH * wz_delta2_delta - cos_lam * (self.c + self.w));
-        let t46 = self.mH * t45;
-        let t52 = t14 * self.xB - self.IBxz;
-        let M_12 = h_wheels_all + self.zH * t46 - yaw_by_delta * t52;
-        let t56 = self.mB * self.xB;
-        let ay_all1_delta = self.IBzz + self.xB * t56;
-        let vy_all1_delta = self.IRxx + ay_all1_delta;
-        let t60 = yaw_by_delta * vy_all1_delta;
-        let t68 = wz_delta2_delta * (self.IFxx + self.IHzz);
-        let M_22 = yaw_by_delta * t60
-            + (t45 * t46 + wx_delta2_delta * (t37 + h_wheels_all)
-                + wz_delta2_delta * t68);
+        let t41 = cos_lam * (self.c + self.w) + self.zH * wx_delta2_delta
+            - self.xH * wz_delta2_delta;
+        let t42 = self.mH * t41;
+        let t47 = self.IBxz - t3 * self.xB;
+        let t51 = wz_delta2_delta * self.IHxz;
+        let t52 = t23 * wx_delta2_delta + t51;
+        let M_12 = self.zH * t42 + (yaw_by_delta * t47 + t52);
+        let t57 = wz_delta2_delta * (self.IFxx + self.IHzz);
+        let t62 = self.mB * self.xB;
+        let vy_all1_delta = yaw_by_delta * (self.xB * t62 + (self.IRxx + self.IBzz));
+        let M_22 = wz_delta2_delta * t57 + wx_delta2_delta * (t51 + t52)
+            + yaw_by_delta * vy_all1_delta + t41 * t42;
         let zero = self.w.like(0.0);
-        let t76 = t19 * wz_delta2_delta + yaw_per_v_delta * self.IHxz;
         let h_spin_F = self.IFyy / self.rF;
         let h_spin_R = self.IRyy / self.rR;
-        let t83 = wz_delta2_delta * h_spin_F + yaw_by_delta * h_spin_R;
-        let t86 = t14 + (t8 - t3);
-        let C1_12 = t76
-            + (t83 - yaw_per_v_delta * (t52 + (t8 * self.xH + self.c * t86)));
-        let t97 = t46 - yaw_by_delta * t56;
-        let K0_11 = t86 - t19;
-        let K0_12 = t97 - t19 * wx_delta2_delta;
+        let t79 = h_spin_F + h_spin_R;
+        let t81 = cos_lam * h_spin_F + yaw_by_delta * t79;
+        let t84 = yaw_per_v_delta * self.IHxz + t18 * wz_delta2_delta;
+        let t89 = t3 + (t14 - t10);
+        let h_wheels_all = self.c * t89;
+        let C1_12 = t81 + t84 + yaw_per_v_delta * (t47 - t14 * self.xH - h_wheels_all);
+        let t97 = t42 - yaw_by_delta * t62;
+        let C1_22 = wx_delta2_delta * t84
+            + yaw_per_v_delta * (t57 + vy_all1_delta - (self.c * t97 + self.xH * t42));
+        let K0_12 = t97 - t18 * wx_delta2_delta;
         let K0_22 = wx_delta2_delta * K0_12;
-        let K2_12 = yaw_per_v_delta * (h_spin_R + h_spin_F - K0_11);
+        let K2_12 = yaw_per_v_delta * (t79 + (t18 - t89));
         let K2_22 = yaw_per_v_delta * (wx_delta2_delta * h_spin_F - K0_12);
-        let C1_21 = -t83;
-        let C1_22 = wx_delta2_delta * t76
-            - yaw_per_v_delta * (self.c * t97 - (t68 - self.xH * t46) - t60);
+        let C1_21 = -t81;
+        let K0_11 = t89 - t18;
         WhippleSprungMatrices::from_entries([
             M_11, M_12, M_12, M_22, zero, zero, zero, self.d, zero, C1_12, C1_21, C1_22, zero, zero,
             zero, self.k, K0_11, K0_12, K0_12, K0_22, zero, K2_12, zero, K2_22,
@@ -343,208 +340,208 @@ pub struct WhippleSprungDerivatives<T = f64> {
 
 impl<T: Number> WhippleSprung<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 95 additions, 180 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 283 operations.
+    /// 96 additions, 183 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 287 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleSprungMatrices<T>, WhippleSprungDerivatives<T>) {
-        let t4 = self.zB * self.mB;
-        let t10 = self.rF * self.mF;
-        let t13 = self.IFxx + self.IHxx + self.rF * t10;
-        let t16 = self.rR * self.mR;
-        let M_11_mH = self.zH * self.zH;
-        let M_11 = self.IBxx + self.IRxx + self.zB * t4 + t13 + self.rR * t16
-            + self.mH * M_11_mH;
+        let t4 = self.rF * self.mF;
+        let t7 = self.IFxx + self.IHxx + self.rF * t4;
+        let t10 = self.rR * self.mR;
+        let t16 = self.zH * self.mH;
+        let M_11_mB = self.zB * self.zB;
+        let M_11 = t7 + self.rR * t10 + self.IRxx + self.IBxx + self.zH * t16
+            + self.mB * M_11_mB;
         let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
-        let t34 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = wx_delta2_delta_lam * t34;
-        let yaw_by_delta = self.c * yaw_per_v_delta;
+        let t31 = self.w.like(1.0) / self.w;
+        let t32 = self.c * t31;
+        let yaw_by_delta = wx_delta2_delta_lam * t32;
+        let t36 = self.mB * self.xB;
+        let t38 = self.IBxz - self.zB * t36;
         let wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
-        let t40 = self.c * t34;
-        let t44 = self.xH + self.xH * t40 - self.c - self.w;
-        let t46 = self.zH * wx_delta2_delta;
-        let K0_12_mH = t46 - wx_delta2_delta_lam * t44;
-        let t48 = self.mH * K0_12_mH;
-        let t51 = t13 * wx_delta2_delta + self.IHxz * wz_delta2_delta + self.zH * t48;
-        let t55 = self.IBxz - t4 * self.xB;
-        let M_12 = t51 + yaw_by_delta * t55;
+        let t45 = self.IHxz * wz_delta2_delta + t7 * wx_delta2_delta;
+        let t51 = self.c + self.w - self.xH - t32 * self.xH;
+        let C1_22_yaw_by_delta = wx_delta2_delta_lam * t51;
+        let K0_12_mH = self.zH * wx_delta2_delta + C1_22_yaw_by_delta;
+        let M_12_mH = self.zH * K0_12_mH;
+        let M_12 = yaw_by_delta * t38 + t45 + self.mH * M_12_mH;
         let t60 = self.IFxx + self.IHzz;
-        let t62 = wx_delta2_delta * self.IHxz;
+        let t62 = self.IHxz * wx_delta2_delta;
         let t63 = wz_delta2_delta * t60 + t62;
-        let t66 = self.mB * self.xB;
-        let vy_all1_delta = self.IRxx + self.IBzz + self.xB * t66;
-        let C1_22_yaw_per_v_delta = yaw_by_delta * vy_all1_delta;
-        let t71 = t63 + C1_22_yaw_per_v_delta;
-        let t74 = t63 + t40 * t71 - t44 * t48;
-        let M_22 = wx_delta2_delta * t51 + wx_delta2_delta_lam * t74;
+        let vy_all1_delta_yaw_by_delta = self.IRxx + self.IBzz + self.xB * t36;
+        let t69 = t63 + yaw_by_delta * vy_all1_delta_yaw_by_delta;
+        let t71 = t63 + t32 * t69;
+        let t73 = self.mH * K0_12_mH;
+        let M_22 = wx_delta2_delta * t45 + wx_delta2_delta_lam * t71 + K0_12_mH * t73;
         let zero = self.w.like(0.0);
         let t80 = self.w.like(1.0) / self.rF;
         let h_spin_F = self.IFyy * t80;
-        let t82 = self.mH * self.zH;
-        let M_12_yaw_by_delta = self.IHxz + t55;
-        let t85 = self.xH * t82 - M_12_yaw_by_delta;
-        let K0_11 = t4 + t82 - t10 - t16;
-        let t90 = self.w.like(1.0) / self.rR;
-        let h_spin_R = self.IRyy * t90;
-        let t92 = h_spin_F + h_spin_R;
-        let K2_12_yaw_per_v_delta = t92 - K0_11;
-        let t96 = t34 * (t85 - self.c * K2_12_yaw_per_v_delta);
-        let t98 = t10 + h_spin_F - t96;
-        let C1_12 = wx_delta2_delta_lam * t98;
-        let t100 = yaw_per_v_delta * t92;
-        let t102 = wx_delta2_delta_lam * h_spin_F;
-        let t104 = yaw_by_delta * t66;
-        let t105 = t104 - t48;
-        let t108 = t71 - self.xH * t48;
-        let t111 = self.rF * wx_delta2_delta;
-        let t112 = self.mF * t111;
-        let C1_22 = yaw_per_v_delta * (self.c * t105 + t108) + wz_delta2_delta * t112;
-        let t116 = t105 + t112;
+        let t82 = wx_delta2_delta_lam * h_spin_F;
+        let t84 = self.w.like(1.0) / self.rR;
+        let t85 = self.IRyy * t84;
+        let t86 = h_spin_F + t85;
+        let t87 = yaw_by_delta * t86;
+        let t88 = t82 + t87;
+        let yaw_per_v_delta = wx_delta2_delta_lam * t31;
+        let t90 = self.mB * self.zB;
+        let t92 = t16 + t90 - t10;
+        let M_12_yaw_by_delta = t38 + self.IHxz;
+        let t96 = M_12_yaw_by_delta - t16 * self.xH;
+        let C1_12_mF = self.rF * wz_delta2_delta;
+        let t100 = self.mF * C1_12_mF;
+        let C1_12 = t88 + yaw_per_v_delta * (t96 - self.c * t92) + t100;
+        let C1_22_mF = wx_delta2_delta * C1_12_mF;
+        let t106 = t69 - self.xH * t73;
+        let t107 = self.mB * yaw_per_v_delta;
+        let t108 = self.xB * t107;
+        let t109 = self.c * t108;
+        let t110 = t109 - t73;
+        let C1_22 = self.mF * C1_22_mF + yaw_per_v_delta * (t106 + self.c * t110);
+        let t117 = self.rF * wx_delta2_delta;
+        let t118 = self.mF * t117;
+        let t119 = t110 + t118;
+        let K2_12_yaw_per_v_delta = t86 + (t4 - t92);
         let K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
-        let t119 = wx_delta2_delta * h_spin_F;
-        let K2_22_yaw_per_v_delta = t116 + t119;
-        let t121 = t34 * K2_22_yaw_per_v_delta;
-        let K2_22 = wx_delta2_delta_lam * t121;
-        let t125 = yaw_per_v_delta * self.xH;
-        let C1_22_wz_delta2_delta = wx_delta2_delta_lam + t40 * t125;
-        let t128 = self.mH * C1_22_wz_delta2_delta;
-        let M_12_w = self.zH * t128 - t34 * yaw_by_delta * M_12_yaw_by_delta;
-        let t131 = t34 * t108;
-        let t133 = t40 * t131 - t48;
-        let t135 = wx_delta2_delta_lam * (t133 + t133);
-        let C1_12_w = yaw_per_v_delta * t96;
-        let C1_21_w = t40 * t100;
-        let t138 = yaw_by_delta + t125;
-        let t143 = t104 + t116 + yaw_per_v_delta * (t60 + vy_all1_delta);
-        let t145 = t131 + t40 * t143;
-        let t147 = t128 * t138 + yaw_per_v_delta * t145;
-        let t148 = yaw_per_v_delta * t66;
-        let M_22_wz_delta2_delta = t40 * t148;
-        let K0_12_w = t128 + M_22_wz_delta2_delta;
+        let t123 = wx_delta2_delta * h_spin_F;
+        let t124 = t118 + t123;
+        let t125 = t110 + t124;
+        let K2_22 = yaw_per_v_delta * t125;
+        let t127 = self.xH * yaw_per_v_delta;
+        let t129 = wx_delta2_delta_lam + t32 * t127;
+        let t130 = self.mH * t129;
+        let K2_22_yaw_per_v_delta = self.zH * t130;
+        let t132 = yaw_per_v_delta * M_12_yaw_by_delta;
+        let M_12_w = K2_22_yaw_per_v_delta - t32 * t132;
+        let t135 = t73 + t73;
+        let t138 = yaw_per_v_delta * (t69 + t69);
+        let M_22_w = t129 * t135 - t32 * t138;
+        let t141 = t31 * yaw_per_v_delta;
+        let C1_12_yaw_per_v_delta = t96 + self.c * K2_12_yaw_per_v_delta;
+        let t144 = t141 * C1_12_yaw_per_v_delta;
+        let C1_21_w = t31 * t87;
+        let t149 = t109 + t119 + yaw_per_v_delta * (t60 + vy_all1_delta_yaw_by_delta);
+        let C1_22_yaw_per_v_delta = t106 + self.c * t149;
+        let t153 = yaw_by_delta + t127;
+        let t154 = self.mH * t153;
+        let t156 = t141 * C1_22_yaw_per_v_delta + t129 * t154;
+        let K0_12_w = t130 + t31 * t109;
         let K0_22_w = wx_delta2_delta * K0_12_w;
-        let t152 = t34 * K2_12_yaw_per_v_delta;
-        let t153 = yaw_per_v_delta * t152;
-        let t155 = yaw_per_v_delta * (t121 + K0_12_w);
-        let t156 = wx_delta2_delta_lam * t82;
-        let M_12_c = t156 - yaw_per_v_delta * t85;
-        let t159 = wx_delta2_delta_lam - t125;
-        let t162 = t48 * t159 + yaw_per_v_delta * t71;
-        let M_22_c = t162 + t162;
-        let t165 = self.mH * t138;
-        let C1_22_c = yaw_per_v_delta * t143 - t159 * t165;
-        let t168 = self.mH * t159;
-        let t169 = t148 - t168;
-        let t170 = wx_delta2_delta * t169;
-        let K2_22_c = yaw_per_v_delta * t169;
+        let t160 = t31 * K2_12;
+        let C1_22_wz_delta2_delta = K0_12_w + t31 * t125;
+        let t163 = yaw_per_v_delta * C1_22_wz_delta2_delta;
+        let t164 = wx_delta2_delta_lam - t127;
+        let M_12_c = t132 + t16 * t164;
+        let M_22_c = t138 + t135 * t164;
+        let t169 = t86 * yaw_per_v_delta;
+        let t171 = self.mH * t164;
+        let C1_22_c = yaw_per_v_delta * t149 - t153 * t171;
+        let K0_12_c = t171 - t108;
+        let K0_22_c = wx_delta2_delta * K0_12_c;
+        let t176 = yaw_per_v_delta * K0_12_c;
         let K0_12_zH = self.mH * wx_delta2_delta;
-        let t174 = t156 + t44 * K0_12_zH;
-        let vy_all1_delta_mB = wx_delta2_delta * t40;
-        let t181 = t62 + M_12_yaw_by_delta * vy_all1_delta_mB - self.zH * t174
-            - t13 * wx_delta2_delta_lam;
-        let t184 = wx_delta2_delta * t74 - wx_delta2_delta_lam * t51;
-        let t185 = t184 + t184;
-        let t186 = wx_delta2_delta * t98;
-        let C1_21_lam = t119 + t92 * vy_all1_delta_mB;
-        let K2_22_h_spin_F = wx_delta2_delta * yaw_per_v_delta;
-        let C1_22_lam = wx_delta2_delta_lam
-            * (self.IHxz * yaw_per_v_delta + t10 * wz_delta2_delta)
-            - t60 * K2_22_h_spin_F - wx_delta2_delta * (t112 + t145) - t138 * t174;
-        let K0_12_lam = t174 + t66 * vy_all1_delta_mB - t10 * wx_delta2_delta_lam;
-        let K0_22_lam = wx_delta2_delta * K0_12_lam - wx_delta2_delta_lam * t116;
-        let t208 = wx_delta2_delta * t152;
-        let K2_22_lam = yaw_per_v_delta * (t102 - K0_12_lam) - wx_delta2_delta * t121;
-        let M_11_rR = t16 + t16;
-        let M_22_yaw_by_delta = t90 * h_spin_R;
-        let t215 = self.mR - M_22_yaw_by_delta;
-        let C1_12_rR = yaw_by_delta * t215;
-        let C1_12_IRyy = yaw_by_delta * t90;
-        let C1_21_rR = h_spin_R * C1_12_IRyy;
-        let K2_12_rR = yaw_per_v_delta * t215;
+        let t180 = t16 * wx_delta2_delta_lam - t51 * K0_12_zH;
+        let t183 = t32 * wx_delta2_delta;
+        let M_12_lam = self.zH * t180 + t7 * wx_delta2_delta_lam - t62
+            - M_12_yaw_by_delta * t183;
+        let t192 = wx_delta2_delta * t71 - K0_12_mH * t180 - wx_delta2_delta_lam * t45;
+        let t193 = t192 + t192;
+        let t194 = t31 * wx_delta2_delta;
+        let t196 = t124 + C1_12_yaw_per_v_delta * t194;
+        let C1_21_lam = t123 + t86 * t183;
+        let t206 = wx_delta2_delta * t118;
+        let t209 = t194 * (C1_22_yaw_per_v_delta + wx_delta2_delta_lam * t60)
+            + t153 * t180 + t206
+            - wx_delta2_delta_lam * (t100 + self.IHxz * yaw_per_v_delta);
+        let K0_12_lam = t180 + t36 * t183 - t4 * wx_delta2_delta_lam;
+        let K0_22_lam = wx_delta2_delta * K0_12_lam - wx_delta2_delta_lam * t119;
+        let t217 = K2_12_yaw_per_v_delta * t194;
+        let K2_22_lam = yaw_per_v_delta * (t82 - K0_12_lam) - t125 * t194;
+        let M_11_rR = t10 + t10;
+        let t224 = self.mR - t84 * t85;
+        let C1_12_rR = yaw_by_delta * t224;
+        let C1_12_IRyy = yaw_by_delta * t84;
+        let C1_21_rR = t85 * C1_12_IRyy;
+        let K2_12_rR = yaw_per_v_delta * t224;
         let M_11_mR = self.rR * self.rR;
+        let C1_12_mR = self.rR * yaw_by_delta;
         let K2_12_mR = self.rR * yaw_per_v_delta;
-        let C1_12_mR = self.c * K2_12_mR;
-        let C1_22_vy_all1_delta = yaw_per_v_delta * yaw_by_delta;
-        let M_22_vy_all1_delta = self.c * C1_22_vy_all1_delta;
-        let K2_12_IRyy = yaw_per_v_delta * t90;
-        let t227 = t4 * yaw_by_delta;
-        let t228 = self.mB * yaw_per_v_delta;
-        let K2_22_xB = yaw_by_delta * t228;
-        let t230 = self.xB * K2_22_xB;
-        let t231 = t230 + t230;
-        let M_22_xB = self.c * t231;
-        let t233 = t4 * yaw_per_v_delta;
-        let C1_22_xB = t231 + self.mB * M_22_vy_all1_delta;
-        let t236 = self.c * t228;
-        let t237 = wx_delta2_delta * t236;
-        let M_11_zB = t4 + t4;
-        let t239 = t148 + t236;
-        let M_11_mB = self.zB * self.zB;
-        let t241 = yaw_by_delta * self.xB;
-        let t242 = self.zB * t241;
-        let M_22_mB = t241 * t241;
-        let t244 = self.c + self.xB;
-        let t245 = self.zB * yaw_per_v_delta;
-        let t246 = t244 * t245;
-        let K2_22_mB = yaw_per_v_delta * t241;
-        let C1_22_mB = t244 * K2_22_mB;
-        let t249 = wx_delta2_delta * t241;
-        let t250 = wz_delta2_delta * t82;
-        let t251 = t48 + t48;
-        let t252 = wz_delta2_delta * t251;
-        let t253 = yaw_per_v_delta * t82;
-        let t254 = self.mH * wz_delta2_delta;
-        let t256 = yaw_per_v_delta * K0_12_mH;
-        let C1_22_xH = t138 * t254 - self.mH * t256;
-        let t259 = wz_delta2_delta * K0_12_zH;
-        let C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
+        let C1_22_IRxx = yaw_by_delta * yaw_per_v_delta;
+        let M_22_IRxx = self.c * C1_22_IRxx;
+        let K2_12_IRyy = t84 * yaw_per_v_delta;
+        let t236 = yaw_by_delta * t90;
+        let t237 = self.xB * yaw_per_v_delta;
+        let t238 = self.c * t237;
+        let t239 = self.mB * yaw_by_delta;
+        let t240 = t238 * t239;
+        let M_22_xB = t240 + t240;
+        let t242 = yaw_per_v_delta * t90;
+        let t244 = yaw_by_delta + t237;
+        let vy_all1_delta_xB = t239 * t244;
+        let C1_22_xB = yaw_by_delta * t108 + vy_all1_delta_xB;
+        let t247 = wx_delta2_delta * t239;
+        let K2_22_xB = self.mB * C1_22_IRxx;
+        let M_11_zB = t90 + t90;
+        let t250 = self.mB * t244;
+        let t251 = self.zB * t238;
+        let M_22_mB = t238 * t238;
+        let t253 = self.zB * t244;
+        let C1_22_mB = t238 * t244;
+        let t255 = wx_delta2_delta * t238;
+        let t256 = self.zB * yaw_per_v_delta;
+        let K2_22_mB = yaw_per_v_delta * t238;
+        let t258 = self.mH * wz_delta2_delta;
+        let t259 = self.zH * t258;
+        let t260 = wz_delta2_delta * t135;
+        let t261 = self.zH * yaw_per_v_delta;
+        let t262 = self.mH * t261;
+        let t264 = K0_12_mH * yaw_per_v_delta;
+        let C1_22_xH = self.mH * (wz_delta2_delta * t153 - t264);
+        let t267 = wx_delta2_delta * t258;
+        let C1_22_IHzz = wz_delta2_delta * yaw_per_v_delta;
         let K2_22_xH = self.mH * C1_22_IHzz;
-        let M_11_zH = t82 + t82;
-        let M_12_zH = t48 + self.mH * t46;
-        let M_22_zH = wx_delta2_delta * t251;
-        let t266 = t138 * K0_12_zH;
+        let M_11_zH = t16 + t16;
+        let M_12_zH = t73 + t16 * wx_delta2_delta;
+        let M_22_zH = wx_delta2_delta * t135;
+        let t274 = wx_delta2_delta * t154;
         let K0_22_zH = wx_delta2_delta * K0_12_zH;
-        let t268 = self.mH * yaw_per_v_delta;
-        let t269 = yaw_per_v_delta * K0_12_zH;
-        let M_12_mH = self.zH * K0_12_mH;
+        let t276 = self.mH * yaw_per_v_delta;
+        let K2_22_h_spin_F = wx_delta2_delta_lam * t194;
+        let t278 = self.mH * K2_22_h_spin_F;
+        let M_11_mH = self.zH * self.zH;
         let M_22_mH = K0_12_mH * K0_12_mH;
-        let t272 = self.zH * t138;
-        let t273 = K0_12_mH * t138;
+        let t281 = self.zH * t153;
+        let t282 = K0_12_mH * t153;
         let K0_22_mH = wx_delta2_delta * K0_12_mH;
-        let t275 = self.zH * yaw_per_v_delta;
         let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
         let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-        let t279 = wx_delta2_delta_lam * (wx_delta2_delta + vy_all1_delta_mB);
-        let M_22_IHxz = t279 + t279;
-        let M_11_rF = t10 + t10;
-        let M_12_rF = t112 + t112;
-        let t283 = wx_delta2_delta * t112;
-        let M_22_rF = t283 + t283;
-        let t285 = t80 * h_spin_F;
-        let t286 = self.mF - t285;
-        let C1_12_rF = wz_delta2_delta * t286;
-        let C1_21_rF = wz_delta2_delta * t285;
-        let C1_22_rF = self.mF * t279;
-        let t290 = self.mF * wx_delta2_delta;
-        let t291 = self.mF * M_22_IHxx;
-        let K2_12_rF = yaw_per_v_delta * t286;
+        let t286 = wz_delta2_delta * wx_delta2_delta;
+        let M_22_IHxz = t286 + t286;
+        let M_11_rF = t4 + t4;
+        let M_12_rF = t118 + t118;
+        let M_22_rF = t206 + t206;
+        let t292 = self.mF - t80 * h_spin_F;
+        let C1_12_rF = wz_delta2_delta * t292;
+        let C1_12_IFyy = wz_delta2_delta * t80;
+        let C1_21_rF = h_spin_F * C1_12_IFyy;
+        let C1_22_rF = self.mF * t286;
+        let t297 = self.mF * wx_delta2_delta;
+        let t298 = self.mF * M_22_IHxx;
+        let K2_12_rF = yaw_per_v_delta * t292;
         let K2_22_rF = wx_delta2_delta * K2_12_rF;
         let M_11_mF = self.rF * self.rF;
-        let M_12_mF = wx_delta2_delta * M_11_mF;
-        let M_22_mF = M_22_IHxx * M_11_mF;
-        let C1_12_mF = self.rF * wz_delta2_delta;
-        let C1_22_mF = wx_delta2_delta * C1_12_mF;
-        let t299 = self.rF * M_22_IHxx;
+        let M_12_mF = self.rF * t117;
+        let M_22_mF = wx_delta2_delta * M_12_mF;
+        let t304 = self.rF * M_22_IHxx;
         let K2_12_mF = self.rF * yaw_per_v_delta;
         let K2_22_mF = self.rF * K2_22_h_spin_F;
         let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let C1_12_IFyy = wz_delta2_delta * t80;
-        let K2_12_IFyy = yaw_per_v_delta * t80;
-        let K2_22_IFyy = t80 * K2_22_h_spin_F;
-        let C1_21 = -(self.c * t100 + t102);
-        let K0_12 = -t116;
-        let K0_22 = -(wx_delta2_delta * t116);
-        let K0_12_c = t168 - t148;
+        let K2_12_IFyy = t80 * yaw_per_v_delta;
+        let K2_22_IFyy = wx_delta2_delta * K2_12_IFyy;
+        let C1_21 = -t88;
+        let K0_11 = t92 - t4;
+        let K0_12 = -t119;
+        let K0_22 = -(wx_delta2_delta * t119);
         (
             WhippleSprungMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, zero, zero, self.d, zero, C1_12, C1_21, C1_22, zero,
@@ -552,21 +549,21 @@ impl<T: Number> WhippleSprung<T> {
             ]),
             WhippleSprungDerivatives {
                 values: [
-                    M_12_w, t135, C1_12_w, C1_21_w, t147, K0_12_w, K0_22_w, t153, t155, M_12_c,
-                    M_22_c, K2_12, t100, C1_22_c, K0_12_c, t170, K2_22_c, t181, t185, t186,
-                    C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t208, K2_22_lam, M_11_rR, C1_12_rR,
+                    M_12_w, M_22_w, t144, C1_21_w, t156, K0_12_w, K0_22_w, t160, t163, M_12_c,
+                    M_22_c, K2_12, t169, C1_22_c, K0_12_c, K0_22_c, t176, M_12_lam, t193, t196,
+                    C1_21_lam, t209, K0_12_lam, K0_22_lam, t217, K2_22_lam, M_11_rR, C1_12_rR,
                     C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
-                    self.w.like(1.0), M_22_vy_all1_delta, C1_22_vy_all1_delta, C1_12_IRyy,
-                    K2_12_IRyy, t227, M_22_xB, t233, C1_22_xB, t236, t237, K2_22_xB, M_11_zB, t104,
-                    t239, self.mB, t228, M_11_mB, t242, M_22_mB, t246, C1_22_mB, self.zB, t241,
-                    t249, t245, K2_22_mB, yaw_by_delta, yaw_per_v_delta, t250, t252, t253, C1_22_xH,
-                    t254, t259, K2_22_xH, M_11_zH, M_12_zH, M_22_zH, t165, t266, self.mH, K0_12_zH,
-                    K0_22_zH, t268, t269, M_11_mH, M_12_mH, M_22_mH, t272, t273, self.zH, K0_12_mH,
-                    K0_22_mH, t275, t256, wx_delta2_delta, M_22_IHxx, M_22_IHzz, C1_22_IHzz,
-                    wz_delta2_delta, M_22_IHxz, K2_22_h_spin_F, M_11_rF, M_12_rF, M_22_rF, C1_12_rF,
-                    C1_21_rF, C1_22_rF, self.mF, t290, t291, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF,
-                    M_22_mF, C1_12_mF, C1_22_mF, self.rF, t111, t299, K2_12_mF, K2_22_mF, M_22_IFxx,
-                    C1_12_IFyy, K2_12_IFyy, K2_22_IFyy,
+                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t236, M_22_xB,
+                    t242, C1_22_xB, t239, t247, K2_22_xB, M_11_zB, t109, t250, self.mB, t107,
+                    M_11_mB, t251, M_22_mB, t253, C1_22_mB, self.zB, t238, t255, t256, K2_22_mB,
+                    yaw_by_delta, yaw_per_v_delta, t259, t260, t262, C1_22_xH, t258, t267, K2_22_xH,
+                    M_11_zH, M_12_zH, M_22_zH, t154, t274, self.mH, K0_12_zH, K0_22_zH, t276, t278,
+                    M_11_mH, M_12_mH, M_22_mH, t281, t282, self.zH, K0_12_mH, K0_22_mH, t261, t264,
+                    wx_delta2_delta, M_22_IHxx, M_22_IHzz, C1_22_IHzz, wz_delta2_delta, M_22_IHxz,
+                    K2_22_h_spin_F, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF,
+                    self.mF, t297, t298, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF,
+                    C1_22_mF, self.rF, t117, t304, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy,
+                    K2_12_IFyy, K2_22_IFyy,
                 ],
             },
         )
@@ -1101,8 +1098,9 @@ impl WhippleSprungDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 160] = &[
         Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 0, 2), Partial::new(MatrixName::C1, 1, 0, 0, 3),
+        Partial::new(MatrixName::M, 1, 1, 0, 1),
+        Partial::new(MatrixName::C1, 0, 1, 0, 2).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 0, 3),
         Partial::new(MatrixName::C1, 1, 1, 0, 4).negative(),
         Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
         Partial::new(MatrixName::K0, 1, 1, 0, 6),
@@ -1111,17 +1109,17 @@ impl WhippleSprungDerivatives {
         Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
         Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
         Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 13),
-        Partial::new(MatrixName::K0, 0, 1, 1, 14),
-        Partial::new(MatrixName::K0, 1, 0, 1, 14),
-        Partial::new(MatrixName::K0, 1, 1, 1, 15).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 1, 16),
-        Partial::new(MatrixName::M, 0, 1, 2, 17).negative(),
-        Partial::new(MatrixName::M, 1, 0, 2, 17).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 1, 13), Partial::new(MatrixName::K0, 0, 1, 1, 14),
+        Partial::new(MatrixName::K0, 1, 0, 1, 14), Partial::new(MatrixName::K0, 1, 1, 1, 15),
+        Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
+        Partial::new(MatrixName::M, 0, 1, 2, 17),
+        Partial::new(MatrixName::M, 1, 0, 2, 17),
         Partial::new(MatrixName::M, 1, 1, 2, 18).negative(),
         Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
-        Partial::new(MatrixName::K0, 0, 1, 2, 22), Partial::new(MatrixName::K0, 1, 0, 2, 22),
+        Partial::new(MatrixName::C1, 1, 0, 2, 20),
+        Partial::new(MatrixName::C1, 1, 1, 2, 21).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 2, 22),
+        Partial::new(MatrixName::K0, 1, 0, 2, 22),
         Partial::new(MatrixName::K0, 1, 1, 2, 23),
         Partial::new(MatrixName::K2, 0, 1, 2, 24).negative(),
         Partial::new(MatrixName::K2, 1, 1, 2, 25), Partial::new(MatrixName::M, 0, 0, 4, 26),

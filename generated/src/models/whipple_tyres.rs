@@ -225,61 +225,59 @@ pub struct WhippleTyresMatrices<T = f64> {
 
 impl<T: Number> WhippleTyres<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 48 additions, 48 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 102 operations.
+    /// 49 additions, 47 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 102 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleTyresMatrices<T> {
-        let t3 = self.rF * self.mF;
-        let t8 = self.rF * t3 + (self.IHxx + self.IFxx);
-        let t12 = self.zB * self.mB;
-        let t16 = self.zH * self.mH;
-        let t23 = self.rR * self.mR;
-        let M_11 = self.IRxx + t8 + (self.zB * t12 + self.zH * t16)
-            + (self.IBxx + self.rR * t23);
+        let t2 = self.rR * self.mR;
+        let t7 = self.zH * self.mH;
+        let t14 = self.rF * self.mF;
+        let t19 = self.rF * t14 + (self.IFxx + self.IHxx);
+        let t22 = self.zB * self.mB;
+        let M_11 = self.rR * t2 + (self.IBxx + self.zH * t7)
+            + (self.IRxx + (t19 + self.zB * t22));
         let (wx_delta2_delta, cos_lam) = self.lam.sin_cos();
-        let t32 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = t32 * cos_lam;
+        let t31 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = cos_lam * t31;
         let yaw_by_delta = self.c * yaw_per_v_delta;
+        let t37 = t22 * self.xB - self.IBxz;
         let wz_delta2_delta = cos_lam + yaw_by_delta;
-        let t39 = self.IHxz * wz_delta2_delta + wx_delta2_delta * t8;
-        let t42 = self.mB * self.xB;
-        let t44 = self.zB * t42 - self.IBxz;
-        let t51 = self.w + self.c;
-        let t53 = cos_lam * t51
-            - (self.xH * wz_delta2_delta - self.zH * wx_delta2_delta);
-        let t54 = self.mH * t53;
-        let t60 = wx_delta2_delta * self.IHxz
-            + wz_delta2_delta * (self.IFxx + self.IHzz);
-        let K_phi_phi__ = yaw_by_delta * (self.IBzz + (self.IRxx + self.xB * t42));
-        let t68 = K_phi_phi__ + t60;
-        let ay_spin_F4_delta = yaw_by_delta * t68;
-        let M_22 = cos_lam * t60 + (t53 * t54 + ay_spin_F4_delta)
-            + wx_delta2_delta * t39;
+        let t41 = self.IHxz * wz_delta2_delta;
+        let t44 = t41 + t19 * wx_delta2_delta;
+        let t46 = self.c + self.w;
+        let t51 = self.zH * wx_delta2_delta + cos_lam * t46 - wz_delta2_delta * self.xH;
+        let t54 = self.mH * t51;
+        let t57 = self.mB * self.xB;
+        let vy_spin_F4_delta = self.IBzz + self.xB * t57;
+        let t61 = yaw_by_delta * (self.IRxx + vy_spin_F4_delta);
+        let t66 = wz_delta2_delta * (self.IFxx + self.IHzz);
+        let M_22 = t51 * t54 + yaw_by_delta * t61 + wz_delta2_delta * t66
+            + wx_delta2_delta * (t41 + t44);
         let zero = self.w.like(0.0);
+        let t73 = self.mH * self.xH;
+        let t76 = self.IHxz + t14 * t46;
+        let t78 = t22 + (t7 - t2);
         let h_spin_F = self.IFyy / self.rF;
         let h_spin_R = self.IRyy / self.rR;
-        let t81 = wz_delta2_delta * h_spin_F + yaw_by_delta * h_spin_R;
-        let t83 = t12 + (t16 - t23);
-        let t85 = t3 * t51;
-        let t89 = self.mH * self.xH;
-        let t95 = t54 - yaw_by_delta * t42;
-        let h_wheels_all = wx_delta2_delta * t85 - (self.xH * t54 + t95 * self.c - t68);
-        let C1_22 = yaw_per_v_delta * h_wheels_all;
-        let t105 = t32 * (t42 + t89);
-        let vy_all1_delta = self.rhoF * (self.mF + t105);
-        let t112 = vy_all1_delta - t3;
-        let K0_11 = t112 + t83 - self.rhoR * (t105 - (self.mR + self.mH) - self.mB);
-        let K0_12 = t95 + wx_delta2_delta * t112;
+        let h_wheels_all = h_spin_F + h_spin_R;
+        let t84 = h_wheels_all - t78;
+        let t90 = cos_lam * h_spin_F;
+        let t94 = t54 - yaw_by_delta * t57;
+        let C1_22 = yaw_per_v_delta
+            * (t61 - (self.c * t94 + (t51 * t73 - (t66 + wx_delta2_delta * t76))));
+        let t104 = t31 * (t57 + t73);
+        let t114 = (self.mF + t104) * self.rhoF - t14;
+        let K0_11 = t78 - (t104 - self.mR - (self.mH + self.mB)) * self.rhoR + t114;
+        let K0_12 = t94 + wx_delta2_delta * t114;
         let K0_22 = wx_delta2_delta * K0_12;
-        let t118 = t3 + h_spin_F;
-        let K2_12 = yaw_per_v_delta * (t118 + h_spin_R - t83);
-        let K2_22 = yaw_per_v_delta * (wx_delta2_delta * t118 - t95);
-        let M_12 = self.zH * t54 - (yaw_by_delta * t44 - t39);
-        let C1_12 = t81
-            - (self.c * t83 + (t44 - t85) - self.IHxz + self.zH * t89) * yaw_per_v_delta;
-        let C1_21 = -t81;
+        let K2_12 = yaw_per_v_delta * (t14 + t84);
+        let K2_22 = yaw_per_v_delta * (wx_delta2_delta * (t14 + h_spin_F) - t94);
+        let M_12 = t44 + t7 * t51 - yaw_by_delta * t37;
+        let C1_12 = t90
+            - yaw_per_v_delta * (self.zH * t73 + (t37 - (t76 + self.c * t84)));
+        let C1_21 = -(t90 + yaw_by_delta * h_wheels_all);
         WhippleTyresMatrices::from_entries([
             M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
             K2_12, zero, K2_22,
@@ -5221,235 +5219,248 @@ pub struct WhippleTyresDerivatives<T = f64> {
 
 impl<T: Number> WhippleTyres<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 120 additions, 199 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 326 operations.
+    /// 121 additions, 206 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 335 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleTyresMatrices<T>, WhippleTyresDerivatives<T>) {
-        let t4 = self.rF * self.mF;
-        let t7 = self.IHxx + self.IFxx + self.rF * t4;
-        let t12 = self.zH * self.mH;
+        let t3 = self.zB * self.mB;
+        let M_22_yaw_per_v_delta = self.zB * t3;
+        let t9 = self.rF * self.mF;
+        let t12 = self.IHxx + self.IFxx + self.rF * t9;
+        let t16 = self.zH * self.mH;
         let M_11_mR = self.rR * self.rR;
-        let M_11_mB = self.zB * self.zB;
-        let M_11 = t7 + self.IRxx + self.IBxx + self.zH * t12 + self.mR * M_11_mR
-            + self.mB * M_11_mB;
+        let M_11 = self.IBxx + M_22_yaw_per_v_delta + t12 + self.IRxx + self.zH * t16
+            + self.mR * M_11_mR;
+        let t29 = self.mB * self.xB;
+        let t31 = self.IBxz - self.zB * t29;
         let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
-        let t34 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = wx_delta2_delta_lam * t34;
+        let t36 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = wx_delta2_delta_lam * t36;
         let yaw_by_delta = self.c * yaw_per_v_delta;
         let wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
-        let t39 = t7 * wx_delta2_delta + self.IHxz * wz_delta2_delta;
-        let t42 = self.mB * self.xB;
-        let t44 = self.IBxz - self.zB * t42;
+        let t44 = self.IHxz * wz_delta2_delta;
+        let t45 = t12 * wx_delta2_delta + t44;
         let t46 = self.zH * wx_delta2_delta;
-        let t47 = self.c + self.w;
-        let t49 = t46 + wx_delta2_delta_lam * t47;
-        let t52 = t49 - wz_delta2_delta * self.xH;
-        let M_12_mH = self.zH * t52;
-        let M_12 = t39 + yaw_by_delta * t44 + self.mH * M_12_mH;
-        let t58 = self.mH * t52;
-        let t60 = wx_delta2_delta * self.IHxz;
-        let t62 = self.IFxx + self.IHzz;
-        let t64 = t60 + wz_delta2_delta * t62;
-        let K_phi_phi___yaw_by_delta = self.IRxx + self.IBzz + self.xB * t42;
-        let t69 = yaw_by_delta * K_phi_phi___yaw_by_delta;
-        let t70 = t64 + t69;
-        let M_22 = wx_delta2_delta * t39 + t52 * t58 + yaw_by_delta * t70
-            + wx_delta2_delta_lam * t64;
+        let t48 = wz_delta2_delta * self.xH;
+        let t49 = self.c + self.w;
+        let t52 = t46 + wx_delta2_delta_lam * t49 - t48;
+        let t53 = self.mH * t52;
+        let t54 = self.zH * t53;
+        let M_12 = t31 * yaw_by_delta + t45 + t54;
+        let t61 = self.IRxx + self.xB * t29 + self.IBzz;
+        let C1_22_vy_spin_F4_delta = yaw_per_v_delta * yaw_by_delta;
+        let M_22_vy_spin_F4_delta = self.c * C1_22_vy_spin_F4_delta;
+        let M_22_mH = t52 * t52;
+        let t68 = self.IFxx + self.IHzz;
+        let t70 = wx_delta2_delta * self.IHxz;
+        let t71 = wz_delta2_delta * t68 + t70;
+        let M_22 = wx_delta2_delta * t45 + t61 * M_22_vy_spin_F4_delta
+            + self.mH * M_22_mH + wz_delta2_delta * t71;
         let zero = self.w.like(0.0);
         let t78 = self.w.like(1.0) / self.rF;
         let h_spin_F = self.IFyy * t78;
         let t80 = wx_delta2_delta_lam * h_spin_F;
         let t82 = self.w.like(1.0) / self.rR;
-        let h_spin_R = self.IRyy * t82;
-        let t84 = h_spin_F + h_spin_R;
-        let t85 = yaw_per_v_delta * t84;
-        let t86 = self.c * t85;
-        let t87 = t80 + t86;
-        let t88 = t4 * t47;
-        let t89 = self.IHxz + t44;
-        let t90 = self.mH * self.xH;
-        let t92 = t89 - self.zH * t90;
-        let t93 = self.mR * self.rR;
-        let t94 = self.mB * self.zB;
-        let t96 = t12 + t94 - t93;
-        let t99 = t88 + t92 - self.c * t96;
-        let t100 = yaw_per_v_delta * t99;
-        let C1_12 = t87 + t100;
-        let t102 = self.mF * wx_delta2_delta;
-        let t103 = self.rF * t102;
-        let t106 = t70 - t52 * t90;
-        let t107 = yaw_by_delta * t42;
-        let t108 = t107 - t58;
-        let t111 = t47 * t103 + t106 + self.c * t108;
-        let C1_22 = yaw_per_v_delta * t111;
-        let t115 = t34 * (t42 + t90);
-        let t116 = self.mH - t115;
-        let K0_11_rhoR = self.mR + self.mB + t116;
-        let K0_11_rhoF = self.mF + t115;
-        let t122 = self.rhoF * K0_11_rhoF;
-        let t123 = t4 - t96;
-        let K0_11 = self.rhoR * K0_11_rhoR + t122 - t123;
+        let t83 = self.IRyy * t82;
+        let h_wheels_all = h_spin_F + t83;
+        let t85 = self.mR * self.rR;
+        let t87 = t85 - t3 - t16;
+        let t88 = h_wheels_all + t87;
+        let t90 = t9 * t49;
+        let t91 = self.IHxz + t90;
+        let t93 = t31 - t16 * self.xH;
+        let t95 = self.c * t88 + t91 + t93;
+        let t96 = yaw_per_v_delta * t95;
+        let C1_12 = t80 + t96;
+        let t98 = self.c * t36;
+        let t100 = h_spin_F + h_wheels_all * t98;
+        let t104 = self.mH * self.xH;
+        let t107 = t71 + yaw_by_delta * t61 - t52 * t104;
+        let t108 = wx_delta2_delta * t90 + t107;
+        let t109 = t29 * yaw_by_delta;
+        let t110 = t109 - t53;
+        let C1_22_yaw_by_delta = t108 + self.c * t110;
+        let C1_22 = yaw_per_v_delta * C1_22_yaw_by_delta;
+        let t115 = t29 + t104;
+        let t116 = t36 * t115;
+        let K0_11_rhoF = self.mF + t116;
+        let t118 = self.rhoF * K0_11_rhoF;
+        let t120 = self.mH - t116;
+        let K0_11_rhoR = self.mB + self.mR + t120;
+        let K0_11 = t118 + self.rhoR * K0_11_rhoR - t9 - t87;
+        let t128 = t110 + t9 * wx_delta2_delta;
         let K0_12_rhoF = wx_delta2_delta * K0_11_rhoF;
-        let K_phi_phi___xB = self.rhoF * K0_12_rhoF;
-        let t128 = t103 + t108;
-        let K0_12 = K_phi_phi___xB - t128;
-        let K0_22 = wx_delta2_delta * K0_12;
-        let K2_12_yaw_per_v_delta = t84 + t123;
+        let t130 = self.rhoF * K0_12_rhoF;
+        let t131 = t128 - t130;
+        let K2_12_yaw_per_v_delta = t9 + t88;
         let K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
-        let t133 = wx_delta2_delta * h_spin_F;
-        let K2_22_yaw_per_v_delta = t128 + t133;
+        let t135 = wx_delta2_delta * h_spin_F;
+        let K2_22_yaw_per_v_delta = t128 + t135;
         let K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
-        let t136 = t12 * wx_delta2_delta_lam;
-        let t137 = t34 * yaw_by_delta;
-        let M_12_w = t136 - t92 * t137;
-        let t140 = t106 * t137;
-        let t142 = self.mH * wx_delta2_delta_lam;
-        let t143 = (t52 + t52) * t142;
-        let t145 = t140 + t140 - t143;
-        let t146 = t4 * wx_delta2_delta_lam;
-        let t149 = t34 * (t86 + t100 - t146);
-        let C1_21_w = t84 * t137;
-        let t152 = t142 + yaw_by_delta * t115;
-        let C1_22_yaw_by_delta = yaw_per_v_delta
-            * (t62 + K_phi_phi___yaw_by_delta + self.xH * t90);
-        let t161 = self.xH * t142;
-        let t164 = self.c * t152 + t34 * (t111 + self.c * C1_22_yaw_by_delta) + t161
-            - t103;
-        let t165 = yaw_per_v_delta * t164;
-        let t167 = t34 * (self.rhoF - self.rhoR);
-        let t168 = t115 * t167;
-        let t169 = wx_delta2_delta * t34;
-        let t171 = yaw_by_delta - self.rhoF * t169;
-        let h_wheels_all = t115 * t171;
-        let K0_12_w = t142 + h_wheels_all;
+        let t138 = self.IHxz + t93;
+        let t139 = yaw_per_v_delta * t138;
+        let t141 = self.mH * wx_delta2_delta_lam;
+        let t142 = self.zH * t141;
+        let M_12_w = t142 - t98 * t139;
+        let t144 = yaw_per_v_delta * t107;
+        let t145 = t144 + t144;
+        let t147 = t53 + t53;
+        let t148 = wx_delta2_delta_lam * t147;
+        let M_22_w = t148 - t98 * t145;
+        let t150 = t9 * wx_delta2_delta_lam;
+        let C1_12_w = t36 * (t150 - t96);
+        let t153 = yaw_per_v_delta * h_wheels_all;
+        let C1_21_w = t98 * t153;
+        let t155 = self.c * wx_delta2_delta_lam;
+        let t156 = t36 * t116;
+        let t159 = wx_delta2_delta_lam * (t141 + t155 * t156);
+        let t161 = yaw_per_v_delta * t104;
+        let t166 = t110 + self.xH * t161 + yaw_per_v_delta * (t61 + t68);
+        let C1_22_yaw_per_v_delta = t108 + self.c * t166;
+        let t172 = t36 * wx_delta2_delta;
+        let vy_spin_F4_delta_mB = t9 * t172;
+        let t175 = wx_delta2_delta_lam * (t161 - vy_spin_F4_delta_mB);
+        let t176 = t36 * (self.c * t159 + yaw_per_v_delta * C1_22_yaw_per_v_delta)
+            + t175;
+        let t177 = self.rhoF - self.rhoR;
+        let t178 = t156 * t177;
+        let t179 = wx_delta2_delta * self.rhoF;
+        let t180 = t155 - t179;
+        let K0_12_w = t141 + t156 * t180;
         let K0_22_w = wx_delta2_delta * K0_12_w;
-        let t175 = t34 * K2_12;
-        let t178 = yaw_per_v_delta * t152 + t34 * K2_22;
-        let M_12_c = t136 + yaw_per_v_delta * t92;
-        let t181 = yaw_per_v_delta * t106;
-        let M_22_c = t143 + t181 + t181;
-        let K0_12_c = wx_delta2_delta_lam * t116;
-        let C1_22_c = yaw_per_v_delta
-            * (t128 + C1_22_yaw_by_delta - t161 - self.c * K0_12_c);
-        let K0_22_c = wx_delta2_delta * K0_12_c;
+        let t184 = t36 * K2_12;
+        let t186 = t36 * (K2_22 + t159);
+        let M_12_c = t139 + t142;
+        let M_22_c = t145 + t148;
+        let K0_12_c = wx_delta2_delta_lam * t120;
         let t191 = yaw_per_v_delta * K0_12_c;
+        let C1_22_c = yaw_per_v_delta * t166 - t175 - self.c * t191;
+        let K0_22_c = wx_delta2_delta * K0_12_c;
+        let t196 = t12 * wx_delta2_delta_lam;
+        let t197 = self.xH - t49;
         let K0_12_zH = self.mH * wx_delta2_delta;
-        let t195 = self.c * t169;
-        let t196 = wx_delta2_delta + t195;
-        let M_22_yaw_by_delta = t136 + t90 * t196 - t47 * K0_12_zH;
-        let M_12_lam = t7 * wx_delta2_delta_lam + self.zH * M_22_yaw_by_delta - t60
-            - t89 * t195;
-        let K_phi_phi___mB = t64 * t196 + t69 * t195 - wx_delta2_delta_lam * t39
-            - t52 * M_22_yaw_by_delta;
-        let t212 = K_phi_phi___mB + K_phi_phi___mB;
-        let C1_21_lam = t133 + t84 * t195;
-        let t216 = C1_21_lam + t99 * t169;
-        let t217 = self.c + self.xH;
-        let t227 = M_22_yaw_by_delta * t217
-            + t195 * (K_phi_phi___yaw_by_delta + self.c * t42) + t62 * t196
-            - wx_delta2_delta_lam * (self.IHxz + t88);
-        let t230 = yaw_per_v_delta * t227 + t111 * t169;
-        let t233 = M_22_yaw_by_delta + t42 * t195 - t146;
-        let K0_12_lam = t233 + wx_delta2_delta_lam * t122;
-        let K0_22_lam = wx_delta2_delta * K0_12_lam + wx_delta2_delta_lam * K0_12;
-        let t239 = K2_12_yaw_per_v_delta * t169;
-        let t243 = yaw_per_v_delta * (t233 - t80) + K2_22_yaw_per_v_delta * t169;
-        let M_11_rR = t93 + t93;
-        let t245 = t82 * h_spin_R;
-        let K2_12_rR = yaw_per_v_delta * (self.mR - t245);
-        let C1_12_rR = self.c * K2_12_rR;
+        let t200 = t142 + t197 * K0_12_zH;
+        let t202 = wx_delta2_delta * t98;
+        let M_12_lam = t196 + self.zH * t200 - t70 - t138 * t202;
+        let M_22_zH = wx_delta2_delta * t147;
+        let t215 = wx_delta2_delta * (t71 + t98 * t107 - t196)
+            - wx_delta2_delta_lam * (t44 + t54);
+        let t217 = t215 + t215 - t197 * M_22_zH;
+        let t219 = t135 + t95 * t172;
+        let C1_21_lam = wx_delta2_delta * t100;
+        let t223 = t200 + t115 * t202;
+        let t232 = yaw_per_v_delta
+            * (wx_delta2_delta * t68 + self.c * t223 + self.xH * t200
+                - wx_delta2_delta_lam * t91) + C1_22_yaw_per_v_delta * t172;
+        let t233 = t223 - t150;
+        let vy_spin_F4_delta_xB = wx_delta2_delta_lam * t118;
+        let K0_12_lam = t233 + vy_spin_F4_delta_xB;
+        let K0_22_lam = wx_delta2_delta * K0_12_lam - wx_delta2_delta_lam * t131;
+        let t239 = K2_12_yaw_per_v_delta * t172;
+        let K2_22_lam = yaw_per_v_delta * (t80 - t233) - K2_22_yaw_per_v_delta * t172;
+        let M_11_rR = t85 + t85;
+        let t245 = t82 * t83;
+        let t246 = self.mR - t245;
+        let C1_12_rR = yaw_by_delta * t246;
         let C1_21_rR = yaw_by_delta * t245;
-        let K2_12_mR = self.rR * yaw_per_v_delta;
-        let C1_12_mR = self.c * K2_12_mR;
+        let K2_12_rR = yaw_per_v_delta * t246;
+        let C1_12_mR = self.rR * yaw_by_delta;
         let K0_11_mR = self.rhoR - self.rR;
-        let C1_22_IRxx = yaw_per_v_delta * yaw_by_delta;
-        let M_22_IRxx = self.c * C1_22_IRxx;
+        let K2_12_mR = self.rR * yaw_per_v_delta;
+        let C1_12_IRyy = yaw_by_delta * t82;
         let K2_12_IRyy = yaw_per_v_delta * t82;
-        let C1_12_IRyy = self.c * K2_12_IRyy;
-        let t258 = yaw_by_delta * t94;
-        let t259 = yaw_by_delta * t107;
-        let M_22_xB = t259 + t259;
-        let t261 = self.mB * yaw_per_v_delta;
-        let t262 = self.zB * t261;
-        let t263 = self.c + self.xB;
-        let K2_22_xB = yaw_by_delta * t261;
-        let C1_22_xB = (self.xB + t263) * K2_22_xB;
-        let K0_11_xB = self.mB * t167;
-        let t268 = self.mB * t171;
-        let t269 = wx_delta2_delta * t268;
-        let M_11_zB = t94 + t94;
-        let t271 = t261 * t263;
-        let t272 = yaw_by_delta * self.xB;
+        let t256 = t3 * yaw_by_delta;
+        let t257 = yaw_by_delta * t109;
+        let M_22_xB = t257 + t257;
+        let t259 = self.mB * yaw_per_v_delta;
+        let t260 = self.zB * t259;
+        let t261 = self.xB + self.c;
+        let K2_22_xB = self.mB * C1_22_vy_spin_F4_delta;
+        let C1_22_xB = (self.xB + t261) * K2_22_xB;
+        let t265 = self.mB * t36;
+        let K0_11_xB = t177 * t265;
+        let t267 = t180 * t265;
+        let t268 = wx_delta2_delta * t267;
+        let M_11_zB = t3 + t3;
+        let t270 = t259 * t261;
+        let M_11_mB = self.zB * self.zB;
+        let t272 = self.xB * yaw_by_delta;
         let t273 = self.zB * t272;
         let M_22_mB = t272 * t272;
         let t275 = self.zB * yaw_per_v_delta;
-        let t276 = t263 * t275;
-        let K2_22_mB = self.xB * C1_22_IRxx;
-        let C1_22_mB = t263 * K2_22_mB;
-        let K0_11_mB = self.zB + self.rhoR + self.xB * t167;
-        let t282 = self.xB * t171;
-        let t283 = wx_delta2_delta * t282;
-        let t284 = t12 * wz_delta2_delta;
-        let t285 = t58 + t58;
-        let t286 = wz_delta2_delta * t285;
-        let t287 = t34 * t136;
-        let t288 = t34 * t142;
-        let K2_22_xH = wz_delta2_delta * t288;
-        let t291 = yaw_per_v_delta * t52;
-        let C1_22_xH = t217 * K2_22_xH - self.mH * t291;
-        let K0_11_xH = self.mH * t167;
-        let t295 = wx_delta2_delta_lam + t171;
-        let t296 = self.mH * t295;
-        let t297 = wx_delta2_delta * t296;
-        let M_11_zH = t12 + t12;
-        let M_12_zH = t58 + self.mH * t46;
-        let M_22_zH = wx_delta2_delta * t285;
-        let t302 = t217 * t288;
-        let t303 = wx_delta2_delta * t302;
+        let t276 = t261 * t275;
+        let K2_22_mB = self.xB * C1_22_vy_spin_F4_delta;
+        let C1_22_mB = t261 * K2_22_mB;
+        let t279 = self.xB * t36;
+        let K0_11_mB = self.zB + self.rhoR + t177 * t279;
+        let t283 = t180 * t279;
+        let t284 = wx_delta2_delta * t283;
+        let t285 = t16 * wz_delta2_delta;
+        let t286 = wz_delta2_delta * t147;
+        let t287 = t36 * t142;
+        let t288 = self.mH * wz_delta2_delta;
+        let t290 = t36 * t141;
+        let C1_22_xH = yaw_by_delta * t288 + t290 * (t48 - t52);
+        let t294 = self.mH * t36;
+        let K0_11_xH = t177 * t294;
+        let t296 = t179 * t294;
+        let t298 = wx_delta2_delta * (t288 - t296);
+        let K2_22_xH = yaw_per_v_delta * t288;
+        let M_11_zH = t16 + t16;
+        let M_12_zH = t53 + self.mH * t46;
+        let t304 = t161 + self.mH * yaw_by_delta;
+        let t305 = wx_delta2_delta * t304;
         let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
         let K0_22_zH = self.mH * M_22_IHxx;
-        let t306 = t142 * t169;
+        let K2_22_h_spin_F = yaw_per_v_delta * wx_delta2_delta;
+        let t309 = self.mH * K2_22_h_spin_F;
         let M_11_mH = self.zH * self.zH;
-        let M_22_mH = t52 * t52;
-        let t309 = self.zH * yaw_per_v_delta;
-        let t310 = t217 * t309;
-        let t311 = t217 * t291;
-        let K0_11_mH = self.zH + self.rhoR + self.xH * t167;
-        let K0_12_mH = t49 - self.xH * t295;
+        let M_12_mH = self.zH * t52;
+        let t312 = self.zH * yaw_per_v_delta;
+        let t313 = self.c + self.xH;
+        let t314 = t312 * t313;
+        let t315 = yaw_per_v_delta * t52;
+        let t316 = t313 * t315;
+        let t317 = t36 * self.xH;
+        let K0_11_mH = self.zH + self.rhoR + t177 * t317;
+        let K0_12_mH = t52 + t179 * t317;
         let K0_22_mH = wx_delta2_delta * K0_12_mH;
         let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
         let C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
-        let M_22_IHxz = t196 * (wx_delta2_delta_lam + wx_delta2_delta_lam);
-        let C1_22_IHxz = wx_delta2_delta * yaw_per_v_delta;
-        let M_11_rF = t4 + t4;
+        let t326 = wx_delta2_delta * wz_delta2_delta;
+        let M_22_IHxz = t326 + t326;
+        let M_11_rF = t9 + t9;
         let M_12_rF = wx_delta2_delta * M_11_rF;
-        let M_22_rF = M_22_IHxx * M_11_rF;
-        let t326 = self.mF * yaw_per_v_delta;
-        let t327 = t47 * t326;
+        let M_22_rF = wx_delta2_delta * M_12_rF;
+        let t331 = self.mF * yaw_per_v_delta;
+        let t332 = t49 * t331;
         let C1_12_IFyy = wz_delta2_delta * t78;
         let C1_21_rF = h_spin_F * C1_12_IFyy;
-        let C1_12_rF = t327 - C1_21_rF;
-        let C1_22_rF = wx_delta2_delta * t327;
-        let t332 = self.mF * M_22_IHxx;
+        let C1_12_rF = t332 - C1_21_rF;
+        let C1_22_rF = wx_delta2_delta * t332;
+        let t337 = self.mF * wx_delta2_delta;
+        let t338 = self.mF * M_22_IHxx;
         let K2_12_IFyy = yaw_per_v_delta * t78;
-        let K2_12_rF = t326 - h_spin_F * K2_12_IFyy;
+        let K2_12_rF = t331 - h_spin_F * K2_12_IFyy;
         let M_11_mF = self.rF * self.rF;
         let M_12_mF = wx_delta2_delta * M_11_mF;
-        let M_22_mF = M_22_IHxx * M_11_mF;
+        let M_22_mF = wx_delta2_delta * M_12_mF;
         let K2_12_mF = self.rF * yaw_per_v_delta;
-        let C1_12_mF = t47 * K2_12_mF;
+        let C1_12_mF = t49 * K2_12_mF;
         let C1_22_mF = wx_delta2_delta * C1_12_mF;
-        let t343 = self.rF - self.rhoF;
-        let t344 = wx_delta2_delta * t343;
-        let t345 = M_22_IHxx * t343;
-        let K2_22_mF = wx_delta2_delta * K2_12_mF;
+        let t350 = wx_delta2_delta * (self.rF - self.rhoF);
+        let t351 = wx_delta2_delta * t350;
+        let K2_22_mF = self.rF * K2_22_h_spin_F;
         let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let K2_22_IFyy = t78 * C1_22_IHxz;
-        let K0_22_rhoF = K0_11_rhoF * M_22_IHxx;
-        let C1_21 = -t87;
-        let t351 = -(wx_delta2_delta * K2_12_rF);
+        let K2_22_IFyy = t78 * K2_22_h_spin_F;
+        let K0_22_rhoF = wx_delta2_delta * K0_12_rhoF;
+        let C1_21 = -(wx_delta2_delta_lam * t100);
+        let K0_12 = t130 - t128;
+        let K0_22 = -(wx_delta2_delta * t131);
+        let K0_12_xH = t296 - t288;
+        let t360 = -(wx_delta2_delta * K2_12_rF);
         let K0_11_mF = self.rhoF - self.rF;
         (
             WhippleTyresMatrices::from_entries([
@@ -5458,21 +5469,22 @@ impl<T: Number> WhippleTyres<T> {
             ]),
             WhippleTyresDerivatives {
                 values: [
-                    M_12_w, t145, t149, C1_21_w, t165, t168, K0_12_w, K0_22_w, t175, t178, M_12_c,
-                    M_22_c, K2_12, t85, C1_22_c, K0_12_c, K0_22_c, t191, M_12_lam, t212, t216,
-                    C1_21_lam, t230, K0_12_lam, K0_22_lam, t239, t243, M_11_rR, C1_12_rR, C1_21_rR,
-                    self.mR, K2_12_rR, M_11_mR, C1_12_mR, K0_11_mR, K2_12_mR, self.w.like(1.0),
-                    M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t258, M_22_xB, t262, C1_22_xB,
-                    K0_11_xB, t268, t269, K2_22_xB, M_11_zB, t107, t271, self.mB, t261, M_11_mB,
-                    t273, M_22_mB, t276, C1_22_mB, K0_11_mB, t282, t283, t275, K2_22_mB,
-                    yaw_by_delta, yaw_per_v_delta, t284, t286, t287, C1_22_xH, K0_11_xH, t296, t297,
-                    K2_22_xH, M_11_zH, M_12_zH, M_22_zH, t302, t303, self.mH, K0_12_zH, K0_22_zH,
-                    t288, t306, M_11_mH, M_12_mH, M_22_mH, t310, t311, K0_11_mH, K0_12_mH, K0_22_mH,
-                    t309, t291, wx_delta2_delta, M_22_IHxx, M_22_IHzz, C1_22_IHzz, wz_delta2_delta,
-                    M_22_IHxz, C1_22_IHxz, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF,
-                    self.mF, t102, t332, K2_12_rF, t351, M_11_mF, M_12_mF, M_22_mF, C1_12_mF,
-                    C1_22_mF, K0_11_mF, t344, t345, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy,
-                    K2_12_IFyy, K2_22_IFyy, K0_11_rhoR, K0_11_rhoF, K0_12_rhoF, K0_22_rhoF,
+                    M_12_w, M_22_w, C1_12_w, C1_21_w, t176, t178, K0_12_w, K0_22_w, t184, t186,
+                    M_12_c, M_22_c, K2_12, t153, C1_22_c, K0_12_c, K0_22_c, t191, M_12_lam, t217,
+                    t219, C1_21_lam, t232, K0_12_lam, K0_22_lam, t239, K2_22_lam, M_11_rR, C1_12_rR,
+                    C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, K0_11_mR, K2_12_mR,
+                    self.w.like(1.0), M_22_vy_spin_F4_delta, C1_22_vy_spin_F4_delta, C1_12_IRyy,
+                    K2_12_IRyy, t256, M_22_xB, t260, C1_22_xB, K0_11_xB, t267, t268, K2_22_xB,
+                    M_11_zB, t109, t270, self.mB, t259, M_11_mB, t273, M_22_mB, t276, C1_22_mB,
+                    K0_11_mB, t283, t284, t275, K2_22_mB, yaw_by_delta, yaw_per_v_delta, t285, t286,
+                    t287, C1_22_xH, K0_11_xH, K0_12_xH, t298, K2_22_xH, M_11_zH, M_12_zH, M_22_zH,
+                    t304, t305, self.mH, K0_12_zH, K0_22_zH, t290, t309, M_11_mH, M_12_mH, M_22_mH,
+                    t314, t316, K0_11_mH, K0_12_mH, K0_22_mH, t312, t315, wx_delta2_delta,
+                    M_22_IHxx, M_22_IHzz, C1_22_IHzz, wz_delta2_delta, M_22_IHxz, K2_22_h_spin_F,
+                    M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t337, t338,
+                    K2_12_rF, t360, M_11_mF, M_12_mF, M_22_mF, C1_12_mF, C1_22_mF, K0_11_mF, t350,
+                    t351, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy, K2_12_IFyy, K2_22_IFyy,
+                    K0_11_rhoR, K0_11_rhoF, K0_12_rhoF, K0_22_rhoF,
                 ],
             },
         )
@@ -6013,8 +6025,7 @@ impl WhippleTyresDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 166] = &[
         Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 0, 2).negative(),
+        Partial::new(MatrixName::M, 1, 1, 0, 1), Partial::new(MatrixName::C1, 0, 1, 0, 2),
         Partial::new(MatrixName::C1, 1, 0, 0, 3),
         Partial::new(MatrixName::C1, 1, 1, 0, 4).negative(),
         Partial::new(MatrixName::K0, 0, 0, 0, 5).negative(),
@@ -6038,10 +6049,8 @@ impl WhippleTyresDerivatives {
         Partial::new(MatrixName::K0, 1, 0, 2, 23),
         Partial::new(MatrixName::K0, 1, 1, 2, 24),
         Partial::new(MatrixName::K2, 0, 1, 2, 25).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 2, 26).negative(),
-        Partial::new(MatrixName::M, 0, 0, 4, 27),
-        Partial::new(MatrixName::C1, 0, 1, 4, 28),
-        Partial::new(MatrixName::C1, 1, 0, 4, 29),
+        Partial::new(MatrixName::K2, 1, 1, 2, 26), Partial::new(MatrixName::M, 0, 0, 4, 27),
+        Partial::new(MatrixName::C1, 0, 1, 4, 28), Partial::new(MatrixName::C1, 1, 0, 4, 29),
         Partial::new(MatrixName::K0, 0, 0, 4, 30).negative(),
         Partial::new(MatrixName::K2, 0, 1, 4, 31), Partial::new(MatrixName::M, 0, 0, 5, 32),
         Partial::new(MatrixName::C1, 0, 1, 5, 33), Partial::new(MatrixName::K0, 0, 0, 5, 34),
@@ -6084,10 +6093,8 @@ impl WhippleTyresDerivatives {
         Partial::new(MatrixName::M, 1, 0, 15, 66).negative(),
         Partial::new(MatrixName::M, 1, 1, 15, 67).negative(),
         Partial::new(MatrixName::C1, 0, 1, 15, 68).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 15, 69),
-        Partial::new(MatrixName::K0, 0, 0, 15, 70),
-        Partial::new(MatrixName::K0, 0, 1, 15, 71).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 15, 71).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 15, 69), Partial::new(MatrixName::K0, 0, 0, 15, 70),
+        Partial::new(MatrixName::K0, 0, 1, 15, 71), Partial::new(MatrixName::K0, 1, 0, 15, 71),
         Partial::new(MatrixName::K0, 1, 1, 15, 72).negative(),
         Partial::new(MatrixName::K2, 1, 1, 15, 73), Partial::new(MatrixName::M, 0, 0, 16, 74),
         Partial::new(MatrixName::M, 0, 1, 16, 75), Partial::new(MatrixName::M, 1, 0, 16, 75),

@@ -4,7 +4,7 @@ use crate::equations::Equations;
 use crate::matrix_name::MatrixName;
 use crate::model::{AskedDerivatives, Model};
 use crate::program::{Counts, Instruction, Program, Value, passes};
-use crate::symbolic::{self, Differentiated, Failure, Node, Wanted};
+use crate::symbolic::{self, Differentiated, Failure, Found, Node, Wanted};
 
 /// The program of values and derivatives, and what its outputs are.
 #[derive(Debug)]
@@ -45,14 +45,15 @@ pub fn compile(model: &Model, asked: &AskedDerivatives, matrices: &Program) -> R
     let exact = differentiated[0].partials.clone();
     let same: Vec<Differentiated> =
         differentiated.into_iter().filter(|differentiated| differentiated.partials == exact).collect();
-    let programs = symbolic::compile(same.iter().map(|differentiated| differentiated.equations.clone()).collect())?;
-    let all = same.into_iter().zip(programs).map(|(differentiated, program)| {
-        let (program, partials) = share_values(program, &differentiated.partials);
-        (differentiated, program, partials)
-    });
-    let Some((differentiated, program, partials)) = all.min_by_key(|(_, program, _)| Counts::of(program).cost()) else {
+    let found = symbolic::compile(same.iter().map(|differentiated| differentiated.equations.clone()).collect())?;
+    let cost = |(differentiated, found): &(Differentiated, Found)| {
+        Counts::of(&share_values(found.program().clone(), &differentiated.partials).0).cost()
+    };
+    let Some((differentiated, found)) = same.into_iter().zip(found).min_by_key(cost) else {
         unreachable!("the derivatives of the formulas are among them")
     };
+    let program = symbolic::finish(vec![found])?.remove(0);
+    let (program, partials) = share_values(program, &differentiated.partials);
     Ok(name_values(model, differentiated, program, partials))
 }
 

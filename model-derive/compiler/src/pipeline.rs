@@ -81,17 +81,23 @@ fn build_programs(model: &Model) -> Result<Programs, (Region, Failure)> {
     let by_bodies = Equations::of_matrices_by_bodies(model);
     let is_by_bodies = by_bodies.is_some();
     let equations = equations.chain(Equations::of_kinematics(model)).chain(by_bodies).collect();
-    let mut programs =
+    let mut found =
         symbolic::compile(equations).map_err(|failure| (find_region(model, &failure), failure))?.into_iter();
-    let mut next = || programs.next().unwrap_or_else(|| unreachable!("a program for each"));
-    let (mut matrices, requirements) = (next(), next());
-    let kinematics = model.kinematics.as_ref().map(|_| next());
+    let mut next = || found.next().unwrap_or_else(|| unreachable!("a program for each"));
+    let mut chosen = vec![next(), next()];
+    chosen.extend(model.kinematics.as_ref().map(|_| next()));
     if is_by_bodies {
         let by_bodies = next();
-        if Counts::of(&by_bodies).cost() < Counts::of(&matrices).cost() {
-            matrices = by_bodies;
+        let [cost, of_formulas] = [&by_bodies, &chosen[0]].map(|found| Counts::of(found.program()).cost());
+        if cost < of_formulas {
+            chosen[0] = by_bodies;
         }
     }
+    let programs = symbolic::finish(chosen).map_err(|failure| (find_region(model, &failure), failure))?;
+    let mut programs = programs.into_iter();
+    let mut next = || programs.next().unwrap_or_else(|| unreachable!("a program for each"));
+    let (matrices, requirements) = (next(), next());
+    let kinematics = model.kinematics.as_ref().map(|_| next());
     let derivatives = model
         .derivatives
         .as_ref()

@@ -10,7 +10,7 @@ mod signs;
 mod substitute;
 
 pub use cse::Builder;
-pub use rearrange::rearrange;
+pub use rearrange::{Effort, rearrange};
 pub use substitute::substitute;
 
 use super::Program;

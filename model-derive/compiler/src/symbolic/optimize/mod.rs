@@ -5,23 +5,57 @@ mod search;
 mod shapes;
 mod system;
 
+use nanoserde::{DeBin, SerBin};
+
 use super::door::ask;
 use super::failure::Failure;
 use crate::equations::Equations;
-use crate::program::{Program, passes};
+use crate::program::passes::Effort;
+use crate::program::{Counts, Program, passes};
+
+/// A program to compare with others.
+#[derive(Clone, Debug, DeBin, SerBin)]
+pub struct Found {
+    program: Program,
+    /// What it cost as it was found in the formulas.
+    cost: usize,
+}
+
+impl Found {
+    /// It is not finished.
+    pub fn program(&self) -> &Program {
+        &self.program
+    }
+}
 
 /// The cheapest program found for each set of equations.
 ///
 /// # Errors
 /// If the engine cannot be had or fails, or if a formula has no value.
-pub fn compile(equations: Vec<Equations>) -> Result<Vec<Program>, Failure> {
+pub fn compile(equations: Vec<Equations>) -> Result<Vec<Found>, Failure> {
     ask("programs", equations, |engine, equations| {
         let numbered = equations.iter().enumerate();
         let programs = numbered.map(|(index, equations)| {
-            let found = search::cheapest(engine, equations).map(passes::rearrange);
-            found.map_err(|(place, why)| Failure::Undefined { equations: index, place, why })
+            let program = search::cheapest(engine, equations).map_err(|(place, why)| Failure::Undefined {
+                equations: index,
+                place,
+                why,
+            })?;
+            let cost = Counts::of(&program).cost();
+            Ok(Found { program: passes::rearrange(program, cost, Effort::COMPARE), cost })
         });
         programs.collect()
+    })
+}
+
+/// Looks longer for something cheaper in the place of those that were chosen.
+///
+/// # Errors
+/// If the engine cannot be had, in whose turn this is done: so it is kept with what the engine finds.
+pub fn finish(chosen: Vec<Found>) -> Result<Vec<Program>, Failure> {
+    ask("finished programs", chosen, |_, chosen| {
+        let programs = chosen.iter().cloned();
+        Ok(programs.map(|Found { program, cost }| passes::rearrange(program, cost, Effort::FINISH)).collect())
     })
 }
 
@@ -31,7 +65,6 @@ mod tests {
     use super::shapes::{Rewritten, shapes_of};
     use super::*;
     use crate::formula::{Factor, Formula, Function, Term};
-    use crate::program::Counts;
 
     fn sum(terms: impl IntoIterator<Item = Formula>) -> Formula {
         Formula::Sum(terms.into_iter().map(Term::plus).collect())
@@ -53,7 +86,7 @@ mod tests {
     fn compiled(definitions: Vec<Formula>, outputs: Vec<Formula>, expected: impl Fn(&[f64; 4]) -> Vec<f64>) -> Counts {
         let origins = (0..definitions.len()).collect();
         let equations = Equations { parameters: 4, definitions, origins, outputs };
-        let program = compile(vec![equations]).expect("it compiles").remove(0);
+        let program = compile(vec![equations]).and_then(finish).expect("it compiles").remove(0);
         for parameters in [[1.5, 0.25, 0.75, 2.0], [0.5, 3.0, 1.25, 0.125]] {
             for (value, expected) in program.interpret(&parameters).into_iter().zip(expected(&parameters)) {
                 assert!(

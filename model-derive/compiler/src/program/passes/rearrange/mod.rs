@@ -7,6 +7,7 @@
 //! and machine.
 
 mod conversion;
+mod known;
 mod network;
 mod terms;
 
@@ -17,16 +18,26 @@ use super::{cse, quotients, signs};
 use crate::program::{Counts, Program};
 use crate::random::Random;
 
-/// So many changes are tried for each sum and product, and all in all.
-const TRIED: usize = 500;
-const MAX_TRIED: usize = 200_000;
+/// How much is tried.
+#[derive(Clone, Copy, Debug)]
+pub struct Effort {
+    /// Changes for each sum and product, and so many at most.
+    tried: usize,
+    most: usize,
+    /// Short programs are rearranged so many times at most, each time by other numbers.
+    times: usize,
+}
 
-/// Short programs are rearranged so many times at most, each time by other numbers.
-const MAX_TIMES: usize = 4;
+impl Effort {
+    /// Tells which of several programs comes out cheaper.
+    pub const COMPARE: Self = Self { tried: 125, most: 25_000, times: 1 };
+    /// For the one that is chosen.
+    pub const FINISH: Self = Self { tried: 500, most: 100_000, times: 2 };
+}
 
 /// Where the numbers begin: of some twenty beginnings that give the bicycle the same operations the one with the smallest
 /// rounding errors.
-const FIRST: u64 = 2026;
+const FIRST: u64 = 2;
 
 /// What saves no more than this part stays as it was found in the formulas, where sums are as people write them.
 const LITTLE: usize = 50;
@@ -34,15 +45,16 @@ const LITTLE: usize = 50;
 /// Out of a thousand changes so many may make it worse at first, by one or two operations, and towards the end none.
 const WORSE: usize = 30;
 
-/// Afterwards the program is the same as before, or cheaper. It has to be without whole powers.
-pub fn rearrange(program: Program) -> Program {
-    let steps = (TRIED * Counts::of(&program).total()).min(MAX_TRIED);
-    let times = (MAX_TRIED / steps.max(1)).min(MAX_TIMES);
+/// Afterwards the program is the same as before, or cheaper than what was found in the formulas. It has to be without whole
+/// powers.
+pub fn rearrange(program: Program, found: usize, Effort { tried, most, times }: Effort) -> Program {
+    let steps = (tried * Counts::of(&program).total()).min(most);
+    let times = (most / steps.max(1)).min(times);
     let others = (0..times).map(|time| rearrange_once(&program, steps, Random(FIRST + time as u64)));
     let cost = |program: &Program| Counts::of(program).cost();
     // Of equally cheap ones the first stays.
     match others.min_by_key(cost) {
-        Some(cheapest) if cost(&cheapest) + cost(&program) / LITTLE < cost(&program) => cheapest,
+        Some(cheapest) if cost(&cheapest) < cost(&program) && cost(&cheapest) + found / LITTLE < found => cheapest,
         _ => program,
     }
 }
@@ -119,16 +131,43 @@ mod tests {
         });
         program.outputs = outputs.to_vec();
         program.labels = vec![(outputs[0], 0)];
-        let after = rearrange(program.clone());
-        after.assert_invariants();
+        let after =
+            rearranged(&program, Effort::FINISH, [[1.5, 0.25, 3.0], [-3.0, 7.0, 0.5], [0.125, -2.0, 5.0]], 1e-15);
         assert_eq!(Counts::of(&after).total(), operations, "{after:?}");
-        for parameters in [[1.5, 0.25, 3.0], [-3.0, 7.0, 0.5], [0.125, -2.0, 5.0]] {
-            let [before, after] = [&program, &after].map(|program| program.interpret(&parameters));
+        after
+    }
+
+    /// What a program in three parameters becomes, whose values stay what they were but for rounding.
+    fn rearranged(program: &Program, effort: Effort, values: [[f64; 3]; 3], rounding: f64) -> Program {
+        let after = rearrange(program.clone(), Counts::of(program).cost(), effort);
+        after.assert_invariants();
+        for parameters in values {
+            let [before, after] = [program, &after].map(|program| program.interpret(&parameters));
             for (before, after) in before.into_iter().zip(after) {
-                assert!((before - after).abs() <= 1e-15 * before.abs(), "{before} became {after} at {parameters:?}");
+                let same = before == after || (before - after).abs() <= rounding * before.abs();
+                assert!(same, "{before} became {after} at {parameters:?}: {program:?}");
             }
         }
         after
+    }
+
+    #[test]
+    fn programs_at_random_compute_what_they_did() {
+        let mut random = Random(1);
+        for _ in 0..10 {
+            let mut program = Program::new(3);
+            [0, 1, 2].map(Parameter).into_iter().for_each(|parameter| {
+                program.push(parameter);
+            });
+            for count in 3..60 {
+                // Near ones: so the formulas are deep.
+                let [a, b] = [(); 2].map(|()| count - 1 - random.below(count.min(8)));
+                program.push(if random.chance(50) { Mul(a, b) } else { Add(a, b) });
+            }
+            program.outputs = (50..60).collect();
+            let program = super::super::optimize(program);
+            rearranged(&program, Effort::COMPARE, [[1.5, 0.25, 0.75], [0.25, 0.5, 0.5], [0.125, 2.0, 0.75]], 1e-12);
+        }
     }
 
     #[test]

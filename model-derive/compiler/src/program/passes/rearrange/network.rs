@@ -1,6 +1,6 @@
 //! Sums and products of two operands each, of which no two are equal, and every change of which can be taken back.
 
-use rustc_hash::FxHashMap;
+use super::known::Known;
 
 /// The position of a node.
 pub type Node = usize;
@@ -80,8 +80,10 @@ struct State {
 enum Change {
     Made(Node),
     Freed(Node),
-    State(Node, State),
-    Known(Operation),
+    Operation(Node, Operation, bool),
+    User(Node),
+    UserLess(Node),
+    Known(Operation, Node),
     Forgotten(Operation, Node),
 }
 
@@ -89,7 +91,7 @@ enum Change {
 #[derive(Default)]
 pub struct Network {
     states: Vec<State>,
-    known: FxHashMap<Operation, Node>,
+    known: Known,
     free: Vec<Node>,
     /// What was changed since the last [`Network::commit`].
     changes: Vec<Change>,
@@ -120,7 +122,7 @@ impl Network {
 
     /// The node that an operation computes, if there is one.
     pub fn find(&self, operation: Operation) -> Option<Node> {
-        self.known.get(&operation).copied()
+        self.known.find(operation, |node| self.states[node].operation)
     }
 
     /// The value of an operation, computed once.
@@ -128,7 +130,7 @@ impl Network {
         if let Some(node) = self.find(operation) {
             return Signed { node, minus: self.states[node].minus };
         }
-        operation.operands().into_iter().flatten().for_each(|operand| self.add_user(operand));
+        self.add_users(operation);
         let state = State { operation, minus: false, users: 0 };
         let node = match self.free.pop() {
             Some(node) => {
@@ -156,53 +158,73 @@ impl Network {
     }
 
     pub fn add_user(&mut self, node: Node) {
-        self.change(node, |state| state.users += 1);
+        self.changes.push(Change::User(node));
+        self.states[node].users += 1;
+    }
+
+    fn add_users(&mut self, operation: Operation) {
+        if let Some([a, b]) = operation.operands() {
+            self.add_user(a);
+            self.add_user(b);
+        }
     }
 
     /// One user less: what nobody uses goes, with what only that used.
     pub fn drop_user(&mut self, node: Node) {
-        let mut left = vec![node];
-        while let Some(node) = left.pop() {
-            self.change(node, |state| state.users -= 1);
+        // With a stack of our own: long programs must not exhaust the thread's.
+        let mut left = Vec::new();
+        let mut next = Some(node);
+        while let Some(node) = next {
+            self.changes.push(Change::UserLess(node));
+            self.states[node].users -= 1;
             let State { operation, users, .. } = self.states[node];
-            if let (0, Some(operands)) = (users, operation.operands()) {
-                self.free(node, operation);
-                left.extend(operands);
-            }
+            next = match operation.operands() {
+                Some([a, b]) if users == 0 => {
+                    self.free(node, operation);
+                    left.push(a);
+                    Some(b)
+                }
+                _ => left.pop(),
+            };
+        }
+    }
+
+    fn drop_users(&mut self, operation: Operation) {
+        if let Some([a, b]) = operation.operands() {
+            self.drop_user(a);
+            self.drop_user(b);
         }
     }
 
     /// Another operation computes a node, whose value stays what it is.
     pub fn redefine(&mut self, node: Node, operation: Operation, minus: bool) {
-        let old = self.states[node].operation;
-        operation.operands().into_iter().flatten().for_each(|operand| self.add_user(operand));
-        self.change(node, |state| (state.operation, state.minus) = (operation, minus));
+        let State { operation: old, minus: old_minus, .. } = self.states[node];
+        self.add_users(operation);
+        self.changes.push(Change::Operation(node, old, old_minus));
+        self.states[node].operation = operation;
+        self.states[node].minus = minus;
         self.know(operation, node);
         self.cost = self.cost + operation.cost() - old.cost();
-        old.operands().into_iter().flatten().for_each(|operand| self.drop_user(operand));
+        self.drop_users(old);
         self.sweep();
     }
 
     /// A node is not found any more by what computes it, since something else will.
     pub fn forget(&mut self, node: Node) {
         let operation = self.states[node].operation;
-        if self.known.get(&operation) == Some(&node) {
-            self.known.remove(&operation);
+        if self.known.remove(operation, node) {
             self.changes.push(Change::Forgotten(operation, node));
         }
     }
 
     /// What was made and has no user goes.
     pub fn sweep(&mut self) {
-        let made = self.changes.iter().filter_map(|change| match change {
-            Change::Made(node) => Some(*node),
-            _ => None,
-        });
-        for node in made.collect::<Vec<Node>>().into_iter().rev() {
+        for position in (0..self.changes.len()).rev() {
+            let Change::Made(node) = self.changes[position] else { continue };
             let State { operation, users, .. } = self.states[node];
-            if users == 0 && self.known.get(&operation) == Some(&node) {
+            if users == 0 && self.find(operation) == Some(node) {
                 self.free(node, operation);
-                operation.operands().into_iter().flatten().for_each(|operand| self.drop_user(operand));
+                self.drop_users(operation);
             }
         }
     }
@@ -212,6 +234,8 @@ impl Network {
     pub fn merge(&mut self, node: Node, with: Signed) -> Vec<(Node, Signed)> {
         let mut merged: Vec<(Node, Signed)> = Vec::new();
         let mut left = vec![(node, with)];
+        // What is to be put in a place has a user until it is there, or it might go with what goes before.
+        self.add_user(with.node);
         while let Some((node, with)) = left.pop() {
             // What it is equal to may be in the place of something else by now.
             let with = merged.iter().fold(
@@ -222,6 +246,7 @@ impl Network {
             );
             let State { operation: old, users, .. } = self.states[node];
             if users == 0 {
+                self.drop_user(with.node);
                 continue;
             }
             for user in 0..self.states.len() {
@@ -236,6 +261,7 @@ impl Network {
                 match self.find(new) {
                     Some(equal) => {
                         let minus = self.states[user].minus != self.states[equal].minus;
+                        self.add_user(equal);
                         left.push((user, Signed { node: equal, minus }));
                     }
                     None => self.know(new, user),
@@ -245,7 +271,8 @@ impl Network {
             self.states[node].users = 0;
             self.forget(node);
             self.free(node, old);
-            old.operands().into_iter().flatten().for_each(|operand| self.drop_user(operand));
+            self.drop_users(old);
+            self.drop_user(with.node);
             self.commit();
             merged.push((node, with));
         }
@@ -270,29 +297,53 @@ impl Network {
                     self.free.push(node);
                 }
                 Change::Freed(node) => self.cost += self.states[node].operation.cost(),
-                Change::State(node, state) => {
-                    self.cost = self.cost + state.operation.cost() - self.states[node].operation.cost();
-                    self.states[node] = state;
+                Change::Operation(node, operation, minus) => {
+                    let state = &mut self.states[node];
+                    self.cost = self.cost + operation.cost() - state.operation.cost();
+                    (state.operation, state.minus) = (operation, minus);
                 }
-                Change::Known(operation) => drop(self.known.remove(&operation)),
-                Change::Forgotten(operation, node) => drop(self.known.insert(operation, node)),
+                Change::User(node) => self.states[node].users -= 1,
+                Change::UserLess(node) => self.states[node].users += 1,
+                Change::Known(operation, node) => drop(self.known.remove(operation, node)),
+                Change::Forgotten(operation, node) => self.known.insert(operation, node),
             }
         }
     }
 
-    fn change(&mut self, node: Node, change: impl FnOnce(&mut State)) {
-        self.changes.push(Change::State(node, self.states[node]));
-        change(&mut self.states[node]);
-    }
-
     fn know(&mut self, operation: Operation, node: Node) {
         self.known.insert(operation, node);
-        self.changes.push(Change::Known(operation));
+        self.changes.push(Change::Known(operation, node));
     }
 
     fn free(&mut self, node: Node, operation: Operation) {
         self.forget(node);
         self.cost -= operation.cost();
         self.changes.push(Change::Freed(node));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_takes_a_place_does_not_go_with_what_was_there() {
+        // With n = (x - c) + c, which is x, n - c is the x - c that only n uses.
+        let mut network = Network::default();
+        let [x, c] = [0, 1].map(|index| network.make(Operation::Other(index)));
+        let difference = network.sum(x, c.signed(true));
+        let n = network.sum(difference, c);
+        let equal = network.sum(n, c.signed(true));
+        let output = network.product(equal.node, x.node);
+        [x, c, output].into_iter().for_each(|used| network.add_user(used.node));
+        network.commit();
+        assert_eq!(network.cost(), 4);
+        // It is known as c - n, so that it is the negative of itself.
+        let merged = network.merge(n.node, x);
+        assert_eq!(merged, [(n.node, x), (equal.node, difference.signed(true))]);
+        assert_eq!(network.operation(output.node).0, Operation::product(difference.node, x.node));
+        assert_eq!(network.find(network.operation(difference.node).0), Some(difference.node));
+        assert_eq!(network.cost(), 2);
+        assert_eq!([x, c, difference, output].map(|node| network.users(node.node)), [3, 2, 1, 1]);
     }
 }

@@ -238,9 +238,14 @@ impl Rearrangement<'_> {
     fn choose<T: Copy>(&mut self, operands: &[T], operation: impl Fn(T, T) -> Operation) -> [usize; 2] {
         let count = operands.len();
         if self.random.chance(REUSE) {
-            let pairs = (0..count).flat_map(|a| (a + 1..count).map(move |b| [a, b]));
-            let is_there = |[a, b]: &[usize; 2]| self.network.find(operation(operands[*a], operands[*b])).is_some();
-            let there: Vec<[usize; 2]> = pairs.filter(is_there).collect();
+            let mut there: Vec<[usize; 2]> = Vec::new();
+            for a in 0..count {
+                for b in a + 1..count {
+                    if self.network.find(operation(operands[a], operands[b])).is_some() {
+                        there.push([a, b]);
+                    }
+                }
+            }
             if !there.is_empty() {
                 return there[self.random.below(there.len())];
             }
