@@ -8,6 +8,7 @@ use carvallo::{Coefficients, Model, ParameterError};
 use crate::accuracy::{self, Accuracy, Errors};
 use crate::assembly::{Assembly, AssemblyError};
 use crate::designs::{Design, designs, regular_designs};
+use crate::executed::{Instructions, NotCounted};
 use crate::explain::{AtDesign, Evidence, Explanation, explain};
 use crate::number::{Counted, Exact, Operations};
 use crate::reference::Reference;
@@ -138,6 +139,18 @@ impl<M: Model<N, Scalar = f64> + 'static, const N: usize> Comparison<M, N> {
     /// If there is no `objdump`, or it does not read the program that is running.
     pub fn assembly(&self) -> Result<Assembly, AssemblyError> {
         Assembly::of(&self.sides)
+    }
+
+    /// How many instructions all sides execute for a design in a loop over 64, by callgrind of valgrind, which has to be installed. The
+    /// program runs itself again for it, with the same arguments, and of tests the one that asks: what stands before this is done
+    /// twice more for each side and number type.
+    ///
+    /// # Errors
+    /// If there is no valgrind, or no random design that fulfils the requirements of the model.
+    pub fn instructions(&self) -> Result<Instructions, NotCounted> {
+        let designs = self.all_designs().map_err(|error| NotCounted::Failed(error.to_string()))?;
+        let designs: Vec<Vec<f64>> = designs.iter().cycle().take(64).map(|design| design.parameters.clone()).collect();
+        Instructions::of(M::INFO.name, &self.sides, &designs)
     }
 
     fn all_designs(&self) -> Result<Vec<Design>, ParameterError> {

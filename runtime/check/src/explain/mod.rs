@@ -15,7 +15,8 @@ use crate::machine::Machine;
 use crate::predict::{Predictor, World};
 use carvallo_slips::FormulaSlip;
 
-pub use self::double::DoubleSlip;
+pub use carvallo_slips::DoubleSlip;
+
 pub use self::solve::{digits, relation};
 pub use self::written::written;
 

@@ -7,8 +7,7 @@ use std::collections::BTreeMap;
 
 use carvallo_slips::{FormulaSlip, Values, index};
 
-use super::double::DoubleSlip;
-use super::{Cause, Found, double};
+use super::{Cause, DoubleSlip, Found, double};
 use crate::given::Quantity;
 use crate::machine::Machine;
 use crate::predict::Predictor;

@@ -5,6 +5,7 @@
 //! hand has them, at several designs; as few guesses as explain all are told.
 
 mod coordinates;
+mod doubles;
 mod entries;
 mod factor;
 mod matrices;
@@ -131,6 +132,15 @@ pub fn explain(evidence: &Evidence<'_>) -> (Vec<Explanation>, Vec<String>) {
         });
         wrong.retain(|entry| !entries.contains(entry));
         explanations.push(Explanation { entries: evidence.names(&entries), causes });
+    }
+    if let Some(formulas) = evidence.formulas.filter(|_| !wrong.is_empty()) {
+        let slips = formulas.slips();
+        wrong.retain(|entry| {
+            let found = doubles::explain(evidence, &slips, *entry);
+            let is_left = found.is_none();
+            explanations.extend(found);
+            is_left
+        });
     }
     (explanations, evidence.names(&wrong))
 }

@@ -216,7 +216,7 @@ fn two_faults() {
 
 #[test]
 fn what_nothing_explains_is_said() {
-    let found = report(pendulum(|p| p.m + p.l));
+    let found = report(pendulum(|p| p.m * (p.l + 0.37 * p.c)));
     let side = by_hand(&found);
     assert_eq!((&side.explanations[..], &side.unexplained[..]), (&[][..], &["M_11".to_owned()][..]));
     assert!(found.to_string().contains("no slip explains M_11"), "{found}");
@@ -258,4 +258,32 @@ fn a_slip_in_single_precision_alone_is_named() {
     let report = comparison.report().expect("designs");
     let causes = &report.sides[1].explanations_in_single[0].causes;
     assert_eq!(causes[0], "\"m*l^2\" in M_11 is \"m*l*2\"", "{report}");
+}
+
+/// Two slips in the formula of one entry, in different terms: the sign of one, and the square of mu in the other.
+#[test]
+#[allow(non_snake_case)]
+fn two_slips_in_one_entry() {
+    let by_two = |p: &Whipple| {
+        let mut all = p.coefficients();
+        let mu = p.c / p.w * p.lam.cos();
+        // What M_22 = IAll + 2*mu*IAlz + mu^2*ITzz has of the term with IAlz is what is left beside the others.
+        let ITzz = p.IRxx + p.IBzz + p.IHzz + p.IFxx + p.mB * p.xB * p.xB + p.mH * p.xH * p.xH + p.mF * p.w * p.w;
+        let mA = p.mH + p.mF;
+        let xA = (p.xH * p.mH + p.w * p.mF) / mA;
+        let zA = (p.zH * p.mH - p.rF * p.mF) / mA;
+        let uA = (xA - p.w - p.c) * p.lam.cos() - zA * p.lam.sin();
+        let [x, z] = [p.xH - xA, p.zH - zA];
+        let [front_x, front_z] = [p.w - xA, p.rF + zA];
+        let IAxz = p.IHxz - p.mH * x * z + p.mF * front_x * front_z;
+        let IAzz = p.IHzz + p.IFxx + p.mH * x * x + p.mF * front_x * front_x;
+        let IAlz = mA * uA * xA + IAxz * p.lam.sin() + IAzz * p.lam.cos();
+        all.m[(1, 1)] += -4.0 * mu * IAlz + (mu - mu * mu) * ITzz;
+        all
+    };
+    let found = report(by_two);
+    let [explanation] = &by_hand(&found).explanations[..] else { panic!("{found}") };
+    assert_eq!(explanation.entries, ["M_22"]);
+    let expected = "\"+ 2*mu*IAlz + mu^2*ITzz\" in M_22 is \"- 2*mu*IAlz + mu*ITzz\"";
+    assert!(explanation.causes.iter().any(|cause| cause == expected), "{found}");
 }

@@ -1,8 +1,8 @@
 //! Functions by hand that are right.
 
-use carvallo::{Number, Rows};
-use carvallo_compare::{AssemblyError, Limits, compare};
-use carvallo_models::{Pendulum, PendulumMatrices};
+use carvallo::{Model, Number, Rows};
+use carvallo_compare::{AssemblyError, Comparison, Limits, NotCounted, compare};
+use carvallo_models::{Pendulum, PendulumMatrices, Whipple};
 
 fn by_hand<T: Number>(p: &Pendulum<T>) -> PendulumMatrices<T> {
     let Pendulum { m, l, c, .. } = *p;
@@ -57,5 +57,28 @@ fn the_code_of_both_is_shown() {
         // Functions end so, whatever is done before.
         #[cfg(target_arch = "x86_64")]
         assert!(listing.mnemonics().contains_key("ret"), "{assembly}");
+    }
+}
+
+/// A function that does the same twice executes more than once and less than three times as many instructions; loops and what comes
+/// with them are in both.
+#[test]
+fn executed_instructions_are_counted() {
+    fn twice(p: &Whipple) -> carvallo::Coefficients<f64, 2> {
+        let other = std::hint::black_box(*p).coefficients();
+        std::hint::black_box(other);
+        std::hint::black_box(*p).coefficients()
+    }
+    let comparison = Comparison::<Whipple, 2>::of(Whipple::coefficients).against("twice", twice).random_designs(20);
+    match comparison.instructions() {
+        Ok(counted) => {
+            let [once, twice] = &counted.sides[..] else { panic!("{counted}") };
+            assert_eq!([once.name.as_str(), twice.name.as_str(), once.scalar], ["generated", "twice", "f64"]);
+            let ratio = twice.instructions / once.instructions;
+            assert!(once.instructions > 100.0 && 1.5 < ratio && ratio < 3.0, "{counted}");
+            assert!(counted.to_json().contains("\"instructions\""), "{counted}");
+        }
+        Err(error @ NotCounted::NoValgrind) => eprintln!("SKIPPED: {error}"),
+        Err(error) => panic!("{error}"),
     }
 }
