@@ -207,3 +207,18 @@ fn a_model_without_nonlinear_equations_says_so() {
     let message = check(&file.given(&design).expect("numbers"), &design).expect_err("no such equations");
     assert_eq!(message, "the model CantileveredPipe has no nonlinear equations for accelerations");
 }
+
+/// Two slips in two formulas that are seen in the same entries: SR with `IRyy*rR` and IAxz with `+ mH`, in the formulas of
+/// `mistakes.py`, to nine digits.
+const TWO_SLIPS: &str = "M = [[80.81722, 2.3781071], [2.3781071, 0.336961707]]
+C1 = [[0, 33.8392622], [-0.823204683, 1.70318571]]
+K0 = [[-80.95, -2.59951685], [-2.59951685, -0.803294885]]
+K2 = [[0, 76.2579493], [0, 2.65431524]]";
+
+#[test]
+fn two_slips_at_once() {
+    let causes = explained(TWO_SLIPS);
+    let [sr, iaxz] =
+        ["\"IRyy/rR\" in SR is \"IRyy*rR\"", "\"- mH*(xH - xA)*(zH - zA)\" in IAxz is \"+ mH*(xH - xA)*(zH - zA)\""];
+    assert!(causes[0].contains(sr) && causes[0].contains(iaxz), "{causes:?}");
+}
