@@ -27,7 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     // Few of them, unless so many are asked for.
     let rides = match std::env::args().nth(1) {
         Some(text) => text.parse().map_err(|error| format!("`{text}` is no number of rides: {error}"))?,
-        None => 500,
+        None => 50,
     };
     let each = usize::max(rides / SPEEDS.len(), 1);
     let info = WhippleMechanismMotion::<f64>::INFO;

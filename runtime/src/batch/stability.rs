@@ -1,6 +1,6 @@
 //! The critical speeds and stable ranges of many designs with two coordinates.
 
-use fearless_simd::{Simd, dispatch};
+use fearless_simd::{Level, Simd, dispatch};
 
 use super::transpose::MOST;
 use super::{Batch, BatchError, Lanes};
@@ -15,8 +15,9 @@ impl Batch {
     /// equal length.
     ///
     /// They are those of [`Stability::new`], to the last bit, with all that it promises; a design that has none gets its
-    /// error, and the others are not affected. What is computed in lanes are the polynomials along the speed, in twice
-    /// the precision of `f64`; their roots are found for one design after the other.
+    /// error, and the others are not affected. What is computed in lanes, of the baseline of the target whatever the processor
+    /// has, are the polynomials along the speed, in twice the precision of `f64`; their roots are found for one design after
+    /// the other.
     ///
     /// # Errors
     /// If the slices differ in length. Nothing is written then.
@@ -28,7 +29,8 @@ impl Batch {
     ) -> Result<(), BatchError> {
         BatchError::require_room("gravity", coefficients.len(), gravity.len())?;
         BatchError::require_room("result", coefficients.len(), stability.len())?;
-        dispatch!(self.level, simd => of_designs(simd, coefficients, gravity, stability));
+        // In wider registers the arithmetic of twice the precision is not compiled into one function, and is slower than alone.
+        dispatch!(Level::baseline(), simd => of_designs(simd, coefficients, gravity, stability));
         Ok(())
     }
 }
