@@ -2,6 +2,9 @@
 
 #![allow(missing_docs)] // `criterion_group!` makes public functions.
 
+#[path = "summary/systems.rs"]
+mod systems;
+
 use std::hint::black_box;
 use std::time::Duration;
 
@@ -127,6 +130,12 @@ macro_rules! compare {
             });
         });
         faer(&mut group, &matrices);
+        for batch in Batch::levels() {
+            let mut eigenvalues = vec![Ok(Vec::new()); systems.len()];
+            group.bench_function(format!("ours, systems of any size, {batch}"), |bencher| {
+                bencher.iter(|| batch.eigenvalues_of_any(black_box(&systems), black_box(&mut eigenvalues)));
+            });
+        }
         $more(&mut group);
         group.finish();
     }};
@@ -141,20 +150,6 @@ fn chain<const N: usize>(damping: f64) -> System<N> {
     let mut system = standing_at_hinges::<N>(links).at(0.0, -9.81).expect("a chain");
     system.c.fill_diagonal(damping);
     system
-}
-
-/// Stable systems with full matrices of a few decades: `L L^T` of random L, for M, C and K.
-fn random<const N: usize>(count: u64) -> Vec<System<N>> {
-    let mut state = 1899_u64;
-    let mut draw = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    };
-    let mut positive = |scale: f64| {
-        let l = SMatrix::<f64, N, N>::from_fn(|_, _| draw());
-        l * l.transpose() * scale + SMatrix::identity() * (0.1 * scale)
-    };
-    (0..count).map(|_| System::new(positive(1.0), positive(2.0), positive(50.0))).collect()
 }
 
 fn eigenvalues(criterion: &mut Criterion) {
@@ -172,7 +167,7 @@ fn eigenvalues(criterion: &mut Criterion) {
             let name = |kind: &str| format!("N = {}, {kind}", $n);
             compare!(criterion, name("chain"), [chain::<$n>(0.0)], $rows, System::eigenvalues, |_: &mut _| ());
             compare!(criterion, name("damped chain"), [chain::<$n>(0.2)], $rows, System::eigenvalues, |_: &mut _| ());
-            compare!(criterion, name("random"), random::<$n>(50), $rows, System::eigenvalues, |_: &mut _| ());
+            compare!(criterion, name("random"), systems::random::<$n>(50), $rows, System::eigenvalues, |_: &mut _| ());
         )*};
     }
     sizes!(1 2 3 6 4 8 5 10 6 12 7 14 8 16);

@@ -142,6 +142,25 @@ pub fn derivatives(design: &Whipple<impl carvallo::Scalar>, parameter: usize) ->
     })
 }
 
+/// The size of the terms that the derivatives of each matrix with respect to the parameter at a position are summed from, for
+/// the entry where it is largest: by how much those that have the parameter in them change while it becomes twice as large, or
+/// one if it is zero. Derivatives may cancel to nothing.
+pub fn derivative_sizes(design: &Whipple<impl carvallo::Scalar>, parameter: usize) -> [f64; 4] {
+    let values = values(design);
+    let step = if values[parameter] == 0.0 { 1.0 } else { values[parameter].abs() };
+    let at = |shift: f64| {
+        matrices_of(|name| {
+            let value = values[position(name)].abs();
+            Size(if position(name) == parameter { value + shift } else { value })
+        })
+    };
+    let (once, twice) = (at(0.0), at(step));
+    std::array::from_fn(|matrix| {
+        let entries = once[matrix].into_iter().zip(twice[matrix]).flat_map(|(once, twice)| once.into_iter().zip(twice));
+        entries.map(|(once, twice)| (twice.0 - once.0).abs() / step).fold(0.0, f64::max)
+    })
+}
+
 /// The matrices at parameters that are given by their names.
 pub fn matrices_of<R: Number>(value: impl Fn(&str) -> R) -> Matrices<R> {
     let zero = R::from(0.0);

@@ -212,6 +212,11 @@ impl<S: Simd> Lane for Lanes<S> {
         let estimate: S::f64s = (estimate << 32).bitcast();
         Self(estimate)
     }
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        let bits: S::u64s = self.0.bitcast();
+        Self(((bits >> 52) << 52).bitcast())
+    }
 }
 
 impl<S: Simd> Lane for Lanes<S, f32> {
@@ -237,5 +242,10 @@ impl<S: Simd> Lane for Lanes<S, f32> {
     fn estimate_inverse_cube_root(self) -> Self {
         // A whole number of 32 bits is not divided in lanes.
         Self::from_fn(self.0.token(), |lane| self.lane(lane).estimate_inverse_cube_root())
+    }
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        let bits: S::u32s = self.0.bitcast();
+        Self(((bits >> 23) << 23).bitcast())
     }
 }

@@ -18,6 +18,8 @@ mod motion;
 #[cfg(feature = "std")]
 mod stability;
 mod structs;
+#[cfg(feature = "std")]
+mod systems;
 mod transpose;
 
 use core::fmt;

@@ -6,6 +6,7 @@ use super::francis::{self, SWEEPS_PER_EIGENVALUE};
 use super::hessenberg::{balance, reduce};
 use super::hidden::Found;
 use super::quadratic::Quadratic;
+use super::quick;
 use super::state_matrix::{Layout, solve};
 use crate::characteristic::units::{time_unit, to_per_second};
 use crate::number::{Number, Scalar};
@@ -17,11 +18,13 @@ impl<const N: usize, T: Scalar> System<N, T> {
     /// by imaginary part.
     ///
     /// For N = 2 they are [those of the quartic](System::quartic_eigenvalues), and for N = 1 those of the quadratic. For
-    /// more they come from the state matrix, balanced, by the QR algorithm with a bound on its iterations; jointly they are
-    /// the exact ones of a state matrix that differs from the given one by rounding, relative to its norm. There, too, real
-    /// ones have an imaginary part of exactly zero and pairs are exactly conjugate. Without any damping they are the square
-    /// roots of the eigenvalues of -M^-1 K: what oscillates then has a real part of exactly zero. Eigenvalues that are smaller
-    /// than others by more than the digits of `f64` are the reciprocals of those of the equations with M and K exchanged.
+    /// more they come from the state matrix, balanced: jointly they are the exact ones of a state matrix that differs from the
+    /// given one by rounding, relative to its norm. Up to N = 8 they are sought as the roots of its characteristic polynomial
+    /// first, corrected by values from the matrix itself, and taken where discs about them show that none is missing; others
+    /// come from the QR algorithm with a bound on its iterations. There, too, real ones have an imaginary part of exactly zero
+    /// and pairs are exactly conjugate. Without any damping they are the square roots of the eigenvalues of -M^-1 K: what
+    /// oscillates then has a real part of exactly zero. Eigenvalues that are smaller than others by more than the digits of
+    /// `f64` are the reciprocals of those of the equations with M and K exchanged.
     ///
     /// # Errors
     /// If an entry is not finite, if the mass matrix is singular, if an eigenvalue leaves the range of `f64`, or others are so
@@ -32,6 +35,18 @@ impl<const N: usize, T: Scalar> System<N, T> {
             let system = System::new(two(&self.m), two(&self.c), two(&self.k));
             return Ok(system.quartic_eigenvalues()?.to_vec());
         }
+        if (3..=quick::MOST).contains(&N) && self.states == [States::Both; N] {
+            let f64s = |matrix: &Matrix<T, N>| matrix.map(Scalar::to_f64);
+            let [m, c, k] = [&self.m, &self.c, &self.k].map(f64s);
+            if let Some(values) = quick::of_system(N, [m.as_slice(), c.as_slice(), k.as_slice()]) {
+                return Ok(values);
+            }
+        }
+        self.careful_eigenvalues()
+    }
+
+    /// The same from the QR algorithm alone.
+    pub(crate) fn careful_eigenvalues(&self) -> Result<Vec<Complex<f64>>, SystemError> {
         let square = |matrix: &Matrix<T, N>| Square::from_fn(N, |row, column| matrix[(row, column)].to_f64());
         eigenvalues_of(&|| [&self.m, &self.c, &self.k].map(square), &self.states)
     }
@@ -100,7 +115,9 @@ fn find([mut m, mut c, mut k]: [Square<f64>; 3], states: &[States]) -> Result<Fo
     } else {
         let layout = Layout::new(states.iter().map(|states| [*states != States::Rate, *states != States::Position]));
         let rows = layout.transposed(&stiffness, &damping, 1.0);
-        Found::of_spectrum(Spectrum::of(rows, layout.reduced_columns())?)
+        // Where all positions and rates are states, the other way has been tried.
+        let of = if has_both { Spectrum::by_iteration } else { Spectrum::of };
+        Found::of_spectrum(of(rows, layout.reduced_columns())?)
     };
     to_per_second(&mut found.values, unit)?;
     [found.hidden, found.clear] = [found.hidden, found.clear].map(|size| ldexp(size, unit));
@@ -116,7 +133,15 @@ pub(crate) struct Spectrum {
 
 impl Spectrum {
     /// The eigenvalues of a matrix, transposed or not, so many of whose first columns are in Hessenberg form.
-    pub(crate) fn of(mut rows: Square<f64>, reduced_columns: usize) -> Result<Self, SystemError> {
+    pub(crate) fn of(rows: Square<f64>, reduced_columns: usize) -> Result<Self, SystemError> {
+        match quick::spectrum(&rows, reduced_columns) {
+            Some(spectrum) => Ok(spectrum),
+            None => Self::by_iteration(rows, reduced_columns),
+        }
+    }
+
+    /// The same by the QR algorithm.
+    fn by_iteration(mut rows: Square<f64>, reduced_columns: usize) -> Result<Self, SystemError> {
         balance(&mut rows);
         let norm = rows.rows().map(|row| row.iter().map(|entry| entry.abs()).sum()).fold(0.0, f64::max);
         reduce(&mut rows, reduced_columns);

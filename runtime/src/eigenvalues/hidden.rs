@@ -49,8 +49,11 @@ impl Found {
         if needed == 0 {
             return Ok(values);
         }
-        // Of a singular K eigenvalues are zero, and come out so.
-        let Ok(reversed) = reversed() else { return Ok(values) };
+        let reversed = match reversed() {
+            // Of a singular K eigenvalues are zero, and come out so.
+            Err(SystemError::SingularMass) => return Ok(values),
+            reversed => reversed?,
+        };
         let largest = reversed.values.iter().filter(|value| value.norm() >= reversed.clear);
         let mut smallest: Vec<Complex<f64>> = largest.map(|value| Complex::new(1.0, 0.0) / value).collect();
         sort_by_size(&mut values);

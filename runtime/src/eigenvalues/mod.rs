@@ -15,6 +15,8 @@ mod hidden;
 mod matrix;
 mod quadratic;
 mod quartic;
+#[cfg(feature = "std")]
+pub(crate) mod quick;
 mod resolvent;
 #[cfg(feature = "std")]
 mod shifts;

@@ -22,6 +22,8 @@ pub(crate) trait Lane: Real {
     ///
     /// The upper half of the representation is, as an integer, about the logarithm: it is divided by three as a number.
     fn estimate_inverse_cube_root(self) -> Self;
+    /// The largest power of two that is not larger than a positive normal number.
+    fn power_of_two(self) -> Self;
 }
 
 /// The upper half of the estimate of `x^(-1/3)` for a number whose upper half would be zero.
@@ -49,6 +51,10 @@ impl Lane for f64 {
         let upper = (self.to_bits() >> 32) as f64;
         f64::from_bits(((UPPER_HALF - upper * (1.0 / 3.0)) as u64) << 32)
     }
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        f64::from_bits(self.to_bits() >> 52 << 52)
+    }
 }
 
 impl Lane for f32 {
@@ -72,5 +78,9 @@ impl Lane for f32 {
     fn estimate_inverse_cube_root(self) -> Self {
         // The same, of all of the bits.
         f32::from_bits(0x54a2_1d2a - self.to_bits() / 3)
+    }
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        f32::from_bits(self.to_bits() >> 23 << 23)
     }
 }

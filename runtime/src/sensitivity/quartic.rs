@@ -92,6 +92,10 @@ impl Answer {
     /// Adds what the change of one coefficient matrix makes.
     #[inline]
     fn add(&mut self, change: &Matrix<f64, 2>, weights: &[Weight; 4]) {
+        // One question for most of the matrices, and not one for each entry.
+        if change.as_slice().iter().fold(true, |is_zero, &change| is_zero & (change == 0.0)) {
+            return;
+        }
         for (&change, weight) in change.as_slice().iter().zip(weights) {
             // Most entries do not depend on a parameter.
             if change == 0.0 {

@@ -1,4 +1,4 @@
-//! The four eigenvalues of a bicycle at a speed.
+//! The four eigenvalues of a bicycle at a speed, and those of more coordinates.
 
 use std::hint::black_box;
 
@@ -10,9 +10,10 @@ use faer::diag::Diag;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::evd::{ComputeEigenvectors, evd_real, evd_scratch};
 use faer::{Mat, Par};
-use nalgebra::{Matrix4, Schur};
+use nalgebra::{Matrix4, SMatrix, Schur};
 
 use crate::Summary;
+use crate::systems::random;
 
 /// A fixed bound, since an unbounded iteration has been seen not to end.
 const ITERATIONS: usize = 500;
@@ -40,11 +41,63 @@ pub fn add(summary: &mut Summary) {
                 Schur::try_new(*matrix, f64::EPSILON, ITERATIONS).map(|schur| schur.complex_eigenvalues())
             }),
         )
-        .contender("faer 0.24, evd_real", faer(&matrices))
+        .contender("faer 0.24, evd_real", faer(matrices.iter().map(|of| by_faer(of)).collect()))
         .contender("ours, from M, C and K", each(&systems, System::quartic_eigenvalues))
         .contender("ours, batch of systems", batch(&systems))
         .contender("ours, batch along the speed", along(&bicycles));
     summary.run(task);
+    macro_rules! of_coordinates {
+        ($($n:literal $rows:literal)*) => {$({
+            let systems = random::<$n>(IN_A_ROUND);
+            let of_system = |system: &System<$n>| {
+                let space = system.state_space().expect("a state space");
+                SMatrix::<f64, $rows, $rows>::from_fn(|i, j| match (i.checked_sub($n), j.checked_sub($n)) {
+                    (None, j) => f64::from(u8::from(j == Some(i))),
+                    (Some(i), None) => space.stiffness[(i, j)],
+                    (Some(i), Some(j)) => space.damping[(i, j)],
+                })
+            };
+            let matrices: Vec<_> = systems.iter().map(of_system).collect();
+            let mut found = vec![Ok(Vec::new()); systems.len()];
+            let name = format!("Eigenvalues of {} random systems of {} coordinates", systems.len(), $n);
+            let task = Task::new(name, systems.len())
+                .contender("nalgebra 0.35, complex_eigenvalues", one_by_one(&matrices, Matrix::complex_eigenvalues))
+                .contender("nalgebra 0.35, Schur::try_new", one_by_one(&matrices, |matrix| {
+                    Schur::try_new(*matrix, f64::EPSILON, ITERATIONS).map(|schur| schur.complex_eigenvalues())
+                }))
+                .contender("faer 0.24, evd_real", faer(vec![by_faer(&matrices)]))
+                .contender("ours, from M, C and K", one_by_one(&systems, System::eigenvalues))
+                .contender("ours, batch of systems", || {
+                    let done = Batch::new().eigenvalues_of_any(black_box(&systems), black_box(&mut found));
+                    done.expect("slices of equal length");
+                });
+            summary.run(task);
+        })*};
+    }
+    of_coordinates!(3 6 4 8 5 10 6 12 7 14 8 16);
+    let systems = of_many_sizes();
+    let task = Task::new("Eigenvalues of two coordinates, of sizes from 1e-16 to 1e16", systems.len());
+    summary.run(task.contender("ours, from M, C and K", one_by_one(&systems, System::quartic_eigenvalues)));
+}
+
+/// Systems of three coordinates and more in each round.
+const IN_A_ROUND: u64 = 50;
+
+/// Systems whose quartics have coefficients over 32 orders of magnitude.
+fn of_many_sizes() -> Vec<System<2>> {
+    let size = |number: usize| 10f64.powi((number * 7 % 17) as i32 - 8);
+    let system = |system: System<2>, number: usize| {
+        System::new(system.m, system.c * size(number), system.k * size(number + 5) * size(number + 5))
+    };
+    random(200).into_iter().enumerate().map(|(number, of)| system(of, number)).collect()
+}
+
+fn one_by_one<S, E>(systems: &[S], compute: impl Fn(&S) -> E) -> impl FnMut() {
+    move || {
+        for system in systems {
+            black_box(compute(black_box(system)));
+        }
+    }
 }
 
 fn each<S, E>(bicycles: &[[S; SPEEDS]], compute: impl Fn(&S) -> E) -> impl FnMut() {
@@ -78,16 +131,19 @@ fn along(bicycles: &[(Coefficients<f64, 2>, f64)]) -> impl FnMut() {
     }
 }
 
-/// Without eigenvectors, in memory that is there already.
-fn faer(bicycles: &[[Matrix4<f64>; SPEEDS]]) -> impl FnMut() + use<> {
-    let matrix = |a: &Matrix4<f64>| Mat::from_fn(4, 4, |i, j| a[(i, j)]);
-    let bicycles: Vec<Vec<Mat<f64>>> = bicycles.iter().map(|matrices| matrices.iter().map(matrix).collect()).collect();
+fn by_faer<const R: usize>(matrices: &[SMatrix<f64, R, R>]) -> Vec<Mat<f64>> {
+    matrices.iter().map(|a| Mat::from_fn(R, R, |i, j| a[(i, j)])).collect()
+}
+
+/// Without eigenvectors, in memory that is there already: in each round other matrices of one size.
+fn faer(rounds: Vec<Vec<Mat<f64>>>) -> impl FnMut() {
     let no = ComputeEigenvectors::No;
-    let mut memory = MemBuffer::new(evd_scratch::<f64>(4, no, no, Par::Seq, Default::default()));
-    let (mut re, mut im) = (Diag::zeros(4), Diag::zeros(4));
-    let mut turn = (0..bicycles.len()).cycle();
+    let size = rounds[0][0].nrows();
+    let mut memory = MemBuffer::new(evd_scratch::<f64>(size, no, no, Par::Seq, Default::default()));
+    let (mut re, mut im) = (Diag::zeros(size), Diag::zeros(size));
+    let mut turn = (0..rounds.len()).cycle();
     move || {
-        for matrix in &bicycles[turn.next().expect("bicycles without end")] {
+        for matrix in &rounds[turn.next().expect("rounds without end")] {
             let (matrix, stack) = (black_box(matrix).as_ref(), MemStack::new(&mut memory));
             let done = evd_real(matrix, re.as_mut(), im.as_mut(), None, None, Par::Seq, stack, Default::default());
             black_box((done.is_ok(), &re, &im));

@@ -9,6 +9,7 @@ mod eigenvalues;
 mod matrices;
 mod motion;
 mod stability;
+mod systems;
 mod table;
 
 use std::process::ExitCode;

@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use carvallo::batch::Batch;
-use carvallo::{Coefficients, Model, Stability, SystemError};
+use carvallo::{Coefficients, Model, Sensitivity, Stability, SystemError};
 use carvallo_compare::Task;
 use carvallo_models::{Whipple, WhippleMechanism};
 use carvallo_tests::facts::{RandomSystem, random_systems};
@@ -19,6 +19,21 @@ pub fn add(summary: &mut Summary) {
     let critical = |(coefficients, gravity): &(Coefficients<f64, 2>, f64)| Stability::new(coefficients, *gravity);
     let task = Task::new("Critical speeds and stable ranges, 14 bicycles", bicycles.len());
     summary.run(task.contender("ours, one by one", each(&bicycles, bicycles.len(), critical)));
+
+    let bicycle = Whipple::BENCHMARK;
+    let known = Stability::new(&bicycle.coefficients(), bicycle.g).expect("critical speeds");
+    let task = Task::new("Derivatives of all critical speeds by all parameters, the benchmark bicycle", IN_A_ROUND)
+        .contender("ours, the critical speeds alone", || {
+            for _ in 0..IN_A_ROUND {
+                let _ = black_box(Stability::new(&black_box(&bicycle).coefficients(), bicycle.g));
+            }
+        })
+        .contender("ours, the derivatives", || {
+            for _ in 0..IN_A_ROUND {
+                derivatives(black_box(&bicycle), &known);
+            }
+        });
+    summary.run(task);
 
     add_random::<3>(summary);
     add_random::<6>(summary);
@@ -49,6 +64,13 @@ fn add_batch(summary: &mut Summary, designs: &[Whipple]) {
         let done = batch.stability(black_box(&coefficients), &gravity, &mut found);
         done.expect("slices of equal length");
     }));
+}
+
+fn derivatives(bicycle: &Whipple, known: &Stability) {
+    let sensitivity = Sensitivity::of(bicycle).expect("derivatives of a bicycle");
+    for critical in &known.critical_speeds {
+        black_box(sensitivity.critical_speed(critical)).expect("derivatives of a critical speed");
+    }
 }
 
 /// Random systems with follower loads, gyroscopic ones and others.

@@ -1,7 +1,7 @@
 //! Eigenvalues of many systems: at every level of the processor those of each system alone, to the last bit.
 
 use carvallo::batch::{Batch, BatchError, Eigenvalues};
-use carvallo::{Coefficients, Complex, Model, System, SystemError};
+use carvallo::{Coefficients, Complex, Matrix, Model, System, SystemError};
 use carvallo_tests::{bicycles, designs, facts};
 use nalgebra::Matrix2;
 use proptest::prelude::*;
@@ -106,4 +106,57 @@ fn slices_of_unequal_length_are_an_error() {
     let error = Batch::new().eigenvalues(&systems, &mut found).unwrap_err();
     assert_eq!(error, BatchError::Length { what: "result", position: 0, expected: 3, found: 2 });
     assert!(found.iter().all(|eigenvalues| eigenvalues.unwrap()[0].re.is_nan()), "nothing is written");
+}
+
+/// Systems of more coordinates side by side: damped and not, with matrices of any kind, singular, and not a number.
+fn check_any<const N: usize>(seed: u64) {
+    let mut state = seed;
+    let mut draw = || {
+        // The generator of Knuth's MMIX.
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    };
+    let mut systems = Vec::new();
+    for number in 0..13 {
+        let mut matrix = || Matrix::<f64, N>::from_fn(|_, _| draw());
+        let (l, c, k) = (matrix(), matrix(), matrix() * 10.0);
+        let mass = l * l.transpose() + Matrix::<f64, N>::identity() * 0.5;
+        systems.push(match number {
+            2 => System::new(mass, c * 0.0, k),
+            // Not positive, not symmetric, singular, not a number, and all eigenvalues the same.
+            4 => System::new(-mass, c, k),
+            5 => System::new(l, c, k),
+            7 => System::new(mass * 0.0, c, k),
+            8 => System::new(mass, c, k * f64::NAN),
+            11 => System::new(mass, mass * 2.0, mass),
+            _ => System::new(mass, c * c.transpose(), k * k.transpose()),
+        });
+    }
+    for batch in Batch::levels() {
+        let mut found = vec![Ok(vec![Complex::new(f64::NAN, 0.0); 3]); systems.len()];
+        batch.eigenvalues_of_any(&systems, &mut found).unwrap();
+        for (number, (found, system)) in found.iter().zip(&systems).enumerate() {
+            let bits = |values: &Vec<Complex<f64>>| -> Vec<[u64; 2]> {
+                values.iter().map(|value| [value.re.to_bits(), value.im.to_bits()]).collect()
+            };
+            let [found, expected] = [found, &system.eigenvalues()].map(|values| match values {
+                Ok(values) => Ok(bits(values)),
+                Err(error) => Err(error.to_string()),
+            });
+            assert_eq!(found, expected, "{batch}, number {number}, seed {seed}");
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(designs::config(30))]
+
+    #[test]
+    fn systems_of_more_coordinates_side_by_side(seed: u64) {
+        check_any::<2>(seed);
+        check_any::<3>(seed);
+        check_any::<4>(seed);
+        check_any::<5>(seed);
+        check_any::<8>(seed);
+    }
 }

@@ -4,20 +4,23 @@
 use carvallo::{Coefficients, Differentiable, Model, Scalar};
 use carvallo_compare::Real;
 use carvallo_models::{Pendulum, Whipple, WhippleDerivatives, WhippleMatrices, WhippleMechanism, each_model};
-use carvallo_tests::exact::{Matrices, derivatives};
+use carvallo_tests::exact::{Matrices, derivative_sizes, derivatives};
 use carvallo_tests::{bicycles, designs};
 use proptest::prelude::*;
 
 /// The largest error of a derivative with respect to a parameter, in units of the largest entry of the derivative of the
-/// same matrix with respect to it, and which one it is; infinite for what is not a number.
+/// same matrix with respect to it, or of the terms that this is summed from, and which one it is; infinite for what is not a
+/// number.
 fn worst<T: Scalar>(design: &Whipple<T>, computed: &[Coefficients<T, 2>]) -> (f64, String) {
     let mut worst = (0.0, "none".to_string());
     for (parameter, computed) in computed.iter().enumerate() {
         let exact: Matrices<Real> = derivatives(design, parameter);
         let matrices = [computed.m, computed.c1, computed.k0, computed.k2];
-        for (name, (matrix, exact)) in ["M", "C1", "K0", "K2"].into_iter().zip(matrices.into_iter().zip(exact)) {
-            let largest =
-                exact.into_iter().flatten().map(|entry| entry.abs().to_f64()).fold(f64::MIN_POSITIVE, f64::max);
+        let terms = derivative_sizes(design, parameter);
+        for (which, name) in ["M", "C1", "K0", "K2"].into_iter().enumerate() {
+            let (matrix, exact) = (matrices[which], exact[which]);
+            let least = terms[which].max(f64::MIN_POSITIVE);
+            let largest = exact.into_iter().flatten().map(|entry| entry.abs().to_f64()).fold(least, f64::max);
             for (row, exact) in exact.into_iter().enumerate() {
                 for (column, exact) in exact.into_iter().enumerate() {
                     let value = matrix[(row, column)].to_f64();

@@ -1,0 +1,111 @@
+//! The eigenvalues of three to eight coordinates, of one system or of one in each lane, without a decision that lanes would
+//! not share.
+//!
+//! 1. [`mass`]: the equations solved for the accelerations;
+//! 2. [`reduction`]: the state matrix, balanced and in Hessenberg form;
+//! 3. [`recurrence`]: its characteristic polynomial, and the values of that which are as good as the matrix;
+//! 4. [`factors`]: the roots of the polynomial, which are as good as its coefficients;
+//! 5. [`correction`]: roots as good as the matrix, and whether they are certain.
+//!
+//! What is not certain is left to the QR algorithm: a mass matrix that is not symmetric and positive, eigenvalues that nearly
+//! coincide or of which some are lost beside others, and iterations that do not converge.
+
+// Places are those of several arrays, in one room for all numbers of coordinates.
+#![allow(clippy::needless_range_loop)]
+
+mod alone;
+mod correction;
+mod factors;
+mod mass;
+mod recurrence;
+mod reduction;
+#[cfg(test)]
+mod tests;
+
+use nalgebra::Complex;
+
+#[cfg(feature = "batch")]
+pub(crate) use self::alone::{IS_THERE, is_damped};
+pub(crate) use self::alone::{of_system, spectrum};
+use self::recurrence::Recurrence;
+use crate::number::lane::Lane;
+
+/// The most coordinates that are computed so.
+pub(crate) const MOST: usize = 8;
+
+/// M, C and K.
+#[derive(Clone, Copy)]
+pub(crate) enum Of {
+    Mass,
+    Damping,
+    Stiffness,
+}
+
+/// Eigenvalues in no order, but with the halves of each pair next to each other, and the norm of the balanced state matrix.
+#[derive(Clone, Copy)]
+pub(crate) struct Roots<T, const C: usize> {
+    pub(crate) re: [T; C],
+    pub(crate) im: [T; C],
+    pub(crate) norm: T,
+}
+
+/// The eigenvalues of n coordinates, from the entries of their matrices, and whether they are certain; those of the state
+/// matrix by [`of_matrix`]. There is room for H coordinates and for C = 2 H states.
+#[inline(always)]
+pub(crate) fn find<T: Lane, const H: usize, const C: usize>(
+    n: usize,
+    entry: impl Fn(Of, usize, usize) -> T,
+    of_matrix: impl Fn(usize, usize, [[T; C]; C]) -> (Roots<T, C>, T::Mask),
+) -> (Roots<T, C>, T::Mask) {
+    let zero = entry(Of::Mass, 0, 0).like(0.0);
+    let (mut m, mut sides) = ([[zero; H]; H], [[zero; C]; H]);
+    for i in 0..n.min(H) {
+        for j in 0..n.min(H) {
+            m[i][j] = entry(Of::Mass, i, j);
+            sides[i][j] = entry(Of::Stiffness, i, j);
+            sides[i][n + j] = entry(Of::Damping, i, j);
+        }
+    }
+    let is_positive = mass::solve(n, m, &mut sides);
+    let (rows, unit, is_moderate) = reduction::state_matrix(n, &sides);
+    let (mut roots, are_certain) = of_matrix(2 * n, 1, rows);
+    for (re, im) in roots.re.iter_mut().zip(&mut roots.im) {
+        (*re, *im) = (*re * unit, *im * unit);
+    }
+    roots.norm = roots.norm * unit;
+    (roots, is_positive & is_moderate & are_certain)
+}
+
+/// The eigenvalues of a matrix of an even number of rows, four or more, so many of whose first columns are in Hessenberg form;
+/// and whether they are certain.
+#[inline(always)]
+pub(crate) fn of_matrix<T: Lane, const C: usize>(
+    size: usize,
+    reduced_columns: usize,
+    mut rows: [[T; C]; C],
+) -> (Roots<T, C>, T::Mask) {
+    let norm = reduction::balance(size, &mut rows);
+    reduction::reduce(size, reduced_columns, &mut rows);
+    let recurrence = Recurrence::new(size, &rows);
+    let factors = factors::find(size, recurrence.coefficients());
+    let (re, im, are_certain) = correction::correct(&recurrence, &factors, norm);
+    (Roots { re, im, norm }, are_certain)
+}
+
+impl<const C: usize> Roots<f64, C> {
+    /// Puts so many of them in the place of what is there, sorted by real part, then by imaginary part. False if some are so
+    /// small that rounding beside the largest hides them.
+    pub(crate) fn sort_into(&self, size: usize, values: &mut Vec<Complex<f64>>) -> bool {
+        const HIDDEN: f64 = 16.0 * f64::EPSILON;
+        values.clear();
+        for (&re, &im) in self.re.iter().zip(&self.im).take(size) {
+            if re.abs() + im.abs() < HIDDEN * self.norm {
+                return false;
+            }
+            // From behind, to where it belongs.
+            let place = values.iter().rposition(|before| (before.re, before.im) <= (re, im));
+            values.insert(place.map_or(0, |place| place + 1), Complex::new(re, im));
+        }
+        true
+    }
+}

@@ -1,0 +1,98 @@
+//! The characteristic polynomial of a Hessenberg matrix.
+
+use crate::number::lane::Lane;
+
+/// Of a matrix in Hessenberg form, scaled so that the entries below the diagonal are one, the entries on and above it. The
+/// polynomials of its leading blocks follow from each other: `p_(k+1) = s p_k - sum h_ik p_i`. At a number that gives the value
+/// of the last one for a matrix that differs from this one by rounding of its entries (Hyman; Wilkinson 1963).
+pub(super) struct Recurrence<T, const C: usize> {
+    pub(super) size: usize,
+    pub(super) rows: [[T; C]; C],
+}
+
+impl<T: Lane, const C: usize> Recurrence<T, C> {
+    #[inline(always)]
+    pub(super) fn new(size: usize, hessenberg: &[[T; C]; C]) -> Self {
+        assert!(size <= C);
+        let zero = hessenberg[0][0].like(0.0);
+        let mut rows = [[zero; C]; C];
+        for i in 0..size {
+            let mut below = zero.like(1.0);
+            rows[i][i] = hessenberg[i][i];
+            for k in i + 1..size {
+                below = below * hessenberg[k][k - 1];
+                rows[i][k] = hessenberg[i][k] * below;
+            }
+        }
+        Self { size, rows }
+    }
+
+    /// The coefficients, ascending, without the last one, which is one.
+    #[inline(always)]
+    pub(super) fn coefficients(&self) -> [T; C] {
+        let Self { size, rows } = self;
+        assert!(*size <= C);
+        let (zero, one) = (rows[0][0].like(0.0), rows[0][0].like(1.0));
+        // All of one degree more than there are coefficients: those of p_k are one at k and zero beyond.
+        let mut leading = [[zero; C]; C];
+        let mut last = [zero; C];
+        leading[0][0] = one;
+        for k in 0..*size {
+            let mut next = [zero; C];
+            next[1..=k].copy_from_slice(&leading[k][..k]);
+            for i in 0..=k {
+                for j in 0..=i {
+                    next[j] = next[j] - rows[i][k] * leading[i][j];
+                }
+            }
+            if k + 1 < *size {
+                next[k + 1] = one;
+                leading[k + 1] = next;
+            } else {
+                last = next;
+            }
+        }
+        last
+    }
+
+    /// The value at a complex number.
+    #[inline(always)]
+    pub(super) fn at(&self, re: T, im: T) -> [T; 2] {
+        let Self { size, rows } = self;
+        assert!(*size <= C);
+        let zero = re.like(0.0);
+        let (mut sums_re, mut sums_im) = (rows[0], [zero; C]);
+        let (mut value_re, mut value_im) = (re.like(1.0), zero);
+        for k in 0..*size {
+            (value_re, value_im) =
+                (re * value_re - im * value_im - sums_re[k], re * value_im + im * value_re - sums_im[k]);
+            if k + 1 < *size {
+                let row = &rows[k + 1];
+                for j in k + 1..*size {
+                    sums_re[j] = sums_re[j] + row[j] * value_re;
+                    sums_im[j] = sums_im[j] + row[j] * value_im;
+                }
+            }
+        }
+        [value_re, value_im]
+    }
+
+    /// The same at a real number.
+    #[inline(always)]
+    pub(super) fn at_real(&self, re: T) -> T {
+        let Self { size, rows } = self;
+        assert!(*size <= C);
+        let mut sums = rows[0];
+        let mut value = re.like(1.0);
+        for k in 0..*size {
+            value = re * value - sums[k];
+            if k + 1 < *size {
+                let row = &rows[k + 1];
+                for j in k + 1..*size {
+                    sums[j] = sums[j] + row[j] * value;
+                }
+            }
+        }
+        value
+    }
+}
