@@ -118,21 +118,22 @@ impl Batch {
     ///
     /// carvallo::model! {
     ///     pub model Oscillator {
-    ///         parameters { m: kg, > 0; k: N/m, > 0; }
-    ///         coordinates { x: m; }
-    ///         matrices { M = [m]; Kc = [k*k/m]; }
+    ///         parameters { m: kg, > 0; l: m, > 0; k: N*m, > 0; }
+    ///         coordinates { theta: rad; }
+    ///         M = [[m*l^2]];
+    ///         Kc = [[k]];
     ///         derivatives;
     ///     }
     /// }
-    /// # let designs = [Oscillator { m: 2.0, k: 6.0 }, Oscillator { m: 4.0, k: 10.0 }];
-    /// // How the stiffness grows with k, summed up.
+    /// # let designs = [Oscillator { m: 2.0, l: 3.0, k: 1.0 }, Oscillator { m: 4.0, l: 0.5, k: 1.0 }];
+    /// // How the masses grow with the length, summed up.
     /// let mut sum = 0.0;
     /// Batch::new().each_jacobian::<1, Oscillator>(&Blocks::of_designs(&designs), |portion| {
-    ///     for partial in Oscillator::PARTIALS.iter().filter(|partial| partial.parameter == 1) {
+    ///     for partial in <Oscillator>::PARTIALS.iter().filter(|partial| partial.parameter == 1) {
     ///         sum += portion.derivative(partial).sum::<f64>();
     ///     }
     /// })?;
-    /// assert_eq!(sum, 2.0 * 6.0 / 2.0 + 2.0 * 10.0 / 4.0);
+    /// assert_eq!(sum, 2.0 * 2.0 * 3.0 + 2.0 * 4.0 * 0.5);
     /// # }
     /// # Ok::<(), carvallo::batch::BatchError>(())
     /// ```
