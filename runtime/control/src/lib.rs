@@ -10,6 +10,7 @@ mod margins;
 mod modal;
 mod ports;
 mod response;
+mod rest;
 mod scaled;
 mod signal;
 mod state_space;

@@ -1,11 +1,12 @@
 //! The linearized motion with inputs and outputs.
 
-use carvallo::States;
+use carvallo::{Complex, States, SystemError};
 use carvallo_design::number::shortest;
 use carvallo_design::{Design, DisplayUnit, Failure};
 use nalgebra::{DMatrix, RowDVector};
 
 use crate::ports::{Output, Ports};
+use crate::rest::poles;
 use crate::signal::{Order, Quantity, Signal};
 
 /// The linearized motion about straight running at one speed, from inputs u to outputs y:
@@ -97,6 +98,14 @@ impl StateSpace {
             return Err(fail("the state space leaves the range of floating-point numbers".to_owned()));
         }
         Ok(space.without_unused(ports.states().len()))
+    }
+
+    /// The eigenvalues of the state matrix in 1/s, sorted by real part, then by imaginary part; those at zero are exactly that.
+    ///
+    /// # Errors
+    /// If the iteration for eigenvalues does not converge, or one leaves the range of `f64`.
+    pub fn poles(&self) -> Result<Vec<Complex<f64>>, SystemError> {
+        poles(&self.a)
     }
 
     /// One input and one output of it, by their places.

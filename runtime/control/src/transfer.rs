@@ -1,8 +1,9 @@
 //! Transfer functions.
 
-use carvallo::{Complex, SystemError, matrix_eigenvalues};
+use carvallo::{Complex, SystemError};
 
 use crate::balance::Channel;
+use crate::rest::poles;
 use crate::signal::Signal;
 use crate::state_space::StateSpace;
 use crate::zeros::zeros;
@@ -57,7 +58,7 @@ impl TransferFunction {
     /// If there is no such input or output.
     pub fn new(space: &StateSpace, input: usize, output: usize) -> Result<Self, SystemError> {
         let channel = Channel::of(space, input, output);
-        let poles = matrix_eigenvalues(&channel.a)?;
+        let poles = poles(&channel.a)?;
         let (zeros, gain) = zeros(channel)?;
         Ok(Self { input: space.inputs[input].clone(), output: space.outputs[output].clone(), zeros, poles, gain })
     }

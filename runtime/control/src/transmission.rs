@@ -6,7 +6,7 @@ use nalgebra::DMatrix;
 use crate::balance::Channel;
 use crate::state_space::StateSpace;
 use crate::transfer::TransferFunction;
-use crate::zeros::zeros;
+use crate::zeros::{ROUNDING, zeros};
 
 /// The transmission zeros of a state space in 1/s, sorted by real part, then by imaginary part: where the matrix of its transfer
 /// functions loses its rank, so that inputs `u e^(st)` of some directions leave all outputs zero. Hidden modes, which an input does not
@@ -27,6 +27,8 @@ pub fn transmission_zeros(space: &StateSpace) -> Result<Option<Vec<Complex<f64>>
 
 /// The singular values of the matrix `G(iω)` at a frequency in rad/s, descending: the largest and smallest gain from inputs to outputs
 /// over all directions of these, and those between. They are in the units of outputs by those of inputs, and change with these.
+///
+/// What is no more than rounding of the largest is zero, as where outputs depend on each other.
 ///
 /// `functions` are those from each input to each output, those of one input one after the other. At a pole there are none.
 pub fn singular_values(functions: &[TransferFunction], inputs: usize, frequency: f64) -> Option<Vec<f64>> {
@@ -50,7 +52,9 @@ pub fn singular_values(functions: &[TransferFunction], inputs: usize, frequency:
             _ => value.re,
         }
     });
-    let mut values: Vec<f64> = real.singular_values().iter().map(|value| size * value).collect();
+    let mut values: Vec<f64> = real.singular_values().iter().copied().collect();
     values.sort_by(|a, b| b.total_cmp(a));
-    Some(values.into_iter().step_by(2).collect())
+    let rounding = ROUNDING * values[0];
+    let told = values.into_iter().step_by(2);
+    Some(told.map(|value| if value <= rounding { 0.0 } else { size * value }).collect())
 }

@@ -4,9 +4,10 @@ use carvallo::{Complex, SystemError, matrix_eigenvalues};
 use nalgebra::{DMatrix, DVector};
 
 use crate::balance::{Balanced, Channel};
+use crate::rest::{take_out_zeros, with_rest};
 
 /// What is smaller than this beside what it was computed from is its rounding.
-const ROUNDING: f64 = 1e-13;
+pub const ROUNDING: f64 = 1e-13;
 
 /// The zeros of the determinant of `D + C (s - A)^-1 B` in 1/s, sorted by real part, then by imaginary part, and the number k with
 /// which it is `k Π (s - zero) / Π (s - eigenvalue of A)`. Where it is zero at all s, as where an output does not depend on the
@@ -19,7 +20,7 @@ const ROUNDING: f64 = 1e-13;
 /// [   C    D ]
 /// ```
 ///
-/// which is deflated of its infinite eigenvalues by reflections (Emami-Naeini & Van Dooren 1982, with one row at a time): while D is
+/// of which those at zero are [taken out](take_out_zeros) first. Then it is deflated of its infinite eigenvalues by reflections (Emami-Naeini & Van Dooren 1982, with one row at a time): while D is
 /// singular, the outputs are turned such that the inputs do not reach the last one at once, and the states such that it is a
 /// multiple of the last one alone. That one is then as good as an output that is zero, so its row takes the place of the output's,
 /// and it is a state no longer. A D that is not singular leaves the eigenvalues of `A - B D^-1 C`. A state that is taken out lowers
@@ -31,8 +32,11 @@ const ROUNDING: f64 = 1e-13;
 /// # Panics
 /// If there are not as many outputs as inputs.
 pub fn zeros(channel: Channel) -> Result<(Vec<Complex<f64>>, f64), SystemError> {
-    let Balanced { channel: Channel { mut a, mut b, mut c, mut d }, power } = channel.balanced();
-    assert!(d.is_square() && d.nrows() > 0, "as many outputs as inputs");
+    let Balanced { channel, power } = channel.balanced();
+    assert!(channel.d.is_square() && channel.d.nrows() > 0, "as many outputs as inputs");
+    let states = channel.a.nrows();
+    let Channel { mut a, mut b, mut c, mut d } = take_out_zeros(channel);
+    let at_rest = states - a.nrows();
     let mut gain = 2_f64.powi(power);
     let [of_inputs, of_states] = [b.amax(), a.amax()].map(|largest| ROUNDING * largest);
     let output = d.nrows() - 1;
@@ -53,8 +57,8 @@ pub fn zeros(channel: Channel) -> Result<(Vec<Complex<f64>>, f64), SystemError> 
     }
     let factors = d.full_piv_lu();
     let Some(inverse) = factors.try_inverse() else { return Ok((Vec::new(), 0.0)) };
-    let zeros = matrix_eigenvalues(&(a - b * inverse * c))?;
-    Ok((zeros, gain * factors.determinant()))
+    let others = matrix_eigenvalues(&(a - b * inverse * c))?;
+    Ok((with_rest(others, at_rest), gain * factors.determinant()))
 }
 
 /// If D is singular, turns the outputs by reflections such that its last row is zero; -1 or 1, the determinant of these.

@@ -26,7 +26,13 @@ CASES = [
     ("Car", "oversteering", "20", [("Tpsi", "y_rate"), ("Fy", "psi_rate")]),
     ("TowedWheel", "example", "2", [("Tpsi", "y"), ("Fy", "psi")]),
     ("CantileveredPipe", "beta_05", "7", [("Ffirst", "first"), ("Ffirst", "second")]),
+    ("WheeledPendulum", "robot", "1", [("Ttheta", "x_rate"), ("Fx", "theta_acceleration")]),
+    ("WheeledPendulum", "transporter", "1", [("Ttheta", "x_acceleration"), ("Ttheta", "theta_rate")]),
+    ("Motorcycle", "standard", "9.7", [("Fer", "ef_acceleration"), ("Tdelta", "delta_acceleration")]),
+    ("ThreePipes", "hose", "9.7", [("Tfirst", "third_acceleration")]),
 ]
+
+ORDERS = {"_rate": 1, "_acceleration": 2}
 
 
 def add(p, q):
@@ -63,6 +69,20 @@ def roots(p):
     return mpmath.polyroots([mpmath.mpf(a.numerator) / a.denominator for a in reversed(p)], maxsteps=2000, extraprec=2000)
 
 
+def stem(output):
+    return output.removesuffix("_rate").removesuffix("_acceleration")
+
+
+def order(output):
+    return next((power for end, power in ORDERS.items() if output.endswith(end)), 0)
+
+
+def all_roots(p):
+    """With those at zero, which are exact."""
+    at_rest = next(power for power, coefficient in enumerate(p) if coefficient)
+    return (roots(p[at_rest:]) if len(p) > at_rest + 1 else []) + [mpmath.mpc(0)] * at_rest
+
+
 def text(values):
     ordered = sorted(values, key=lambda z: (mpmath.re(z), mpmath.im(z)))
     return " ".join(f"{float(mpmath.re(z))!r},{float(mpmath.im(z))!r}" for z in ordered)
@@ -93,17 +113,16 @@ def main():
         inputs = [signal["name"] for signal in json.loads(subprocess.run(command, capture_output=True).stdout)["inputs"]]
         names = [signal[1:] for signal in inputs]
         for given, wanted in channels:
-            row, column = inputs.index(given), names.index(wanted.removesuffix("_rate"))
+            row, column = inputs.index(given), names.index(stem(wanted))
             minor = determinant([r[:column] + r[column + 1 :] for i, r in enumerate(pencil) if i != row])
             numerator = stripped([(-1) ** (row + column) * a for a in minor])
             denominator = stripped(determinant(pencil))
-            if wanted.endswith("_rate"):
-                numerator = [Fraction(0)] + numerator
+            numerator = [Fraction(0)] * order(wanted) + numerator
             # Positions that are no states.
             while denominator[0] == 0 and numerator[0] == 0:
                 numerator, denominator = numerator[1:], denominator[1:]
             gain = float(numerator[-1] / denominator[-1])
-            columns = [model, name, speed, given, wanted, repr(gain), text(roots(numerator)), text(roots(denominator))]
+            columns = [model, name, speed, given, wanted, repr(gain), text(all_roots(numerator)), text(all_roots(denominator))]
             print("\t".join(columns))
 
 

@@ -12,7 +12,7 @@ import sys
 from fractions import Fraction
 
 import mpmath
-from transfer_functions import determinant, roots, stripped, text
+from transfer_functions import all_roots, determinant, order, stem, stripped, text
 
 mpmath.mp.dps = 60
 
@@ -30,11 +30,13 @@ CASES = [
     ("CarTrailer", "caravan", "25", "Tpsi,Tq", "psi_rate,q"),
     ("TowedWheel", "example", "2", "Tpsi,Fy", "y,psi"),
     ("CantileveredPipe", "beta_05", "7", "Ffirst,Fsecond", "second,first_rate"),
+    ("Whipple", "benchmark", "5", "Tphi,Tdelta", "phi_rate,delta_rate"),
+    ("Whipple", "browser", "3", "Tphi,Tdelta", "phi_acceleration,delta_acceleration"),
+    ("WhippleLeaning", "example", "6", "Tphi,Tdelta,Ttheta", "phi_acceleration,delta_acceleration,theta_rate"),
+    ("ThreePipes", "hose", "9.7", "Tfirst,Tsecond", "second,third_rate"),
 ]
 
 FREQUENCIES = [0.1, 3.0, 40.0]
-ORDERS = {"_rate": 1, "_acceleration": 2}
-
 
 def main():
     print("# model\tset\tspeed\tinputs\toutputs\tzeros, - where there are more of one\tsingular values at 0.1, 3 and 40 rad/s")
@@ -52,8 +54,6 @@ def main():
         told = json.loads(subprocess.run(command, capture_output=True).stdout)
         names = [signal["name"] for signal in told["inputs"]]
         rows = [names.index(given) for given in inputs.split(",")]
-        stem = lambda output: output.removesuffix("_rate").removesuffix("_acceleration")
-        order = lambda output: next((power for end, power in ORDERS.items() if output.endswith(end)), 0)
         columns = [[given[1:] for given in names].index(stem(output)) for output in outputs.split(",")]
         orders = [order(output) for output in outputs.split(",")]
         zeros = "-"
@@ -67,9 +67,7 @@ def main():
                 if numerator[0] != 0:
                     sys.exit(f"{model}: the position of {names[j]} is not cyclic")
                 numerator = numerator[1:]
-            at_rest = next(power for power, coefficient in enumerate(numerator) if coefficient)
-            others = roots(numerator[at_rest:]) if len(numerator) > at_rest + 1 else []
-            zeros = text(others + [mpmath.mpc(0)] * at_rest)
+            zeros = text(all_roots(numerator))
         values = []
         for frequency in FREQUENCIES:
             s = mpmath.mpc(0, frequency)

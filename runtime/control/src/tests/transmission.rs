@@ -16,7 +16,7 @@ fn functions(space: &StateSpace) -> Vec<TransferFunction> {
 #[test]
 fn zeros_and_singular_values_are_those_of_exact_determinants() {
     let lines = include_str!("transmission.tsv").lines().filter(|line| !line.starts_with('#'));
-    assert_eq!(lines.clone().count(), 13);
+    assert_eq!(lines.clone().count(), 17);
     for line in lines {
         let [model, set, speed, inputs, outputs, zeros, values] = line.split('\t').collect::<Vec<_>>()[..] else {
             panic!("seven columns: {line}");
@@ -28,7 +28,7 @@ fn zeros_and_singular_values_are_those_of_exact_determinants() {
         match zeros {
             "-" => assert_eq!(found, None, "{what}"),
             zeros => {
-                // A zero at rest is as good as the state matrix is.
+                // What there is beside zero is as good as the state matrix is.
                 let (expected, poles) = (roots(zeros), matrix_eigenvalues(&space.a).expect("eigenvalues"));
                 assert_roots_among(&what, &found.expect("zeros"), &expected, &[expected.clone(), poles].concat());
             }
@@ -53,6 +53,8 @@ fn outputs_that_depend_on_each_other_have_none() {
     let row = space.c.row(0) * -3.0;
     space.c.set_row(1, &row);
     assert_eq!(transmission_zeros(&space).expect("eigenvalues"), None);
+    let values = singular_values(&functions(&space), 2, 1.0).expect("no pole");
+    assert!(values[0] > 0.0 && values[1] == 0.0, "{values:?}");
     space.c.fill(0.0);
     assert_eq!(transmission_zeros(&space).expect("eigenvalues"), None);
 }

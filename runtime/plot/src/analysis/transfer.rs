@@ -1,6 +1,6 @@
 //! Transfer functions between all inputs and outputs of a state space.
 
-use carvallo::{Complex, SystemError, matrix_eigenvalues};
+use carvallo::{Complex, SystemError};
 use carvallo_control::{FrequencyResponse, Margins, StateSpace, TransferFunction, singular_values, transmission_zeros};
 use carvallo_design::{Design, Failure};
 
@@ -88,7 +88,7 @@ impl<'a> Transfers<'a> {
         Ok(Self {
             design,
             space,
-            poles: matrix_eigenvalues(&space.a).map_err(fail)?,
+            poles: space.poles().map_err(fail)?,
             singular_values: frequencies.into_iter().filter_map(at).collect(),
             transmission_zeros: transmission_zeros(space).map_err(fail)?,
             channels,

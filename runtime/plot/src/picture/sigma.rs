@@ -22,11 +22,12 @@ pub fn draw_sigma(transfers: &Transfers) -> Scene {
         transfers.singular_values.iter().filter_map(decibels).filter(|point| point.1.is_finite()).collect()
     };
     let lines: Vec<Line> = (0..count)
-        .map(|place| Line {
-            name: Some(name(place, count)),
-            color: COLORS[place % COLORS.len()],
-            paint: line(2.2),
-            curve: points(place),
+        .map(|place| {
+            let curve = points(place);
+            // What is zero at all frequencies is in no picture of decibels.
+            let zero = if curve.is_empty() { " = 0" } else { "" };
+            let name = Some(name(place, count) + zero);
+            Line { name, color: COLORS[place % COLORS.len()], paint: line(2.2), curve }
         })
         .collect();
     let all = || lines.iter().flat_map(|line| &line.curve);

@@ -23,14 +23,19 @@ pub fn of_transfers(transfers: &Transfers) -> Document {
 
 /// What all inputs and outputs have together: transmission zeros, and singular values by decades.
 fn together(transfers: &Transfers, at: &str) -> Vec<Table> {
-    let zeros = transfers.transmission_zeros.as_ref().map(|zeros| Table {
+    let is_square = transfers.space.inputs.len() == transfers.space.outputs.len();
+    let told = is_square.then(|| match transfers.transmission_zeros.as_deref() {
+        None => vec![["all numbers", "", ""].map(Cell::words).to_vec()],
+        Some([]) => vec![["none", "", ""].map(Cell::words).to_vec()],
+        Some(zeros) => zeros.iter().filter(|zero| zero.im >= 0.0).map(|zero| modal(*zero)).collect(),
+    });
+    let dependent =
+        "At every frequency some direction of inputs does nothing to any of the outputs: these depend on each other.";
+    let zeros = told.map(|rows| Table {
         title: format!("Transmission zeros{at}  of all inputs and outputs"),
         columns: ["zero (1/s)", "frequency (rad/s)", "damping ratio"].map(Column::right).into(),
-        rows: match &zeros[..] {
-            [] => vec![["none", "", ""].map(Cell::words).to_vec()],
-            zeros => zeros.iter().filter(|zero| zero.im >= 0.0).map(|zero| modal(*zero)).collect(),
-        },
-        notes: Vec::new(),
+        rows,
+        notes: transfers.transmission_zeros.is_none().then(|| dependent.to_owned()).into_iter().collect(),
     });
     let count = transfers.singular_values.first().map_or(0, |at| at.values.len());
     let row = |at: &AtFrequency| {
