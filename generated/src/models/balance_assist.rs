@@ -887,6 +887,14 @@ impl<T: Scalar> Model<2> for BalanceAssist<T> {
                 .label("steer")
                 .docs("Steer of the front frame relative to the rear frame, positive to the right."),
         ],
+        forces: &[
+            carvallo::motion::AppliedInfo {
+                name: "Tphi", label: "lean torque", unit: "N*m", position: "phi",
+            },
+            carvallo::motion::AppliedInfo {
+                name: "Tdelta", label: "steer torque", unit: "N*m", position: "delta",
+            },
+        ],
         matrices: &[
             MatrixName::M, MatrixName::C0, MatrixName::C1, MatrixName::K0, MatrixName::K2,
         ],
@@ -1002,6 +1010,10 @@ impl<T: Scalar> Model<2> for BalanceAssist<T> {
 
     fn derivatives(&self) -> Option<WithDerivatives<Self, 2>> {
         Some(Differentiable::coefficients_and_derivatives(self))
+    }
+
+    fn shares(&self, force: usize) -> Option<[T; 2]> {
+        (force < 2).then(|| self.kinematics().forces.map(|row| row[force]))
     }
 
     fn gravity(&self) -> Option<T> {

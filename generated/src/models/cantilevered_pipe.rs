@@ -457,6 +457,7 @@ impl<T: Scalar> Model<4> for CantileveredPipe<T> {
             CoordinateInfo::new("third", "m").docs("Deflection in the third mode."),
             CoordinateInfo::new("fourth", "m").docs("Deflection in the fourth mode."),
         ],
+        forces: &[],
         matrices: &[MatrixName::M, MatrixName::C1, MatrixName::Kc, MatrixName::K2],
         entries: &[
             EntryInfo::at(

@@ -294,6 +294,7 @@ impl<T: Scalar> Model<2> for Car<T> {
                 .docs("Yaw, to the right.")
                 .states(States::Rate),
         ],
+        forces: &[],
         matrices: &[MatrixName::M, MatrixName::Cm1, MatrixName::C1],
         entries: &[
             EntryInfo::at(&[(MatrixName::M, 0, 0), (MatrixName::C1, 0, 1)]),

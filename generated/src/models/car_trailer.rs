@@ -534,6 +534,7 @@ impl<T: Scalar> Model<3> for CarTrailer<T> {
                 .label("hitch")
                 .docs("Angle of the trailer to the car, positive to the right."),
         ],
+        forces: &[],
         matrices: &[
             MatrixName::M, MatrixName::Cm1, MatrixName::C0, MatrixName::C1, MatrixName::Kc,
         ],

@@ -230,14 +230,10 @@ impl<T: Scalar> carvallo::motion::Motion for DoublePendulumMotion<T> {
         dependent: &[],
         forces: &[
             carvallo::motion::AppliedInfo {
-                name: "T1",
-                label: "torque at the lower hinge",
-                unit: "N*m",
+                name: "T1", label: "torque at the lower hinge", unit: "N*m", position: "theta1",
             },
             carvallo::motion::AppliedInfo {
-                name: "T2",
-                label: "torque between the links",
-                unit: "N*m",
+                name: "T2", label: "torque between the links", unit: "N*m", position: "theta2",
             },
         ],
         wheels: &[],
@@ -692,6 +688,14 @@ impl<T: Scalar> Model<2> for DoublePendulum<T> {
                 .label("upper link")
                 .docs("Lean of the upper link relative to the lower one, to the right."),
         ],
+        forces: &[
+            carvallo::motion::AppliedInfo {
+                name: "T1", label: "torque at the lower hinge", unit: "N*m", position: "theta1",
+            },
+            carvallo::motion::AppliedInfo {
+                name: "T2", label: "torque between the links", unit: "N*m", position: "theta2",
+            },
+        ],
         matrices: &[MatrixName::M, MatrixName::K0],
         entries: &[
             EntryInfo::at(&[(MatrixName::M, 0, 0)]),
@@ -774,6 +778,10 @@ impl<T: Scalar> Model<2> for DoublePendulum<T> {
 
     fn nonlinear(&self) -> Option<impl carvallo::motion::Motion<Scalar = Self::Scalar>> {
         Some(self.motion())
+    }
+
+    fn shares(&self, force: usize) -> Option<[T; 2]> {
+        (force < 2).then(|| self.kinematics().forces.map(|row| row[force]))
     }
 
     fn gravity(&self) -> Option<T> {

@@ -261,6 +261,7 @@ impl<T: Scalar> Model<2> for JeffcottRotor<T> {
             CoordinateInfo::new("z", "m")
                 .docs("Displacement of the disc across, to where the shaft turns from y."),
         ],
+        forces: &[],
         matrices: &[MatrixName::M, MatrixName::C0, MatrixName::Kc, MatrixName::K1],
         entries: &[
             EntryInfo::at(&[(MatrixName::M, 0, 0), (MatrixName::M, 1, 1)]),

@@ -811,6 +811,11 @@ impl<T: Scalar> Model<6> for Motorcycle<T> {
                 .docs("Deflection of the front tyre.")
                 .states(States::Position),
         ],
+        forces: &[
+            carvallo::motion::AppliedInfo {
+                name: "Tdelta", label: "steer torque", unit: "N*m", position: "delta",
+            },
+        ],
         matrices: &[
             MatrixName::M, MatrixName::C0, MatrixName::C1, MatrixName::Kc, MatrixName::K0,
             MatrixName::K1,
@@ -968,6 +973,10 @@ impl<T: Scalar> Model<6> for Motorcycle<T> {
 
     fn derivatives(&self) -> Option<WithDerivatives<Self, 6>> {
         Some(Differentiable::coefficients_and_derivatives(self))
+    }
+
+    fn shares(&self, force: usize) -> Option<[T; 6]> {
+        (force < 1).then(|| self.kinematics().forces.map(|row| row[force]))
     }
 
     fn gravity(&self) -> Option<T> {

@@ -233,6 +233,7 @@ impl<T: Scalar> Model<1> for Pendulum<T> {
                 .label("swing")
                 .docs("Angle of the rod from the vertical."),
         ],
+        forces: &[],
         matrices: &[MatrixName::M, MatrixName::C0, MatrixName::K0],
         entries: &[
             EntryInfo::at(&[(MatrixName::M, 0, 0)]),

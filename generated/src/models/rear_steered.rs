@@ -759,6 +759,14 @@ impl<T: Scalar> Model<2> for RearSteered<T> {
                 .label("steer")
                 .docs("Steer of the steered frame relative to the main frame, positive to the right seen from above."),
         ],
+        forces: &[
+            carvallo::motion::AppliedInfo {
+                name: "Tphi", label: "lean torque", unit: "N*m", position: "phi",
+            },
+            carvallo::motion::AppliedInfo {
+                name: "Tdelta", label: "steer torque", unit: "N*m", position: "delta",
+            },
+        ],
         matrices: &[MatrixName::M, MatrixName::C1, MatrixName::K0, MatrixName::K2],
         entries: &[
             EntryInfo::at(&[(MatrixName::M, 0, 0)]),
@@ -872,6 +880,10 @@ impl<T: Scalar> Model<2> for RearSteered<T> {
 
     fn derivatives(&self) -> Option<WithDerivatives<Self, 2>> {
         Some(Differentiable::coefficients_and_derivatives(self))
+    }
+
+    fn shares(&self, force: usize) -> Option<[T; 2]> {
+        (force < 2).then(|| self.kinematics().forces.map(|row| row[force]))
     }
 
     fn gravity(&self) -> Option<T> {

@@ -754,6 +754,7 @@ impl<T: Scalar> Model<2> for RollingDisc<T> {
                 .label("yaw")
                 .docs("Yaw, positive to the right."),
         ],
+        forces: &[],
         matrices: &[MatrixName::M, MatrixName::C1, MatrixName::K0],
         entries: &[
             EntryInfo::at(&[(MatrixName::M, 0, 0)]), EntryInfo::at(&[(MatrixName::M, 1, 1)]),

@@ -500,6 +500,11 @@ impl<T: Scalar> Model<1> for Skateboard<T> {
                 .label("tilt")
                 .docs("Tilt of the board, to the right."),
         ],
+        forces: &[
+            carvallo::motion::AppliedInfo {
+                name: "T", label: "tilt torque", unit: "N*m", position: "gamma",
+            },
+        ],
         matrices: &[
             MatrixName::M, MatrixName::C1, MatrixName::Kc, MatrixName::K0, MatrixName::K2,
         ],
@@ -582,6 +587,10 @@ impl<T: Scalar> Model<1> for Skateboard<T> {
 
     fn derivatives(&self) -> Option<WithDerivatives<Self, 1>> {
         Some(Differentiable::coefficients_and_derivatives(self))
+    }
+
+    fn shares(&self, force: usize) -> Option<[T; 1]> {
+        (force < 1).then(|| self.kinematics().forces.map(|row| row[force]))
     }
 
     fn gravity(&self) -> Option<T> {

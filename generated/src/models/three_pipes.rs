@@ -357,6 +357,7 @@ impl<T: Scalar> Model<3> for ThreePipes<T> {
             CoordinateInfo::new("third", "rad")
                 .docs("Angle of the third pipe from the vertical."),
         ],
+        forces: &[],
         matrices: &[
             MatrixName::M, MatrixName::C0, MatrixName::C1, MatrixName::Kc, MatrixName::K0,
             MatrixName::K2,

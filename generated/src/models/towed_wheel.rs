@@ -279,6 +279,7 @@ impl<T: Scalar> Model<2> for TowedWheel<T> {
                 .docs("Lateral place of the contact point, positive to the right.")
                 .states(States::Position),
         ],
+        forces: &[],
         matrices: &[
             MatrixName::M, MatrixName::C0, MatrixName::C1, MatrixName::Kc, MatrixName::K1,
         ],

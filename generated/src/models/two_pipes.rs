@@ -329,6 +329,7 @@ impl<T: Scalar> Model<2> for TwoPipes<T> {
             CoordinateInfo::new("second", "rad")
                 .docs("Angle of the second pipe from the vertical."),
         ],
+        forces: &[],
         matrices: &[
             MatrixName::M, MatrixName::C0, MatrixName::C1, MatrixName::Kc, MatrixName::K0,
             MatrixName::K2,

@@ -327,6 +327,7 @@ impl<T: Scalar> Model<2> for TypicalSection<T> {
                 .label("pitch")
                 .docs("Pitch, positive with the nose up."),
         ],
+        forces: &[],
         matrices: &[MatrixName::M, MatrixName::Kc, MatrixName::K2],
         entries: &[
             EntryInfo::at(&[(MatrixName::M, 0, 0)]),

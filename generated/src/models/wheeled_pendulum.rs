@@ -318,14 +318,10 @@ impl<T: Scalar> carvallo::motion::Motion for WheeledPendulumMotion<T> {
         dependent: &[3],
         forces: &[
             carvallo::motion::AppliedInfo {
-                name: "TL",
-                label: "torque of the left motor",
-                unit: "N*m",
+                name: "TL", label: "torque of the left motor", unit: "N*m", position: "thetaL",
             },
             carvallo::motion::AppliedInfo {
-                name: "TR",
-                label: "torque of the right motor",
-                unit: "N*m",
+                name: "TR", label: "torque of the right motor", unit: "N*m", position: "thetaR",
             },
         ],
         wheels: &[
@@ -1662,6 +1658,14 @@ impl<T: Scalar> Model<3> for WheeledPendulum<T> {
                 .docs("Yaw, positive to the right.")
                 .states(States::Rate),
         ],
+        forces: &[
+            carvallo::motion::AppliedInfo {
+                name: "TL", label: "torque of the left motor", unit: "N*m", position: "thetaL",
+            },
+            carvallo::motion::AppliedInfo {
+                name: "TR", label: "torque of the right motor", unit: "N*m", position: "thetaR",
+            },
+        ],
         matrices: &[MatrixName::M, MatrixName::K0],
         entries: &[
             EntryInfo::at(&[(MatrixName::M, 0, 0)]),
@@ -1746,6 +1750,10 @@ impl<T: Scalar> Model<3> for WheeledPendulum<T> {
 
     fn nonlinear(&self) -> Option<impl carvallo::motion::Motion<Scalar = Self::Scalar>> {
         Some(self.motion())
+    }
+
+    fn shares(&self, force: usize) -> Option<[T; 3]> {
+        (force < 2).then(|| self.kinematics().forces.map(|row| row[force]))
     }
 
     fn gravity(&self) -> Option<T> {

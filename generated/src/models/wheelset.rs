@@ -313,6 +313,7 @@ impl<T: Scalar> Model<2> for Wheelset<T> {
                 .label("yaw")
                 .docs("Yaw, positive to the right."),
         ],
+        forces: &[],
         matrices: &[MatrixName::M, MatrixName::Cm1, MatrixName::Kc],
         entries: &[
             EntryInfo::at(&[(MatrixName::M, 0, 0)]), EntryInfo::at(&[(MatrixName::M, 1, 1)]),

@@ -775,6 +775,7 @@ impl<T: Scalar> Model<2> for Whipple<T> {
                 .label("steer")
                 .docs("Steer of the front frame relative to the rear frame, positive to the right."),
         ],
+        forces: &[],
         matrices: &[MatrixName::M, MatrixName::C1, MatrixName::K0, MatrixName::K2],
         entries: &[
             EntryInfo::at(&[(MatrixName::M, 0, 0)]),

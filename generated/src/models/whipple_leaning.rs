@@ -608,19 +608,13 @@ impl<T: Scalar> carvallo::motion::Motion for WhippleLeaningMotion<T> {
         dependent: &[4],
         forces: &[
             carvallo::motion::AppliedInfo {
-                name: "Tphi",
-                label: "lean torque",
-                unit: "N*m",
+                name: "Tphi", label: "lean torque", unit: "N*m", position: "phi",
             },
             carvallo::motion::AppliedInfo {
-                name: "Tdelta",
-                label: "steer torque",
-                unit: "N*m",
+                name: "Tdelta", label: "steer torque", unit: "N*m", position: "delta",
             },
             carvallo::motion::AppliedInfo {
-                name: "Ttheta",
-                label: "hip torque",
-                unit: "N*m",
+                name: "Ttheta", label: "hip torque", unit: "N*m", position: "theta",
             },
         ],
         wheels: &[
@@ -7488,6 +7482,17 @@ impl<T: Scalar> Model<3> for WhippleLeaning<T> {
                 .label("upper body")
                 .docs("Lean of the upper body relative to the rear frame, positive to the right."),
         ],
+        forces: &[
+            carvallo::motion::AppliedInfo {
+                name: "Tphi", label: "lean torque", unit: "N*m", position: "phi",
+            },
+            carvallo::motion::AppliedInfo {
+                name: "Tdelta", label: "steer torque", unit: "N*m", position: "delta",
+            },
+            carvallo::motion::AppliedInfo {
+                name: "Ttheta", label: "hip torque", unit: "N*m", position: "theta",
+            },
+        ],
         matrices: &[
             MatrixName::M, MatrixName::C0, MatrixName::C1, MatrixName::Kc, MatrixName::K0,
             MatrixName::K2,
@@ -7648,6 +7653,10 @@ impl<T: Scalar> Model<3> for WhippleLeaning<T> {
 
     fn nonlinear(&self) -> Option<impl carvallo::motion::Motion<Scalar = Self::Scalar>> {
         Some(self.motion())
+    }
+
+    fn shares(&self, force: usize) -> Option<[T; 3]> {
+        (force < 3).then(|| self.kinematics().forces.map(|row| row[force]))
     }
 
     fn gravity(&self) -> Option<T> {

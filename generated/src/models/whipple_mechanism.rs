@@ -486,14 +486,10 @@ impl<T: Scalar> carvallo::motion::Motion for WhippleMechanismMotion<T> {
         dependent: &[4],
         forces: &[
             carvallo::motion::AppliedInfo {
-                name: "Tphi",
-                label: "lean torque",
-                unit: "N*m",
+                name: "Tphi", label: "lean torque", unit: "N*m", position: "phi",
             },
             carvallo::motion::AppliedInfo {
-                name: "Tdelta",
-                label: "steer torque",
-                unit: "N*m",
+                name: "Tdelta", label: "steer torque", unit: "N*m", position: "delta",
             },
         ],
         wheels: &[
@@ -5450,6 +5446,14 @@ impl<T: Scalar> Model<2> for WhippleMechanism<T> {
                 .label("steer")
                 .docs("Steer of the front frame relative to the rear frame, positive to the right."),
         ],
+        forces: &[
+            carvallo::motion::AppliedInfo {
+                name: "Tphi", label: "lean torque", unit: "N*m", position: "phi",
+            },
+            carvallo::motion::AppliedInfo {
+                name: "Tdelta", label: "steer torque", unit: "N*m", position: "delta",
+            },
+        ],
         matrices: &[MatrixName::M, MatrixName::C1, MatrixName::K0, MatrixName::K2],
         entries: &[
             EntryInfo::at(&[(MatrixName::M, 0, 0)]),
@@ -5572,6 +5576,10 @@ impl<T: Scalar> Model<2> for WhippleMechanism<T> {
 
     fn nonlinear(&self) -> Option<impl carvallo::motion::Motion<Scalar = Self::Scalar>> {
         Some(self.motion())
+    }
+
+    fn shares(&self, force: usize) -> Option<[T; 2]> {
+        (force < 2).then(|| self.kinematics().forces.map(|row| row[force]))
     }
 
     fn gravity(&self) -> Option<T> {

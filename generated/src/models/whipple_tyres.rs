@@ -508,14 +508,10 @@ impl<T: Scalar> carvallo::motion::Motion for WhippleTyresMotion<T> {
         dependent: &[4],
         forces: &[
             carvallo::motion::AppliedInfo {
-                name: "Tphi",
-                label: "lean torque",
-                unit: "N*m",
+                name: "Tphi", label: "lean torque", unit: "N*m", position: "phi",
             },
             carvallo::motion::AppliedInfo {
-                name: "Tdelta",
-                label: "steer torque",
-                unit: "N*m",
+                name: "Tdelta", label: "steer torque", unit: "N*m", position: "delta",
             },
         ],
         wheels: &[
@@ -5769,6 +5765,14 @@ impl<T: Scalar> Model<2> for WhippleTyres<T> {
                 .label("steer")
                 .docs("Steer of the front frame relative to the rear frame, positive to the right."),
         ],
+        forces: &[
+            carvallo::motion::AppliedInfo {
+                name: "Tphi", label: "lean torque", unit: "N*m", position: "phi",
+            },
+            carvallo::motion::AppliedInfo {
+                name: "Tdelta", label: "steer torque", unit: "N*m", position: "delta",
+            },
+        ],
         matrices: &[MatrixName::M, MatrixName::C1, MatrixName::K0, MatrixName::K2],
         entries: &[
             EntryInfo::at(&[(MatrixName::M, 0, 0)]),
@@ -5906,6 +5910,10 @@ impl<T: Scalar> Model<2> for WhippleTyres<T> {
 
     fn nonlinear(&self) -> Option<impl carvallo::motion::Motion<Scalar = Self::Scalar>> {
         Some(self.motion())
+    }
+
+    fn shares(&self, force: usize) -> Option<[T; 2]> {
+        (force < 2).then(|| self.kinematics().forces.map(|row| row[force]))
     }
 
     fn gravity(&self) -> Option<T> {

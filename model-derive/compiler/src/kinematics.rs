@@ -7,10 +7,21 @@ pub struct Kinematics<V> {
     pub parts: Vec<String>,
     /// Of joints that are no coordinates.
     pub rates: Vec<Rate<V>>,
-    /// The names of applied forces, each with what it is and its unit.
-    pub applied: Vec<[String; 3]>,
+    /// The forces that may be applied.
+    pub applied: Vec<Applied>,
     /// For each coordinate, by applied force.
     pub forces: Vec<Vec<V>>,
+}
+
+/// A force or torque that may be applied.
+#[derive(Clone, Debug)]
+pub struct Applied {
+    pub name: String,
+    /// What it is.
+    pub label: String,
+    pub unit: String,
+    /// The position that it acts on.
+    pub position: String,
 }
 
 /// A rate `v speed + rates · q' + v (coordinates · q + heading psi)`, with the yaw psi where that is no coordinate.

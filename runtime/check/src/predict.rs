@@ -25,8 +25,8 @@ pub struct Predictor<'a> {
     system: &'static Shipped,
     /// Of each state matrix the state, by the order of the library, that stands at each place.
     orders: Vec<Vec<usize>>,
-    /// Of each gain of the feedback the entry that it is taken from.
-    closing: Vec<usize>,
+    /// Of each gain of the feedback the entries that it is taken from, and its share in each.
+    closing: Vec<Vec<(usize, f64)>>,
     /// For each state of motion that has its accelerations by them, the nonlinear equations.
     nonlinear: Vec<Option<Exact<'a>>>,
     feedback: &'a [Law],
@@ -66,7 +66,11 @@ impl<'a> Predictor<'a> {
         let form = Form { matrices: MatrixName::ALL.to_vec(), coordinates: coordinates.collect() };
         let numbers = given.numbers();
         let orders = given.state_matrices.iter().map(|matrix| order(matrix, info)).collect();
-        let closing = machine.gains().map(|gain| index(gain.matrix, gain.row, gain.column, info.coordinates.len()));
+        let closing = machine.gains().map(|gain| {
+            let entry = |row: usize| index(gain.matrix, row, gain.column, info.coordinates.len());
+            let shares = gain.input.shares(info, &machine.parameters).into_iter().enumerate();
+            shares.filter(|(_, share)| *share != 0.0).map(|(row, share)| (entry(row), share)).collect()
+        });
         let (closing, system) = (closing.collect(), matrices::model(&form));
         let (nonlinear, feedback) = (Vec::new(), &machine.feedback[..]);
         let none = Vec::new();
@@ -180,8 +184,8 @@ impl<'a> Predictor<'a> {
         match quantity {
             Quantity::Entry(matrix, row, column) => {
                 let at = index(matrix, row, column, self.info.coordinates.len());
-                let gains = self.closing.iter().zip(&world.gains).filter(|(entry, _)| **entry == at);
-                Some(world.entries[at] - gains.map(|(_, value)| value).sum::<f64>())
+                let own = self.closed(world).filter(|(entry, _)| *entry == at);
+                Some(world.entries[at] - own.map(|(_, value)| value).sum::<f64>())
             }
             _ => None,
         }
@@ -202,11 +206,17 @@ impl<'a> Predictor<'a> {
         }
     }
 
+    /// What feedback takes from entries.
+    fn closed(&self, world: &World) -> impl Iterator<Item = (usize, f64)> {
+        let each = self.closing.iter().zip(&world.gains);
+        each.flat_map(|(entries, value)| entries.iter().map(move |(entry, share)| (*entry, share * value)))
+    }
+
     /// Hands the equations of the closed loop to a visitor.
     fn visit(&self, world: &World, visitor: &mut dyn FnMut(&dyn Equations)) -> Result<(), String> {
         let mut parameters = Vec::with_capacity(world.entries.len() + 1);
         parameters.extend_from_slice(&world.entries);
-        self.closing.iter().zip(&world.gains).for_each(|(entry, value)| parameters[*entry] -= value);
+        self.closed(world).for_each(|(entry, value)| parameters[entry] -= value);
         parameters.push(world.gravity);
         self.system.visit(&parameters, &mut |equations| {
             visitor(equations);

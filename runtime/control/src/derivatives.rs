@@ -1,6 +1,7 @@
 //! How a state space changes with the parameters of its design.
 
 use carvallo::{States, SystemError};
+use carvallo_design::feedback::Input;
 use carvallo_design::number::shortest;
 use carvallo_design::{Design, Failure, Sensitive};
 use nalgebra::DMatrix;
@@ -39,6 +40,14 @@ impl StateSpaceDerivative {
             let at = space.speed.map(|speed| format!(" at {} m/s", shortest(speed))).unwrap_or_default();
             Failure::Run(format!("{}{at}: {message}", design.title()))
         };
+        let ports = Ports::of(design);
+        if let Some(&input) = inputs.iter().find(|input| matches!(ports.forces[**input], Input::Applied(_))) {
+            return Err(fail(format!(
+                "there are no derivatives with the input `{}`, for how it moves the coordinates changes with parameters; expected forces \
+                 on these",
+                ports.inputs[input].name
+            )));
+        }
         let sensitivity = design.model.sensitivity(&design.values()).map_err(&fail)?;
         let plant = Plant::new(design, space, inputs, outputs).map_err(|error| fail(error.to_string()))?;
         let of = |parameter: usize| plant.derivative(&*sensitivity, parameter, speed);

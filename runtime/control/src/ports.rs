@@ -1,25 +1,29 @@
 //! The inputs and outputs that a design has, by their names.
 
-use carvallo::States;
+use carvallo::{ModelInfo, States};
+use carvallo_design::feedback::Input;
 use carvallo_design::{Design, nearest};
 
 use crate::signal::{Order, Quantity, Signal};
 
 /// What may be an input or an output of the linearized motion of a design.
 ///
-/// Inputs are the generalized forces of its coordinates, as `Tdelta`; a coordinate or its label names its own as well.
+/// Inputs are the generalized forces of its coordinates, as `Tdelta`; a coordinate or its label names its own as well. Behind them stand
+/// forces of the mechanism that act on no coordinate, as the motor `TL` on a wheel, which are inputs only where they are named.
 /// Outputs are the coordinates, their rates and accelerations: `phi`, `phi_rate` or `phi'`, `phi_acceleration` or `phi''`, and
 /// with labels `lean_rate`. For models whose parameters are those of the shipped bicycles there are the yaw `psi` and the place
 /// `y` to the right of the line of the steady motion, at which the rear wheel touches the ground.
 #[derive(Clone, Debug)]
 pub struct Ports {
-    /// One for each coordinate, in their order.
+    /// One for each coordinate, in their order, and behind them those of forces that act on none.
     pub inputs: Vec<Signal>,
+    /// What they act on.
+    pub(crate) forces: Vec<Input>,
+    info: &'static ModelInfo,
     /// The coordinates, and behind them what follows from them.
     pub quantities: Vec<Quantity>,
     /// Which of the position and the rate of each coordinate are states.
     pub(crate) states: Vec<States>,
-    model: &'static str,
 }
 
 /// An output: a derivative of one of the [quantities](Ports::quantities).
@@ -41,17 +45,23 @@ impl Ports {
         let info = design.info();
         let following = FOLLOWING.iter().filter(|_| design.kinematics().is_some());
         let quantities: Vec<Quantity> = info.coordinates.iter().map(Quantity::from).chain(following.copied()).collect();
+        let forces = Input::all(info);
+        let signal = |force: &Input| match force {
+            Input::Coordinate(place) => quantities[*place].force(),
+            Input::Applied(place) => Signal::from(&info.forces[*place]),
+        };
         Self {
-            inputs: quantities[..info.coordinates.len()].iter().map(Quantity::force).collect(),
+            inputs: forces.iter().map(signal).collect(),
+            forces,
+            info,
             quantities,
             states: info.coordinates.iter().map(|coordinate| coordinate.states).collect(),
-            model: info.name,
         }
     }
 
-    /// All inputs.
+    /// The inputs that are the forces of the coordinates.
     pub fn all_inputs(&self) -> Vec<usize> {
-        (0..self.inputs.len()).collect()
+        (0..self.states.len()).collect()
     }
 
     /// The outputs that are the states: positions, then rates.
@@ -78,9 +88,9 @@ impl Ports {
         let name = name.trim();
         let is_called = |own: &str| own.eq_ignore_ascii_case(name);
         let found = self.inputs.iter().position(|signal| signal.name == name).or_else(|| {
-            let mut inputs = self.inputs.iter().zip(&self.quantities);
-            inputs.position(|(input, coordinate)| {
-                [&input.name, &input.label, coordinate.name, coordinate.label].into_iter().any(is_called)
+            let mut inputs = self.inputs.iter().zip(&self.forces);
+            inputs.position(|(input, force)| {
+                is_called(&input.label) || force.names(self.info).iter().any(|own| is_called(own))
             })
         });
         found.ok_or_else(|| self.unknown(name, "input", self.inputs.iter().map(|input| input.name.clone()).collect()))
@@ -121,7 +131,7 @@ impl Ports {
         }
         let hint = nearest(name, names.iter().map(String::as_str));
         let hint = hint.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default();
-        format!("`{name}` is no {what} of {}{hint}\nthey are {}", self.model, names.join(", "))
+        format!("`{name}` is no {what} of {}{hint}\nthey are {}", self.info.name, names.join(", "))
     }
 }
 

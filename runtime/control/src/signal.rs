@@ -1,6 +1,7 @@
 //! What inputs, outputs and states are called, and their units.
 
 use carvallo::CoordinateInfo;
+use carvallo::motion::AppliedInfo;
 
 /// An input, an output or a state.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -67,6 +68,12 @@ impl Signal {
             (unit, time, of) if of.contains(['*', '/']) => format!("{unit}{time}/({of})"),
             (unit, time, of) => format!("{unit}{time}/{of}"),
         }
+    }
+}
+
+impl From<&AppliedInfo> for Signal {
+    fn from(&AppliedInfo { name, label, unit, .. }: &AppliedInfo) -> Self {
+        Self { name: name.to_owned(), label: label.to_owned(), unit: unit.to_owned() }
     }
 }
 

@@ -1,6 +1,7 @@
 //! The linearized motion with inputs and outputs.
 
 use carvallo::{Complex, States, SystemError};
+use carvallo_design::feedback::Input;
 use carvallo_design::number::shortest;
 use carvallo_design::{Design, DisplayUnit, Failure};
 use nalgebra::{DMatrix, RowDVector};
@@ -68,7 +69,8 @@ impl StateSpace {
             Failure::Run(format!("{}{at}: {message}", design.title()))
         };
         let matrices = design.equations.state_space(speed, design.gravity().unwrap_or(0.0));
-        let mut plant = Plant::new(&ports, matrices.map_err(|error| fail(error.to_string()))?, inputs);
+        let all = forces(design, &ports, inputs);
+        let mut plant = Plant::new(&ports, matrices.map_err(|error| fail(error.to_string()))?, &all);
         plant.integrate_rates(&ports);
         plant.integrate_kinematics(design, speed);
         let rows = outputs.iter().map(|&output| {
@@ -141,6 +143,22 @@ impl StateSpace {
     }
 }
 
+/// The forces on the coordinates that each of some inputs makes, in its column.
+fn forces(design: &Design, ports: &Ports, inputs: &[usize]) -> DMatrix<f64> {
+    let coordinates = ports.states.len();
+    let mut forces = DMatrix::zeros(coordinates, inputs.len());
+    for (column, &input) in inputs.iter().enumerate() {
+        match ports.forces[input] {
+            Input::Coordinate(row) => forces[(row, column)] = 1.0,
+            Input::Applied(force) => {
+                let shares = design.model.shares(&design.values(), force).unwrap_or_default();
+                shares.into_iter().enumerate().for_each(|(row, share)| forces[(row, column)] = share);
+            }
+        }
+    }
+    forces
+}
+
 /// How something depends on states and inputs.
 #[derive(Clone, Debug)]
 struct Row {
@@ -159,8 +177,8 @@ struct Plant {
 }
 
 impl Plant {
-    /// From the rows of A and B, of which some inputs are wanted.
-    fn new(ports: &Ports, [a, b]: [Vec<f64>; 2], inputs: &[usize]) -> Self {
+    /// From the rows of A and B, and the forces on all coordinates, a column for each input.
+    fn new(ports: &Ports, [a, b]: [Vec<f64>; 2], forces: &DMatrix<f64>) -> Self {
         let states = ports.states();
         let place =
             |quantity: usize, order: Order| states.iter().position(|state| *state == Output { quantity, order });
@@ -168,7 +186,7 @@ impl Plant {
         let b = DMatrix::from_row_slice(states.len(), coordinates, &b);
         Self {
             a: DMatrix::from_row_slice(states.len(), states.len(), &a),
-            b: b.select_columns(inputs),
+            b: b * forces,
             positions: (0..coordinates).map(|quantity| place(quantity, Order::Position)).collect(),
             rates: (0..coordinates).map(|quantity| place(quantity, Order::Rate)).collect(),
             states: states.iter().map(|&state| ports.signal(state)).collect(),

@@ -76,7 +76,10 @@ impl Design {
         match without {
             WithoutMachine::Equations => format!("the model {model} has no nonlinear equations"),
             WithoutMachine::Feedback(Unclosed::Force(law)) => {
-                format!("the nonlinear equations of {model} have no force called `{}`, which is fed back", force(law))
+                let all: Vec<&str> = self.info().forces.iter().map(|force| force.name).collect();
+                let there =
+                    if all.is_empty() { "there is none".to_owned() } else { format!("they have {}", all.join(", ")) };
+                format!("the nonlinear equations of {model} have no force `{}`, which is fed back; {there}", force(law))
             }
             WithoutMachine::Feedback(Unclosed::Position(law)) => {
                 format!("the nonlinear equations of {model} have no position that `{}` follows from", force(law))

@@ -41,6 +41,13 @@ impl DisplayUnit {
         self.scale.map_or(value, |scale| scale.apply(value))
     }
 
+    /// The same with no more digits than it takes to be read as the value again: 30, where 29.999999999999996 is computed.
+    pub fn short_value(&self, value: f64) -> f64 {
+        let exact = self.value(value);
+        let short = format!("{exact:.14e}").parse().unwrap_or(exact);
+        if self.back(short) == value { short } else { exact }
+    }
+
     /// The value of a number in this unit.
     pub fn back(&self, shown: f64) -> f64 {
         self.scale.map_or(shown, |scale| scale.inverse().apply(shown))

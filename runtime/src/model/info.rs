@@ -5,6 +5,7 @@ use core::fmt;
 use super::domain::Domain;
 use super::error::ParameterError;
 use super::formula::FormulaInfo;
+use crate::motion::AppliedInfo;
 use crate::system::{MatrixName, States};
 
 /// A model's own description, for tables, files and messages.
@@ -20,6 +21,8 @@ pub struct ModelInfo {
     pub parameters: &'static [ParameterInfo],
     /// The coordinates q, in the order of the rows of the matrices.
     pub coordinates: &'static [CoordinateInfo],
+    /// The forces and torques that the declaration of its mechanism names, in their order.
+    pub forces: &'static [AppliedInfo],
     /// The matrices that the model has, in the order of [`MatrixName::ALL`]; the others are zero.
     pub matrices: &'static [MatrixName],
     /// The entries of the matrices that differ from each other and are not zero at all parameters: the columns of what

@@ -32,6 +32,7 @@ mod tests {
         source: "",
         parameters: &[],
         coordinates: &[],
+        forces: &[],
         matrices: &[],
         entries: &[],
         sets: &[set("pista"), set("pista_rider"), set("PistaRider"), set("größe_2")],

@@ -76,6 +76,13 @@ pub trait Model<const N: usize>: Copy {
         None::<NoMotion<Self::Scalar>>
     }
 
+    /// The generalized forces on the coordinates that a force of one of its mechanism makes, by its place among
+    /// [`ModelInfo::forces`](crate::ModelInfo::forces), to first order: of a motor on a wheel those by which it drives the machine.
+    /// Nothing if there is no such force.
+    fn shares(&self, _force: usize) -> Option<[Self::Scalar; N]> {
+        None
+    }
+
     /// The gravitational field strength g in N/kg, if it is a parameter of the model.
     fn gravity(&self) -> Option<Self::Scalar>;
 }

@@ -62,7 +62,7 @@ pub enum PositionKind {
     Ignorable,
 }
 
-/// A force or torque that is applied to a joint.
+/// A force or torque that is applied to a joint or a wheel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct AppliedInfo {
     /// Its name.
@@ -71,6 +71,8 @@ pub struct AppliedInfo {
     pub label: &'static str,
     /// `N` or `N*m`.
     pub unit: &'static str,
+    /// The name of the position that it acts on, as that of a [`PositionInfo`]: a coordinate, or the angle of a wheel.
+    pub position: &'static str,
 }
 
 /// A wheel.

@@ -96,10 +96,10 @@ impl LinearMotion {
         let moved = |place: usize| if place < first { place } else { place + count };
         let size = self.a.nrows() + count;
         let mut a = DMatrix::zeros(size, size);
-        let (mut b, mut c) = (DMatrix::zeros(size, self.coordinates), DVector::zeros(size));
+        let (mut b, mut c) = (DMatrix::zeros(size, self.b.ncols()), DVector::zeros(size));
         for i in 0..self.a.nrows() {
             (0..self.a.nrows()).for_each(|j| a[(moved(i), moved(j))] = self.a[(i, j)]);
-            (0..self.coordinates).for_each(|j| b[(moved(i), j)] = self.b[(i, j)]);
+            (0..self.b.ncols()).for_each(|j| b[(moved(i), j)] = self.b[(i, j)]);
             c[moved(i)] = self.c[i];
         }
         let rates: Vec<Option<usize>> = self.rates.iter().map(|place| place.map(moved)).collect();
@@ -122,10 +122,25 @@ impl LinearMotion {
         Self { coordinates: self.coordinates, rates, following: self.following + count, a, b, c }
     }
 
+    /// The same motion with one force more behind the others, such as that of a motor on a wheel, by the generalized forces on the
+    /// coordinates that a force of one makes.
+    ///
+    /// # Panics
+    /// If there are more than coordinates.
+    #[must_use]
+    pub fn with_force(mut self, shares: &[f64]) -> Self {
+        let column = self.b.columns(0, shares.len()) * DVector::from_column_slice(shares);
+        let last = self.b.ncols();
+        self.b = self.b.insert_column(last, 0.0);
+        self.b.set_column(last, &column);
+        self
+    }
+
     /// The motion at times in s that ascend, of which the first is that of the initial state.
     ///
     /// `positions` are those of the coordinates and of what follows, `rates` those of the coordinates; rates of coordinates
-    /// of first order follow, and are not looked at. There is one force for each coordinate.
+    /// of first order follow, and are not looked at. There is one force for each coordinate, and
+    /// one for each that came [with](Self::with_force) it.
     ///
     /// # Errors
     /// If there are too many or too few numbers, if one is not finite, if the times do not ascend, or if the motion leaves
@@ -140,7 +155,7 @@ impl LinearMotion {
         let count = self.coordinates + self.following;
         require_length("initial positions", count, positions.len())?;
         require_length("initial rates", self.coordinates, rates.len())?;
-        require_length("forces", self.coordinates, forces.len())?;
+        require_length("forces", self.b.ncols(), forces.len())?;
         require_finite("initial positions", positions)?;
         require_finite("initial rates", rates)?;
         require_ascending(times)?;
@@ -186,13 +201,13 @@ impl LinearMotion {
 
     /// B f + c.
     fn driven(&self, forces: impl Iterator<Item = f64>) -> DVector<f64> {
-        &self.b * DVector::from_iterator(self.coordinates, forces) + &self.c
+        &self.b * DVector::from_iterator(self.b.ncols(), forces) + &self.c
     }
 
     fn snapshot(&self, time: f64, state: &DVector<f64>, forces: &[Force]) -> Snapshot {
         let lines = || forces.iter().map(|force| force.line_from(time));
         let derivative = &self.a * state + self.driven(lines().map(|line| line.0));
-        let slopes = DVector::from_iterator(self.coordinates, lines().map(|line| line.1));
+        let slopes = DVector::from_iterator(self.b.ncols(), lines().map(|line| line.1));
         let second = &self.a * &derivative + &self.b * slopes;
         let listed = |values: &DVector<f64>| values.as_slice()[..self.coordinates + self.following].to_vec();
         Snapshot { time, positions: listed(state), rates: listed(&derivative), accelerations: listed(&second) }

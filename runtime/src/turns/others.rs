@@ -35,17 +35,38 @@ impl Turns {
             return Ok(Vec::new());
         }
         let free = balance.free.clone();
+        let steers = STEERS.map(f64::to_radians).into_iter();
+        let starts = steers.flat_map(|steer| leans(&balance, steer).into_iter().map(move |start| (steer, start)));
+        let starts: Vec<([f64; 2], f64)> =
+            starts.map(|(steer, (lean, square))| ([lean, steer], square.sqrt())).collect();
+        let units = units(&balance, &starts);
         let mut found: Vec<Self> = Vec::new();
-        for steer in STEERS.map(f64::to_radians) {
-            for (lean, square) in leans(&balance, steer) {
-                let is_known = |turns: &Self| is_close(&turns.turns, &free, [lean, steer]);
-                if !known.iter().chain(&found).any(is_known) {
-                    found.extend(through(machine, [lean, steer], square.sqrt()));
-                }
+        for (point, speed) in starts {
+            let is_known = |turns: &Self| is_close(&turns.turns, &free, point);
+            if !known.iter().chain(&found).any(is_known) {
+                found.extend(through(machine, point, speed, units));
             }
         }
         Ok(found)
     }
+}
+
+/// What speeds and yaw rates are measured by: the medians of those of some turns. One turn itself may be next to a standstill, beside
+/// which every speed is large.
+fn units(balance: &Balance, turns: &[([f64; 2], f64)]) -> [f64; 2] {
+    let yaw_rates = turns.iter().filter_map(|(point, speed)| yaw_rate(balance, *point, *speed)).map(f64::abs);
+    let middle = |mut sizes: Vec<f64>| {
+        sizes.sort_by(f64::total_cmp);
+        sizes.get(sizes.len() / 2).copied().filter(|size| *size > 0.0).unwrap_or(1.0)
+    };
+    [middle(turns.iter().map(|turn| turn.1).collect()), middle(yaw_rates.collect())]
+}
+
+/// The yaw rate at free positions and a speed; `None` for what has no yaw.
+fn yaw_rate(balance: &Balance, free: [f64; 2], speed: f64) -> Option<f64> {
+    let yaw = balance.machine.info().position("psi")?;
+    let at = balance.at(&free, speed).ok()?;
+    balance.rates(&at).ok().map(|rates| rates[yaw]).filter(|rate| rate.is_finite())
 }
 
 /// The leans, each with the square of its speed, at which a steer is in balance.
@@ -101,24 +122,40 @@ fn is_close(turns: &[Turn], free: &[usize], point: [f64; 2]) -> bool {
     })
 }
 
-/// The curve through a turn, to both sides: by speeds, or by yaw rates if that goes further.
-fn through(machine: &dyn Machine, free: [f64; 2], speed: f64) -> Option<Turns> {
+/// The curve through a turn, to both sides: by speeds, or by yaw rates if that goes further. Where a machine pivots about a wheel that
+/// does not roll it has a yaw rate and no speed, so that by speeds it comes there in ever smaller steps, and never beyond.
+fn through(machine: &dyn Machine, free: [f64; 2], speed: f64, [of_speed, of_yaw]: [f64; 2]) -> Option<Turns> {
     let by_speed = Balance::new(machine).ok()?;
-    let at = by_speed.at(&free, speed).ok()?;
-    let yaw_rate = machine.info().position("psi").map(|yaw| by_speed.rates(&at).map_or(0.0, |rates| rates[yaw]));
-    let curve = both_ways(Curve { balance: by_speed, unit: speed }, free, false);
-    let is_whole = |turns: &Turns| ![turns.begin, turns.end].iter().any(|end| matches!(end, TurnsEnd::Lost(_)));
-    if curve.as_ref().is_some_and(is_whole) {
+    let yaw_rate = yaw_rate(&by_speed, free, speed).filter(|rate| *rate != 0.0);
+    let curve = both_ways(Curve { balance: by_speed, unit: of_speed }, free, speed / of_speed, false);
+    let lost = |turns: &Turns| [turns.begin, turns.end].iter().filter(|end| matches!(end, TurnsEnd::Lost(_))).count();
+    if curve.as_ref().is_some_and(|curve| lost(curve) == 0) {
         return curve;
     }
-    let unit = yaw_rate.filter(|rate| *rate != 0.0)?;
-    let other = both_ways(Curve { balance: Balance::new(machine).ok()?.by_yaw()?, unit }, free, true);
-    let length = |turns: &Option<Turns>| turns.as_ref().map_or(0, |turns| turns.turns.len());
-    if length(&other) > length(&curve) { other } else { curve }
+    let Some(rate) = yaw_rate else { return curve };
+    let by_yaw = Curve { balance: Balance::new(machine).ok()?.by_yaw()?, unit: of_yaw.copysign(rate) };
+    let other = both_ways(by_yaw, free, rate.abs() / of_yaw, true);
+    match (curve, other) {
+        (Some(curve), Some(other)) => {
+            let further =
+                lost(&other) < lost(&curve) || lost(&other) == lost(&curve) && length(&other) > length(&curve);
+            Some(if further { other } else { curve })
+        }
+        (curve, other) => curve.or(other),
+    }
 }
 
-fn both_ways(curve: Curve, free: [f64; 2], by_yaw: bool) -> Option<Turns> {
-    let guess = DVector::from_vec(vec![free[0], free[1], 1.0]);
+/// How far positions change along a curve, in rad.
+fn length(turns: &Turns) -> f64 {
+    let steps = turns.turns.windows(2).map(|pair| {
+        let moved = pair[0].positions.iter().zip(&pair[1].positions).map(|(from, to)| (to - from) * (to - from));
+        moved.sum::<f64>().sqrt()
+    });
+    steps.sum()
+}
+
+fn both_ways(curve: Curve, free: [f64; 2], share: f64, by_yaw: bool) -> Option<Turns> {
+    let guess = DVector::from_vec(vec![free[0], free[1], share]);
     let condition = Condition { factors: unit_vector(3, 1), value: free[1] };
     let (point, _) = curve.correct(guess, &condition).ok().flatten()?;
     let turn = curve.turn(&point).ok()?;

@@ -109,7 +109,12 @@ fn describe_role(role: Role, declared: &Mechanism) -> (String, String) {
         Role::Spin(index) => {
             let wheel = &declared.wheels[index];
             let label = wheel.label.clone().unwrap_or_else(|| format!("wheel {}", wheel.name));
-            (format!("theta{}", wheel.name), format!("angle of the {label}"))
+            (spin_name(&wheel.name), format!("angle of the {label}"))
         }
     }
+}
+
+/// The name of the angle of a wheel.
+pub fn spin_name(wheel: &proc_macro2::Ident) -> String {
+    format!("theta{wheel}")
 }

@@ -2,9 +2,10 @@
 
 use proc_macro2::Ident;
 
+use super::motion::spin_name;
 use crate::check::{Role, Tree};
 use crate::formula::Formula;
-use crate::kinematics::{Kinematics, Rate};
+use crate::kinematics::{Applied, Kinematics, Rate};
 use crate::mechanics::{self, Derivation};
 use crate::syntax::{Declaration, Freedom, JointKind, Mechanism};
 
@@ -50,11 +51,16 @@ pub fn outline_rates(declaration: &Declaration, mechanism: &Mechanism) -> Kinema
     }
 }
 
-/// The forces that are applied, each with what it is and its unit.
-fn name_forces(mechanism: &Mechanism) -> Vec<[String; 3]> {
+/// The forces that are applied.
+fn name_forces(mechanism: &Mechanism) -> Vec<Applied> {
     let applied = mechanism.forces.iter().map(|force| {
-        let label = force.label.clone().unwrap_or_else(|| force.name.to_string());
-        [force.name.to_string(), label, mechanism.force_unit(&force.on).into()]
+        let is_wheel = mechanism.wheels.iter().any(|wheel| wheel.name == force.on);
+        Applied {
+            name: force.name.to_string(),
+            label: force.label.clone().unwrap_or_else(|| force.name.to_string()),
+            unit: mechanism.force_unit(&force.on).into(),
+            position: if is_wheel { spin_name(&force.on) } else { force.on.to_string() },
+        }
     });
     applied.collect()
 }

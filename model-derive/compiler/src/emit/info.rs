@@ -8,6 +8,7 @@ use super::names::GeneratedNames;
 use super::number;
 use super::structure::constant;
 use crate::domain::{Bound, Domain};
+use crate::kinematics::Applied;
 use crate::matrix_name::MatrixName;
 use crate::model::{Model, Requirement};
 use crate::program::Program;
@@ -63,6 +64,7 @@ pub fn emit(model: &Model, names: &GeneratedNames, matrices: Option<&Program>) -
             quote!(#runtime::FormulaInfo::entry(&[#(#places),*], #unit, #text))
         }
     });
+    let forces = forces(model, names);
     let n = model.coordinates.len();
     let entries = matrices.map(entries).unwrap_or_default().into_iter().map(|(_, places)| {
         let places = places.into_iter().map(|place| {
@@ -86,6 +88,7 @@ pub fn emit(model: &Model, names: &GeneratedNames, matrices: Option<&Program>) -
             source: #source,
             parameters: &[#(#parameters),*],
             coordinates: &[#(#coordinates),*],
+            forces: #forces,
             matrices: &[#(#names_of_matrices),*],
             entries: &[#(#entries),*],
             sets: &[#(#sets),*],
@@ -94,6 +97,16 @@ pub fn emit(model: &Model, names: &GeneratedNames, matrices: Option<&Program>) -
             gravity: #gravity,
         }
     }
+}
+
+/// The forces that may be applied, as a slice.
+pub fn forces(model: &Model, names: &GeneratedNames) -> TokenStream {
+    let runtime = &names.runtime;
+    let applied = model.kinematics.iter().flat_map(|kinematics| &kinematics.applied);
+    let forces = applied.map(|Applied { name, label, unit, position }| {
+        quote!(#runtime::motion::AppliedInfo { name: #name, label: #label, unit: #unit, position: #position })
+    });
+    quote!(&[#(#forces),*])
 }
 
 fn domain(domain: Domain, names: &GeneratedNames) -> TokenStream {

@@ -11,6 +11,11 @@ pub fn names_of_inputs(model: &Model, motion: &MotionModel, constants: usize) ->
         (0..constants).map(|index| format!("constant_{index}")).collect(),
         positions.iter().map(|position| position.name.clone()).collect(),
         motion.speeds().into_iter().map(|place| format!("{}_rate", positions[place].name)).collect(),
-        model.kinematics.iter().flat_map(|kinematics| &kinematics.applied).map(|[name, ..]| name.clone()).collect(),
+        model
+            .kinematics
+            .iter()
+            .flat_map(|kinematics| &kinematics.applied)
+            .map(|applied| applied.name.clone())
+            .collect(),
     ]
 }

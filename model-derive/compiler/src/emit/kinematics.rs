@@ -10,7 +10,7 @@ use super::names::GeneratedNames;
 use super::{derive, docs};
 use crate::formula::Formula;
 use crate::free_name::take_free_name;
-use crate::kinematics::Kinematics;
+use crate::kinematics::{Applied, Kinematics};
 use crate::model::Model;
 use crate::program::{Counts, Program};
 
@@ -33,7 +33,7 @@ pub fn emit(model: &Model, names: &GeneratedNames, program: Option<&Program>) ->
         coordinates.join(", "),
     ));
     let force_field = (forces > 0).then(|| {
-        let what = kinematics.applied.iter().map(|[name, label, unit]| format!("`{name}` ({label}) in `{unit}`"));
+        let what = kinematics.applied.iter().map(|Applied { name, label, unit, .. }| format!("`{name}` ({label}) in `{unit}`"));
         let what: Vec<String> = what.collect();
         let docs = docs(&format!(
             "The forces f on the coordinates that applied forces make: a row for each coordinate,\na column for each of \

@@ -6,7 +6,7 @@ use quote::quote;
 use super::body::{Body, Inputs};
 use super::inputs::names_of_inputs;
 use super::names::GeneratedNames;
-use super::{derive, docs, linearization};
+use super::{derive, docs, info, linearization};
 use crate::model::Model;
 use crate::motion::{MotionModel, PositionKind};
 use crate::nonlinear::MotionPrograms;
@@ -267,9 +267,7 @@ fn emit_info(model: &Model, names: &GeneratedNames, motion: &MotionModel) -> Tok
     });
     let places = |places: Vec<usize>| places.into_iter().map(Literal::usize_unsuffixed);
     let (speeds, dependent) = (places(motion.speeds()), places(motion.dependent()));
-    let applied = model.kinematics.iter().flat_map(|kinematics| &kinematics.applied);
-    let forces = applied
-        .map(|[name, label, unit]| quote!(#runtime::motion::AppliedInfo { name: #name, label: #label, unit: #unit }));
+    let forces = info::forces(model, names);
     let wheels = wheels.iter().map(|[name, label]| quote!(#runtime::motion::WheelInfo { name: #name, label: #label }));
     quote! {
         &#runtime::motion::MotionInfo {
@@ -277,7 +275,7 @@ fn emit_info(model: &Model, names: &GeneratedNames, motion: &MotionModel) -> Tok
             positions: &[#(#described),*],
             speeds: &[#(#speeds),*],
             dependent: &[#(#dependent),*],
-            forces: &[#(#forces),*],
+            forces: #forces,
             wheels: &[#(#wheels),*],
         }
     }

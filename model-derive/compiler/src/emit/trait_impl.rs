@@ -42,6 +42,16 @@ pub fn emit(
             }
         }
     });
+    let [force, row] = ["force", "row"].map(|name| names.variable(name));
+    let applied = model.kinematics.as_ref().map_or(0, |kinematics| kinematics.applied.len());
+    let shares = (applied > 0).then(|| {
+        let applied = Literal::usize_unsuffixed(applied);
+        quote! {
+            fn shares(&self, #force: ::core::primitive::usize) -> ::core::option::Option<[#scalar; #n]> {
+                (#force < #applied).then(|| self.kinematics().forces.map(|#row| #row[#force]))
+            }
+        }
+    });
     let derivatives = model.derivatives.as_ref().filter(|asked| asked.is_all(model)).map(|_| {
         quote! {
             fn derivatives(&self) -> ::core::option::Option<#runtime::WithDerivatives<Self, #n>> {
@@ -101,6 +111,8 @@ pub fn emit(
             #derivatives
 
             #nonlinear
+
+            #shares
 
             fn gravity(&self) -> ::core::option::Option<#scalar> {
                 #gravity

@@ -5,7 +5,7 @@ use carvallo_plot::analysis::sensitivity::Changes;
 use carvallo_plot::{data, picture};
 use clap::Args;
 
-use crate::options::{DesignOptions, Format, Picture};
+use crate::options::{DesignOptions, Format, Picture, UnitOptions};
 use crate::output::{self, documents};
 use crate::terminal::{print, write};
 
@@ -28,6 +28,7 @@ Examples:
                                                 A measured bicycle, with deviations in the table, and a
                                                 bar chart of the effects of 1 %
   carvallo sensitivity --set c=0                Without trail
+  carvallo sensitivity --units km/h,mm,deg      In other units
   carvallo sensitivity my-bike.toml --format csv
   carvallo sensitivity --model CarTrailer       When a caravan snakes
 
@@ -39,6 +40,8 @@ Exit codes: 0 done; 1 there is no answer, or a file cannot be read or written; 2
 pub struct Options {
     #[command(flatten)]
     design: DesignOptions,
+    #[command(flatten)]
+    units: UnitOptions,
     /// table, markdown, latex, json or csv
     #[arg(long, value_enum, default_value = "table", hide_possible_values = true)]
     format: Format,
@@ -51,7 +54,8 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     if let Some(picture) = &options.plot {
         picture.check(&options.design)?;
     }
-    let changes = Changes::new(options.design.load()?)?;
+    let units = options.units.in_tables(options.format)?;
+    let changes = Changes { units, ..Changes::new(options.design.load()?)? };
     if let Some(picture) = &options.plot {
         let nothing = || {
             let title = changes.design.title();

@@ -35,6 +35,7 @@ const DRAWN: u32 = 600;
 /// Everything that is wrong with the request; that there is no motion; or that a file cannot be read or written.
 pub fn run(options: &Options) -> Result<(), Failure> {
     let default_rows = if options.format.is_read() { COARSE } else { FINE };
+    readable(&options.force)?;
     let times = times::times(&options.duration, options.step.as_deref(), default_rows);
     let speed = options.speed.as_deref().map(speed).transpose();
     let mut problems = files(options);
@@ -143,6 +144,15 @@ fn tell(motion: &Motion, units: &Units, options: &Options) -> Result<(), Failure
         Format::Json => data::motion::write_json(motion, output),
         Format::Csv => data::motion::write_csv(motion, output),
     })
+}
+
+/// That files of forces which are there can be read.
+fn readable(forces: &[String]) -> Result<(), Failure> {
+    let files = forces.iter().filter_map(|force| Some(force.split_once('=')?.1.trim()));
+    for file in files.filter(|file| Path::new(file).exists()) {
+        std::fs::read(file).map_err(|error| Failure::Run(format!("cannot read {file}: {error}")))?;
+    }
+    Ok(())
 }
 
 /// Files that would replace each other, or what is read.

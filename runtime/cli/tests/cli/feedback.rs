@@ -158,7 +158,7 @@ fn mistakes_in_laws_are_told_together() {
     let twice = ["analyze", "--set", "mB=-1", "--feedback", "Tdelta = phi", "--feedback", "steer = phi_rate"];
     directory.run(&twice).fails(
         2,
-        "error: 2 problems\n--feedback 'steer = phi_rate': there is a law for the force on `delta` already, at --feedback 'Tdelta = \
+        "error: 2 problems\n--feedback 'steer = phi_rate': there is a law for the force `Tdelta` already, at --feedback 'Tdelta = \
          phi'; expected one sum\n--set mB=-1: `mB` is -1 kg; it must be >= 0\n",
     );
     let rate = ["analyze", "--model", "Wheelset", "--feedback", "Tqqq = 1"];
@@ -290,11 +290,21 @@ fn nonlinear_motions_and_turns_are_of_the_closed_loop() {
         assert!(acceleration.abs() < 1e-9, "{name}: {acceleration}");
     }
     // What the nonlinear equations have no force for is told.
-    let run =
-        directory.run(&["simulate", "--model", "DoublePendulum", "--feedback", "Ttheta1 = -theta1", "--duration", "1"]);
-    let note = "note: the nonlinear equations of DoublePendulum have no force called `Ttheta1`, which is fed back; these are the \
-                linear ones\n";
-    assert_eq!((run.code, run.stderr.as_str()), (Some(0), note));
+    let run = directory.run(&[
+        "simulate",
+        "--model",
+        "WheeledPendulum",
+        "--feedback",
+        "Ttheta = -theta",
+        "--duration",
+        "0.1",
+    ]);
+    let without =
+        "the nonlinear equations of WheeledPendulum have no force `Ttheta`, which is fed back; they have TL, TR";
+    assert_eq!((run.code, run.stderr), (Some(0), format!("note: {without}; these are the linear ones\n")));
+    directory
+        .run(&["turns", "--model", "WheeledPendulum", "--feedback", "Ttheta = -theta"])
+        .fails(1, &format!("error: WheeledPendulum robot with feedback: {without}\n"));
 }
 
 /// An inverted pendulum of matrices, `q'' - q = f`, with `f = -5*q - 2*q_rate`: `s^2 + 2 s + 4` has -1 ± √3 i.
@@ -311,4 +321,72 @@ fn given_matrices_are_closed_as_well() {
     assert_eq!(directory.run(&["analyze", "closed.json", "--format", "json"]).json(), json);
     let shown = directory.run(&["show", "closed.json"]).ok();
     assert!(shown.contains("feedback = ") && shown.contains("Kc = [\n    [-1.0],") && !shown.contains("C0"), "{shown}");
+}
+
+/// The hinges of a double pendulum have torques by names of its mechanism, the linear equations by those of its coordinates: both know
+/// all of them. The motions differ by what is of third order in 1e-4 rad.
+#[test]
+fn forces_have_one_name_in_linear_and_nonlinear_equations() {
+    let directory = Directory::of_this_test();
+    let pushed =
+        ["simulate", "--model", "DoublePendulum", "--initial", "theta1=1e-4", "--duration", "0.3", "--format", "json"];
+    let last = |more: &[&str]| {
+        let motion = directory.run(&[&pushed, more].concat()).json();
+        motion["rows"].as_array().unwrap().last().unwrap()["positions"]["theta2"].as_f64().unwrap()
+    };
+    for option in ["--force", "--feedback"] {
+        let value = if option == "--force" { "=1e-3" } else { "=-8*theta1" };
+        let expected = last(&[option, &format!("T1{value}")]);
+        assert!(expected.abs() > 1e-5, "{expected}");
+        for name in ["T1", "Ttheta1", "theta1", "torque at the lower hinge"] {
+            for equations in [&[][..], &["--linear"]] {
+                let found = last(&[&[option, &format!("{name}{value}")], equations].concat());
+                assert!((found - expected).abs() < 1e-6 * expected.abs(), "{option} {name} {equations:?}: {found}");
+            }
+        }
+    }
+}
+
+/// By virtual work a motor pushes the ground: with the radius r and half the track b it is a force `-1/r` forward and a torque `-b/r` or
+/// `b/r` in yaw, and none in pitch, against which the body moves by itself. What holds the machine up does so in the nonlinear
+/// equations, too, which have motors alone.
+#[test]
+fn motors_on_wheels_are_forces_on_all_that_they_move() {
+    let directory = Directory::of_this_test();
+    let robot = ["--model", "WheeledPendulum"];
+    let (r, b) = (0.04, 0.07);
+    let law = "0.3*theta_rate + 3*theta";
+    let [left, right] = ["TL", "TR"].map(|motor| format!("{motor} = {law} + 0.05*x_rate"));
+    let by_motors = ["--feedback", left.as_str(), "--feedback", right.as_str()];
+    let by_hand = format!("Fx = {}*({law} + 0.05*x_rate)", -2.0 / r);
+    let analyze = |laws: &[&str]| directory.run(&[&["analyze", "--format", "json"], &robot[..], laws].concat()).json();
+    let (motors, hand) = (analyze(&by_motors), analyze(&["--feedback", &by_hand]));
+    for member in ["matrices", "eigenvalues"] {
+        assert_same(&motors[member], &hand[member], 1e-14);
+    }
+    let inputs = |names: &str| {
+        directory.run(&[&["statespace", "--format", "json", "--inputs", names], &robot[..]].concat()).json()["B"]
+            .clone()
+    };
+    let (motors, coordinates) = (inputs("TL,TR"), inputs("Fx,Tpsi"));
+    for (motors, own) in motors.as_array().unwrap().iter().zip(coordinates.as_array().unwrap()) {
+        let [forward, yaw] = [0, 1].map(|place| own[place].as_f64().unwrap());
+        let expected = json!([(-forward - b * yaw) / r, (-forward + b * yaw) / r]);
+        assert_same(&json!([motors, 1e4]), &json!([expected, 1e4]), 1e-15);
+    }
+    let pitch = |more: &[&str]| {
+        let ride = ["simulate", "--initial", "theta=1e-5", "--duration", "0.3", "--format", "json"];
+        let motion = directory.run(&[&ride, &robot[..], more].concat()).json();
+        motion["rows"].as_array().unwrap().last().unwrap()["positions"]["theta"].as_f64().unwrap()
+    };
+    for more in [&by_motors[..], &["--force", "TL=1e-6", "--force", "TR=1e-6"]] {
+        let (nonlinear, linear) = (pitch(more), pitch(&[more, &["--linear"]].concat()));
+        assert!((nonlinear - linear).abs() < 1e-7 * linear.abs(), "{nonlinear} and {linear}");
+    }
+    let sensitivity = [&["sensitivity"], &robot[..], &by_motors].concat();
+    directory.run(&sensitivity).fails(
+        1,
+        "there are no derivatives with feedback of `TL`, which acts on no coordinate: how `TL` moves them changes with parameters; \
+         expected forces on the coordinates",
+    );
 }

@@ -130,3 +130,62 @@ fn files_that_cannot_be_read_or_written_are_failures() {
     assert_eq!((run.code, run.stdout.as_str()), (Some(1), ""));
     assert!(run.stderr.starts_with("error: cannot write missing/plot.svg: "), "{}", run.stderr);
 }
+
+/// A name that is nothing is a mistake of the command line, 2; a file that is there but cannot be read is none, 1, and neither is one that
+/// cannot be written. So it is in every command.
+#[test]
+fn exit_codes_of_files_are_the_same_everywhere() {
+    let directory = Directory::of_this_test();
+    std::fs::create_dir(directory.0.join("folder.csv")).unwrap();
+    let reading: [&[&str]; 20] = [
+        &["analyze", "FILE"],
+        &["show", "FILE"],
+        &["convert", "FILE", "--to", "moore"],
+        &["sensitivity", "FILE"],
+        &["statespace", "FILE", "--speed", "5"],
+        &["transfer", "FILE", "--speed", "5"],
+        &["respond", "FILE", "--speed", "5", "--step", "--input", "Tdelta"],
+        &["controllability", "FILE"],
+        &["lqr", "FILE", "--speeds", "5"],
+        &["turns", "FILE"],
+        &["simulate", "FILE", "--speed", "5", "--duration", "1"],
+        &["simulate", "--speed", "5", "--duration", "1", "--force", "delta=FILE"],
+        &["optimize", "FILE", "--vary", "c=0:0.1", "--minimize", "weave-speed"],
+        &["sweep", "FILE", "--vary", "c=0:0.1:0.1"],
+        &["compare", "benchmark", "FILE"],
+        &["check", "FILE"],
+        &["check", "FILE", "--bicycle", "FILE"],
+        &["measure", "FILE"],
+        &["rider", "FILE"],
+        &["analyze", "--add", "FILE"],
+    ];
+    let run = |arguments: &[&str], file: &str| {
+        let arguments: Vec<String> = arguments.iter().map(|argument| argument.replace("FILE", file)).collect();
+        directory.run(&arguments.iter().map(String::as_str).collect::<Vec<_>>())
+    };
+    for arguments in reading {
+        for (file, code, message) in
+            [("missing.csv", 2, "file"), ("folder.csv", 1, "cannot read folder.csv: Is a directory")]
+        {
+            let found = run(arguments, file);
+            assert_eq!(found.code, Some(code), "{arguments:?} {file}: {}", found.stderr);
+            assert!(found.stderr.contains(message), "{arguments:?} {file}: {}", found.stderr);
+        }
+    }
+    run(&["sweep", "--designs", "FILE"], "missing.csv").fails(2, "error: there is no file missing.csv\n");
+    let writing: [&[&str]; 8] = [
+        &["analyze", "--plot", "none/a.svg"],
+        &["transfer", "--speed", "5", "--bode", "none/a.png"],
+        &["statespace", "--speed", "5", "--output", "none/a.npz"],
+        &["simulate", "--speed", "5", "--duration", "1", "--output", "none/a.csv"],
+        &["lqr", "--speeds", "5", "--output", "none/a.csv"],
+        &["convert", "--to", "moore", "--output", "none/a.toml"],
+        &["turns", "--output", "none/a.csv"],
+        &["sweep", "--vary", "c=0:0.1:0.1", "--output", "none/a.csv"],
+    ];
+    for arguments in writing {
+        let found = directory.run(arguments);
+        assert_eq!(found.code, Some(1), "{arguments:?}: {}", found.stderr);
+        assert!(found.stderr.contains("cannot write none/a."), "{arguments:?}: {}", found.stderr);
+    }
+}

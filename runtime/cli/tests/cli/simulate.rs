@@ -160,7 +160,7 @@ fn all_mistakes_are_told_at_once() {
          --initial ph=1: `ph` is no position or rate of Whipple; did you mean `phi`?\n\
          they are phi, delta, psi, x, y, thetaR, thetaF, phi_rate, delta_rate\n\
          --force q=1: `q` is no force on Whipple\n\
-         they are phi, delta\n",
+         they are Tphi, Tdelta\n",
     );
     simulate(&directory, &["--duration", "1"])
         .fails(2, "error: expected --speed V, which the motion depends on, such as --speed 4.6\n");

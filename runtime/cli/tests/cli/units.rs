@@ -358,3 +358,28 @@ fn slips_of_units_are_told_once() {
         }
     }
 }
+
+/// Effects and derivatives by the units that are shown, from those of the JSON, which are in SI units.
+#[test]
+fn sensitivities_are_in_the_units_of_their_headings() {
+    let directory = Directory::of_this_test();
+    let table = directory.run(&["sensitivity", "--units", "km/h,mm,deg", "--plot", "tornado.svg"]).ok();
+    let json = directory.run(&["sensitivity", "--format", "json"]).json();
+    let weave = json["critical_speeds"].as_array().unwrap().iter().find(|event| event["kind"] == "weave").unwrap();
+    assert!(table.contains("Weave and capsize speeds (km/h)\n"), "{table}");
+    assert!(table.contains("changes (km/h), and the derivative (km/h per unit)"), "{table}");
+    for (name, unit, per_unit, value) in [("w", "mm", 1e-3, "1020"), ("lam", "deg", 1_f64.to_radians(), "18")] {
+        let line = table.lines().find(|line| line.trim_start().starts_with(&format!("{name} "))).unwrap();
+        let cells: Vec<&str> = line.split_whitespace().collect();
+        assert_eq!((cells[1], cells[3]), (value, unit), "{line}");
+        let derivative = weave["derivatives"][name].as_f64().unwrap();
+        let of = |place: usize| cells[place].parse::<f64>().unwrap();
+        let effect = 3.6 * derivative * json["parameters"][name]["one_percent"].as_f64().unwrap();
+        assert!((of(4) - effect).abs() < 1e-6 && (of(5) - 3.6 * derivative * per_unit).abs() < 1e-6, "{line}");
+    }
+    let picture = std::fs::read_to_string(directory.0.join("tornado.svg")).unwrap();
+    assert!(picture.contains("change of the critical speed (km/h)") && picture.contains("weave speed, 15.4526 km/h"));
+    directory
+        .run(&["sensitivity", "--units", "mm", "--format", "csv"])
+        .fails(2, "error: --units: JSON and CSV of this command are in units of the SI\n");
+}

@@ -29,7 +29,7 @@ struct Part {
 /// Why laws cannot be part of the nonlinear equations of a machine, which are there.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Unclosed {
-    /// There is no force by the name that the law, by its place, has for it.
+    /// There is no force on what the law, by its place, acts on.
     Force(usize),
     /// There is no position for a coordinate of the law.
     Position(usize),
@@ -46,7 +46,7 @@ impl<'a> Closed<'a> {
         let (info, drive) = (machine.info(), Drive::of(machine));
         let mut parts = Vec::new();
         for (place, law) in laws.iter().enumerate() {
-            let force = info.force(&law.force(model).0).ok_or(Unclosed::Force(place))?;
+            let force = law.input.in_machine(machine, model).ok_or(Unclosed::Force(place))?;
             for &gain in &law.gains {
                 let position = info.position(model.coordinates[gain.column].name).ok_or(Unclosed::Position(place))?;
                 if gain.power() != 0 && drive.is_none() {

@@ -2,9 +2,9 @@
 
 use carvallo::{CoordinateInfo, MatrixName, ModelInfo, States};
 
-use super::Gain;
 use super::parse::{Symbol, parse};
 use super::terms::{Motion, Term};
+use super::{Gain, Input};
 use crate::nearest::nearest;
 use crate::number::unit;
 use crate::quantity::units;
@@ -14,8 +14,8 @@ use crate::quantity::units;
 pub struct Law {
     /// As it was written.
     pub written: String,
-    /// The coordinate that the force acts on, by its position.
-    pub input: usize,
+    /// What the force acts on.
+    pub input: Input,
     /// What it is the sum of.
     pub gains: Vec<Gain>,
 }
@@ -28,7 +28,7 @@ impl Law {
     pub fn read(text: &str, info: &ModelInfo) -> Result<Self, String> {
         let example = example(info);
         let (force, law) = text.split_once('=').ok_or_else(|| format!("expected FORCE = LAW, such as {example}"))?;
-        let input = input(force.trim(), info)?;
+        let input = Input::called(force.trim(), info)?;
         let sum =
             parse(law, &|name| symbol(name, info)).map_err(|problem| format!("{problem}; for example {example}"))?;
         let gains = sum.iter().filter(|term| term.value != 0.0 || term.motion.is_none());
@@ -41,37 +41,8 @@ impl Law {
 
     /// What the force is called, as `Tdelta`, and its unit as models declare it: `N*m` on an angle, `N` on a length, else `1`.
     pub fn force(&self, info: &ModelInfo) -> (String, &'static str) {
-        let coordinate = &info.coordinates[self.input];
-        let [name, ..] = input_names(coordinate);
-        (name, force_unit(coordinate.unit).unwrap_or("1"))
+        (self.input.names(info).swap_remove(0), self.input.unit(info).unwrap_or("1"))
     }
-}
-
-/// What the force on a coordinate may be called, its own name first: `Tdelta` for a torque, else `Fy`; `delta`, `steer`.
-fn input_names(CoordinateInfo { name, label, unit, .. }: &CoordinateInfo) -> [String; 4] {
-    let [own, other] = if *unit == "rad" { ["T", "F"] } else { ["F", "T"] };
-    [format!("{own}{name}"), format!("{other}{name}"), (*name).to_owned(), (*label).to_owned()]
-}
-
-/// The unit of the force on a coordinate, by that of the coordinate.
-fn force_unit(coordinate: &str) -> Option<&'static str> {
-    match coordinate {
-        "rad" => Some("N*m"),
-        "m" => Some("N"),
-        _ => None,
-    }
-}
-
-fn input(name: &str, info: &ModelInfo) -> Result<usize, String> {
-    let is_called =
-        |coordinate: &CoordinateInfo| input_names(coordinate).iter().any(|own| own.eq_ignore_ascii_case(name));
-    info.coordinates.iter().position(is_called).ok_or_else(|| {
-        let names: Vec<[String; 4]> = info.coordinates.iter().map(input_names).collect();
-        let hint = nearest(name, names.iter().flatten().map(String::as_str));
-        let hint = hint.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default();
-        let own: Vec<&str> = names.iter().map(|[own, ..]| own.as_str()).collect();
-        format!("`{name}` is no force on {}{hint}\nthey are {}", info.name, own.join(", "))
-    })
 }
 
 /// What a name stands for in a law.
@@ -115,7 +86,7 @@ fn of_coordinate(CoordinateInfo { name, states, .. }: &CoordinateInfo) -> Vec<St
 }
 
 /// A term as what it adds to a matrix.
-fn gain(term: &Term, row: usize, info: &ModelInfo) -> Result<Gain, String> {
+fn gain(term: &Term, input: Input, info: &ModelInfo) -> Result<Gain, String> {
     let Some(Motion { coordinate: column, is_rate }) = term.motion else {
         return Err(format!(
             "a part of the force does not depend on the motion; expected terms that each have a position or a rate, such as \
@@ -142,21 +113,22 @@ fn gain(term: &Term, row: usize, info: &ModelInfo) -> Result<Gain, String> {
     if !term.value.is_finite() {
         return Err(format!("what multiplies `{what}` is {}; it must be finite", term.value));
     }
-    check_unit(term, [row, column], is_rate, &what, info)?;
-    Ok(Gain { matrix, row, column, value: term.value })
+    check_unit(term, input, column, is_rate, &what, info)?;
+    Ok(Gain { matrix, input, column, value: term.value })
 }
 
 /// Whether a gain with a unit makes a force or torque.
 fn check_unit(
     term: &Term,
-    [row, column]: [usize; 2],
+    input: Input,
+    column: usize,
     is_rate: bool,
     what: &str,
     info: &ModelInfo,
 ) -> Result<(), String> {
-    let [force, motion] = [row, column].map(|index| info.coordinates[index].unit);
+    let motion = info.coordinates[column].unit;
     // Of given matrices nothing is known.
-    let Some(force) = force_unit(force) else { return Ok(()) };
+    let Some(force) = input.unit(info) else { return Ok(()) };
     let (Some(written), true, "rad" | "m") = (term.unit, term.has_unit, motion) else { return Ok(()) };
     let powers = |text: &str| units::in_si(text).map_or([0; 3], |(powers, _)| powers);
     let ([force_powers, motion_powers], rate) = ([force, motion].map(powers), i32::from(is_rate));
@@ -191,8 +163,7 @@ fn in_words([kg, m, s]: [i32; 3]) -> String {
 
 /// A law for messages.
 fn example(info: &ModelInfo) -> String {
-    let coordinate = info.coordinates.last();
-    let force = coordinate.map(|own| input_names(own)[0].clone()).unwrap_or_default();
+    let force = Input::all(info).pop().map(|own| own.names(info).swap_remove(0)).unwrap_or_default();
     let motion = info.coordinates.first().and_then(|own| of_coordinate(own).pop()).unwrap_or_default();
     format!("'{force} = -10*{motion}'")
 }

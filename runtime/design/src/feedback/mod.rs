@@ -5,6 +5,7 @@
 //! nonlinear equations the force is [added](Closed) to those that are applied.
 
 mod closed;
+mod input;
 mod law;
 mod parse;
 mod terms;
@@ -14,23 +15,25 @@ use carvallo::{Coefficients, MatrixName, ModelInfo};
 use crate::failure::{Failure, Place, Problem};
 
 pub use self::closed::{Closed, Unclosed};
+pub use self::input::Input;
 pub use self::law::Law;
 
-/// A force on the coordinate `row` that is a number times what a matrix multiplies, of the coordinate `column`: `q'/v` for
-/// C-1, `v q` for K1. Both count from zero.
+/// A force that is a number times what a matrix multiplies, of the coordinate `column`: `q'/v` for C-1, `v q` for K1. Coordinates count
+/// from zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gain {
     /// What multiplies the motion besides the value.
     pub matrix: MatrixName,
-    /// The coordinate that the force acts on.
-    pub row: usize,
+    /// What the force acts on.
+    pub input: Input,
     /// The coordinate that it follows from.
     pub column: usize,
     /// In SI units; a positive one drives away from where the coordinate is zero.
     pub value: f64,
 }
 
-/// Closes the loop: forces stand on the other side of the equation than the matrices.
+/// Closes the loop: forces stand on the other side of the equation than the matrices. Of gains of forces that act on no coordinate there
+/// must be [those on coordinates](on_coordinates) instead.
 ///
 /// ```
 /// use carvallo::{Model, Stability};
@@ -49,10 +52,27 @@ pub struct Gain {
 /// # Panics
 /// If a gain is of a coordinate that there is none of.
 pub fn close<const N: usize>(mut open: Coefficients<f64, N>, gains: &[Gain]) -> Coefficients<f64, N> {
-    for Gain { matrix, row, column, value } in gains {
-        open.matrix_mut(*matrix)[(*row, *column)] -= value;
+    for Gain { matrix, input, column, value } in gains {
+        if let Input::Coordinate(row) = input {
+            open.matrix_mut(*matrix)[(*row, *column)] -= value;
+        }
     }
     open
+}
+
+/// The same gains on coordinates alone: a force that acts on none of them is one on all that move what it acts on, by `shares`, which has
+/// those of each force of the mechanism.
+pub(crate) fn on_coordinates(gains: &[Gain], shares: impl Fn(usize) -> Vec<f64>) -> Vec<Gain> {
+    let of = |gain: &Gain| match gain.input {
+        Input::Coordinate(_) => vec![*gain],
+        Input::Applied(force) => {
+            let shares = shares(force).into_iter().enumerate();
+            shares
+                .map(|(row, share)| Gain { input: Input::Coordinate(row), value: share * gain.value, ..*gain })
+                .collect()
+        }
+    };
+    gains.iter().flat_map(of).filter(|gain| gain.value != 0.0).collect()
 }
 
 /// The force of each law, in their order, at a speed in m/s, and at the position and the rate of each coordinate by its place; in SI
@@ -85,9 +105,9 @@ pub(crate) fn read(laws: &[(Place, String)], info: &ModelInfo) -> Result<Vec<Law
         match Law::read(text, info) {
             Ok(law) => match read.iter().find(|(_, other)| other.input == law.input) {
                 Some((first, _)) => {
-                    let name = info.coordinates[law.input].name;
+                    let name = law.force(info).0;
                     let message =
-                        format!("there is a law for the force on `{name}` already, at {first}; expected one sum");
+                        format!("there is a law for the force `{name}` already, at {first}; expected one sum");
                     problems.push(problem(message));
                 }
                 None => read.push((place, law)),

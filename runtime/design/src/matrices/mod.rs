@@ -111,6 +111,7 @@ fn info(form: &Form) -> &'static ModelInfo {
         source: "",
         parameters: Vec::leak(parameters),
         coordinates: Vec::leak(coordinates),
+        forces: &[],
         matrices: Vec::leak(form.matrices.clone()),
         entries: &[],
         sets: &[],

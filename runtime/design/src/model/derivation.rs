@@ -1,5 +1,6 @@
 //! What makes equations of motion from parameters: the functions that a declaration was compiled to, without its type.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::fmt::Debug;
 use std::marker::PhantomData;
@@ -11,7 +12,7 @@ use carvallo::{
 
 use super::equations::Equations;
 use super::sensitive::Sensitive;
-use crate::feedback::{Gain, close};
+use crate::feedback::{Gain, Input, close, on_coordinates};
 use crate::number::with_unit;
 use crate::path::Path;
 
@@ -28,6 +29,12 @@ pub(crate) trait Derivation: Debug + Sync {
     fn with_machine(&self, parameters: &[f64], visitor: MachineVisitor) -> Result<bool, String> {
         let _ = (parameters, visitor);
         Ok(false)
+    }
+
+    /// The generalized forces on the coordinates that a force of one of the mechanism makes, by its place among those of the model.
+    fn shares(&self, parameters: &[f64], force: usize) -> Option<Vec<f64>> {
+        let _ = (parameters, force);
+        None
     }
 
     /// Stability along a path through the parameters, over a range and at a speed.
@@ -54,11 +61,13 @@ impl<const N: usize, M: Model<N, Scalar = f64>> Compiled<N, M> {
 
 impl<const N: usize, M: Model<N, Scalar = f64>> Derivation for Compiled<N, M> {
     fn equations(&self, parameters: &[f64], gains: &[Gain]) -> Result<Box<dyn Equations>, String> {
-        Ok(Box::new(close(valid::<N, M>(parameters)?.coefficients(), gains)))
+        let model = valid::<N, M>(parameters)?;
+        Ok(Box::new(close(model.coefficients(), &acting(&model, gains))))
     }
 
     fn visit(&self, parameters: &[f64], gains: &[Gain], visitor: Visitor) -> Result<(), String> {
-        visitor(&close(valid::<N, M>(parameters)?.coefficients(), gains))
+        let model = valid::<N, M>(parameters)?;
+        visitor(&close(model.coefficients(), &acting(&model, gains)))
     }
 
     fn with_machine(&self, parameters: &[f64], visitor: MachineVisitor) -> Result<bool, String> {
@@ -68,6 +77,10 @@ impl<const N: usize, M: Model<N, Scalar = f64>> Derivation for Compiled<N, M> {
         Ok(machine.is_some())
     }
 
+    fn shares(&self, parameters: &[f64], force: usize) -> Option<Vec<f64>> {
+        valid::<N, M>(parameters).ok()?.shares(force).map(|shares| shares.to_vec())
+    }
+
     fn along(&self, path: &Path, gains: &[Gain], range: [f64; 2], speed: f64) -> Result<ParameterStability, String> {
         if !cfg!(feature = "full") {
             return Err(NOT_BUILT.to_owned());
@@ -75,7 +88,8 @@ impl<const N: usize, M: Model<N, Scalar = f64>> Derivation for Compiled<N, M> {
         let mut system = |value: f64| {
             let parameters = path.at(value)?;
             let gravity = M::INFO.gravity.map_or(0.0, |position| parameters[position]);
-            at(valid::<N, M>(&parameters)?.coefficients(), gains, speed, gravity)
+            let model = valid::<N, M>(&parameters)?;
+            at(model.coefficients(), &acting(&model, gains), speed, gravity)
         };
         // Of one type for all models of so many coordinates.
         let system: &mut dyn FnMut(f64) -> Result<System<N>, String> = &mut system;
@@ -87,11 +101,30 @@ impl<const N: usize, M: Model<N, Scalar = f64>> Derivation for Compiled<N, M> {
             return Err(NOT_BUILT.to_owned());
         }
         let model = valid::<N, M>(parameters)?;
+        if let Some(Gain { input: Input::Applied(force), .. }) = gains.iter().find(|gain| is_applied(gain)) {
+            return Err(format!(
+                "there are no derivatives with feedback of `{0}`, which acts on no coordinate: how `{0}` moves them changes with \
+                 parameters; expected forces on the coordinates",
+                M::INFO.forces[*force].name
+            ));
+        }
         let without = SensitivityError::WithoutDerivatives { model: M::INFO.name };
         let (coefficients, derivatives) = model.derivatives().ok_or_else(|| without.to_string())?;
         let gravity = (Model::gravity(&model).unwrap_or(0.0), M::INFO.gravity);
         sensitive(coefficients, derivatives.as_ref(), gains, gravity)
     }
+}
+
+fn is_applied(gain: &Gain) -> bool {
+    matches!(gain.input, Input::Applied(_))
+}
+
+/// Gains on coordinates alone, at the parameters of a model.
+fn acting<'a, const N: usize, M: Model<N, Scalar = f64>>(model: &M, gains: &'a [Gain]) -> Cow<'a, [Gain]> {
+    if !cfg!(feature = "full") || !gains.iter().any(is_applied) {
+        return Cow::Borrowed(gains);
+    }
+    Cow::Owned(on_coordinates(gains, |force| model.shares(force).map_or(Vec::new(), |shares| shares.to_vec())))
 }
 
 /// The equations of motion of a closed loop at a speed and a gravity.

@@ -124,6 +124,12 @@ impl Shipped {
         self.derivation.with_machine(parameters, visitor)
     }
 
+    /// The generalized forces on the coordinates that a force of one makes, by its place among the
+    /// [forces](carvallo::ModelInfo::forces) of the model, for parameters in declared order; nothing if there is no such force.
+    pub fn shares(&self, parameters: &[f64], force: usize) -> Option<Vec<f64>> {
+        self.derivation.shares(parameters, force)
+    }
+
     /// Stability along a path through the parameters, over a range of what changes along it and at a speed in m/s.
     ///
     /// # Errors

@@ -4,7 +4,8 @@ use carvallo::{
     Change, Complex, CriticalDerivative, CriticalKind, CriticalSpeed, ModelInfo, NotDifferentiable, SensitivityError,
     Stability, standard_deviation, variance_shares,
 };
-use carvallo_design::{Design, Equations, Failure, matrices};
+use carvallo_design::units::Units;
+use carvallo_design::{Design, DisplayUnit, Equations, Failure, matrices};
 
 use crate::analysis::reach::reach;
 use crate::analysis::{extremes, leans_and_steers};
@@ -23,6 +24,8 @@ pub struct Changes {
     pub deviations: Option<Vec<f64>>,
     /// The standard deviations of the entries of the matrices, if parameters have any.
     pub matrix_deviations: Option<Box<dyn Equations>>,
+    /// What tables and pictures show speeds and parameters in.
+    pub units: Units,
 }
 
 /// The change of a parameter whose effect is told.
@@ -110,7 +113,7 @@ impl Changes {
         };
         let matrix_deviations = of_matrices.transpose().map_err(fail)?;
         let steps = steps(design.info(), &design.values());
-        Ok(Self { steps, critical_speeds, deviations, matrix_deviations, stability, design })
+        Ok(Self { steps, critical_speeds, deviations, matrix_deviations, stability, design, units: Units::default() })
     }
 
     /// The critical speeds that have derivatives and decide about stability, weave first, and these.
@@ -130,6 +133,16 @@ impl Changes {
         let ranked = self.ranked();
         let within: Vec<_> = ranked.iter().copied().filter(|(critical, _)| critical.speed <= reach).collect();
         if within.is_empty() { ranked } else { within }
+    }
+
+    /// What speeds are shown in.
+    pub fn of_speeds(&self) -> DisplayUnit {
+        self.units.of("m/s")
+    }
+
+    /// What a parameter is shown in.
+    pub fn of_parameter(&self, parameter: usize) -> DisplayUnit {
+        self.units.of(self.design.info().parameters[parameter].unit)
     }
 
     /// Whether the parameters are the entries of given matrices.

@@ -69,11 +69,11 @@ impl<'a> Families<'a> {
                 .and_then(|curves| curves.into_iter().map(family).collect::<Result<Vec<_>, TurnsError>>())
                 .map_err(|error| error.to_string());
         });
+        machine.map_err(|without| fail(design.explain(&without)))?;
         let families = found.map_err(fail)?;
         if families.is_empty() && speeds.is_empty() {
             return Err(fail("there is no capsize speed, at which steady turns begin".to_owned()));
         }
-        machine.map_err(|without| fail(design.explain(&without)))?;
         let [positions, rates] = told;
         Ok(Self { design, positions, rates, families })
     }

@@ -26,7 +26,7 @@ pub struct Bars {
     pub series: Vec<(String, Color)>,
     pub rows: Vec<Row>,
     /// What the horizontal axis shows.
-    pub across: &'static str,
+    pub across: String,
     /// What the chart cannot show.
     pub notes: Vec<String>,
 }

@@ -6,7 +6,7 @@ use super::axes::{self, INK, Scale};
 use super::curves::Curve;
 use super::graph::{Graph, Line, range, roomy};
 use super::motion::COLORS;
-use super::scene::{Anchor, Color, Scene, line};
+use super::scene::{Anchor, Color, Paint, Scene, dashed, line};
 use crate::analysis::transfer::{Transfer, Transfers};
 
 const WIDTH: f32 = 960.0;
@@ -26,7 +26,7 @@ pub fn draw_bode(transfers: &Transfers) -> Scene {
         let line = |(index, channel): (usize, &Transfer)| Line {
             name: is_named.then(|| channel.title()),
             color: color(index, transfers.channels.len()),
-            paint: line(2.2),
+            paint: paint(index),
             curve: value(channel),
         };
         channels.map(line).collect()
@@ -72,6 +72,15 @@ pub fn draw_bode(transfers: &Transfers) -> Scene {
 /// The colour of one of several transfer functions.
 pub fn color(index: usize, count: usize) -> Color {
     if count == 1 { COLORS[0] } else { COLORS[index % COLORS.len()] }
+}
+
+/// The line of one of several transfer functions: solid, and dashed in other ways where colours begin anew.
+pub fn paint(index: usize) -> Paint {
+    const DASHES: [[f32; 2]; 5] = [[9.0, 4.0], [3.0, 3.0], [16.0, 4.0], [6.0, 8.0], [2.0, 6.0]];
+    match index / COLORS.len() {
+        0 => line(2.2),
+        round => dashed(2.2, DASHES[(round - 1) % DASHES.len()]),
+    }
 }
 
 /// The margins of a transfer function, in words.

@@ -53,7 +53,7 @@ pub fn draw_contributions(first: &Compared, other: &Compared, difference: &Diffe
         title: format!("What makes the difference of {} from {}", other.label, first.label),
         series,
         rows: std::iter::once(sum).chain(long).collect(),
-        across: "contribution to the difference of the critical speed (m/s)",
+        across: "contribution to the difference of the critical speed (m/s)".to_owned(),
         notes,
     })
 }

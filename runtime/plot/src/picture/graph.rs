@@ -9,6 +9,9 @@ use super::scene::{Anchor, Color, Paint, Scene};
 
 /// The room of the names above a graph, and below it of the numbers and what they are, if they stand there.
 const NAMES: f32 = 26.0;
+/// From one line of names to the next, and between two names.
+const LINE_OF_NAMES: f32 = 20.0;
+const BETWEEN: f32 = 24.0;
 const NUMBERS: f32 = 70.0;
 const GAP: f32 = 16.0;
 const TEXT_SIZE: f32 = 14.0;
@@ -41,8 +44,7 @@ impl Graph {
     /// another graph goes on below, which has it.
     pub fn draw(&self, x_label: Option<&str>, [left, right]: [f32; 2], top: f32, scene: &mut Scene) -> f32 {
         let named = self.lines.iter().filter_map(|line| Some((line.paint, line.color, line.name.as_deref()?)));
-        write_names(named.chain(self.note), left, top, scene);
-        let top = top + NAMES;
+        let top = write_names(named.chain(self.note), [left, right], top, scene);
         let axes = Axes { x: self.x, y: self.y, area: [left, top, right, top + self.height], scales: self.scales };
         axes.draw_grid(scene);
         for line in &self.lines {
@@ -56,20 +58,30 @@ impl Graph {
     }
 }
 
-/// What lines are called, side by side; the height below it is [`NAMES`] further down.
+/// What lines are called, side by side, or where there are too many for one line of text, below each other in columns; the height below
+/// all of it, [`NAMES`] further down than one line.
 pub fn write_names<'a>(
     names: impl Iterator<Item = (Paint, Color, &'a str)>,
-    left: f32,
+    [left, right]: [f32; 2],
     top: f32,
     scene: &mut Scene,
 ) -> f32 {
-    let (mut x, base) = (left, top + 14.0);
-    for (paint, color, name) in names {
-        scene.polyline(&[(x, base - 5.0), (x + 28.0, base - 5.0)], paint, color);
+    let names: Vec<_> = names.collect();
+    let widths: Vec<f32> = names.iter().map(|(_, _, name)| 34.0 + font::width(name, TEXT_SIZE) + BETWEEN).collect();
+    let widest = widths.iter().fold(1.0, |widest: f32, width| widest.max(*width));
+    let fits = widths.iter().sum::<f32>() - BETWEEN <= right - left;
+    let columns = if fits { names.len() } else { ((right - left + BETWEEN) / widest).max(1.0) as usize };
+    let mut x = left;
+    for (index, (paint, color, name)) in names.iter().enumerate() {
+        if index % columns == 0 {
+            x = left;
+        }
+        let base = top + 14.0 + LINE_OF_NAMES * (index / columns) as f32;
+        scene.polyline(&[(x, base - 5.0), (x + 28.0, base - 5.0)], *paint, *color);
         scene.text((x + 34.0, base), Anchor::Start, TEXT_SIZE, INK, name);
-        x += 34.0 + font::width(name, TEXT_SIZE) + 24.0;
+        x += if fits { widths[index] } else { widest };
     }
-    top + NAMES
+    top + NAMES + LINE_OF_NAMES * (names.len().saturating_sub(1) / columns.max(1)) as f32
 }
 
 /// A range with some room at both ends; what hardly changes is shown as that.

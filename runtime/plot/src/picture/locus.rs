@@ -27,6 +27,8 @@ const DOT: f32 = 3.2;
 const ON_DOT: f32 = 200.0;
 /// A label is no farther from its dot, in pixels.
 const NEAR: f32 = 10.0;
+/// By so many pixels it is closer to its dot than to any other.
+const CLOSER: f32 = 1.5;
 /// Eigenvalues so many times farther to the left than the others are to the right or upward are beyond the picture.
 const FAR: f64 = 2.5;
 
@@ -40,8 +42,8 @@ pub fn draw_locus(analysis: &Analysis, (low, high): (f64, f64)) -> Result<Scene,
     let values = rows.values();
     let round: Vec<f64> = reach::speeds(high, true).into_iter().filter(|speed| (low..=high).contains(speed)).collect();
     let marked = analysis.rows(&round)?;
-    let axes = axes_of(&values);
-    let [left, top, right, bottom] = axes.area;
+    let (x, y) = extents(&values);
+    let left = axes::margin(y);
     let name = if matches!(rows, Rows::Modes(_)) { "forward speed" } else { "speed" };
     let unit = &analysis.unit;
     let shown = |speed: f64| shortest(unit.value(speed));
@@ -52,12 +54,15 @@ pub fn draw_locus(analysis: &Analysis, (low, high): (f64, f64)) -> Result<Scene,
         shown(high),
         unit.unit()
     );
-    let mut scene = Scene::new(title.clone(), WIDTH, bottom + BELOW);
+    let mut scene = Scene::new(title.clone(), WIDTH, 0.0);
     scene.text(((left + RIGHT) / 2.0, 28.0), Anchor::Middle, 18.0, INK, &title);
     let modes = modes(&values);
     let names: Vec<String> = modes.iter().map(ToString::to_string).collect();
     let named = modes.iter().zip(&names).map(|(mode, name)| (line(2.2), color(*mode), name.as_str()));
-    write_names(named, left, TOP, &mut scene);
+    let top = write_names(named, [left, RIGHT], TOP, &mut scene);
+    let axes = Axes::even(x, y, [left, top, RIGHT, top + HEIGHT]);
+    let [_, _, right, bottom] = axes.area;
+    scene.height = bottom + BELOW;
     let zero = axes.place(0.0, 0.0).0.clamp(left, right);
     scene.rectangle([left, top, zero, bottom], Paint::Fill, STABLE);
     axes.draw_grid(&mut scene);
@@ -89,8 +94,8 @@ pub fn draw_locus(analysis: &Analysis, (low, high): (f64, f64)) -> Result<Scene,
     Ok(scene)
 }
 
-/// Axes that show all, but for what is far to the left.
-fn axes_of(rows: &[(f64, &[ModeValue])]) -> Axes {
+/// From where to where the axes go to show all, but for what is far to the left.
+fn extents(rows: &[(f64, &[ModeValue])]) -> ((f64, f64), (f64, f64)) {
     let all = || rows.iter().flat_map(|(_, values)| values.iter().map(|value| value.value));
     let (least, most) = range(all().map(|value| value.re).chain([0.0]));
     let (_, highest) = range(all().map(|value| value.im).chain([0.0]));
@@ -98,8 +103,7 @@ fn axes_of(rows: &[(f64, &[ModeValue])]) -> Axes {
     let least = least.max(-FAR * reach);
     let room = 0.05 * (most - least);
     let y = if highest > 0.0 { (-0.03 * highest, 1.06 * highest) } else { (-0.1, 1.0) };
-    let area = [axes::margin(y), TOP + 26.0, RIGHT, TOP + 26.0 + HEIGHT];
-    Axes::even((least - room, most + room), y, area)
+    ((least - room, most + room), y)
 }
 
 fn is_inside(value: &ModeValue, axes: &Axes) -> bool {
@@ -158,18 +162,23 @@ fn draw_dots(
         }
     }
     let mut taken: Vec<((f32, f32), String)> = Vec::new();
-    for ((x, y), text) in dots {
+    for ((x, y), text) in &dots {
+        let (x, y) = (*x, *y);
         // Several curves that begin or end at one point, and dots that touch.
-        if taken.iter().any(|((other, above), own)| *own == text && (x - other).hypot(y - above) < NEAR) {
+        if taken.iter().any(|((other, above), own)| own == text && (x - other).hypot(y - above) < NEAR) {
             continue;
         }
-        let Some((left, base)) = labels.beside(&[(x, y); 2], &text, TEXT_SIZE) else { continue };
-        let (right, top) = (left + font::width(&text, TEXT_SIZE), base - TEXT_SIZE);
-        let [off_x, off_y] = [(left - x).max(x - right), (top - y).max(y - base)].map(|off| off.max(0.0));
-        // One that is farther away could be that of another dot.
-        if off_x.hypot(off_y) < NEAR {
-            scene.text((left, base), Anchor::Start, TEXT_SIZE, INK, &text);
-            taken.push(((x, y), text));
+        let Some((left, base)) = labels.beside(&[(x, y); 2], text, TEXT_SIZE) else { continue };
+        let (right, top) = (left + font::width(text, TEXT_SIZE), base - TEXT_SIZE);
+        let off = |(x, y): (f32, f32)| {
+            let [off_x, off_y] = [(left - x).max(x - right), (top - y).max(y - base)].map(|off| off.max(0.0));
+            off_x.hypot(off_y)
+        };
+        // One that is farther away, or as close to another dot, could be that of another.
+        let is_of_other = |(other, own): &((f32, f32), String)| own != text && off(*other) < off((x, y)) + CLOSER;
+        if off((x, y)) < NEAR && !dots.iter().any(is_of_other) {
+            scene.text((left, base), Anchor::Start, TEXT_SIZE, INK, text);
+            taken.push(((x, y), text.clone()));
         }
     }
 }

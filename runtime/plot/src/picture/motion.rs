@@ -1,7 +1,9 @@
 //! A motion against time: positions by their units, the speed, and below them the paths of wheels.
 
+use carvallo_design::number::shortest;
+
 use super::axes::{self, EVEN, INK};
-use super::curves::Curve;
+use super::curves::{Curve, quantile};
 use super::graph::{Graph, Line, range, roomy};
 use super::path;
 use super::scene::{Anchor, Color, Paint, Scene, dashed, line};
@@ -24,11 +26,17 @@ pub const COLORS: [Color; 6] = [
     Color(0x55, 0x5d, 0x66),
 ];
 
+/// Forces that are somewhere so many times as large as most of the time are shown so many times as large at most.
+const FAR: f64 = 300.0;
+const BEYOND: f64 = 10.0;
+
 /// What one graph shows: its title, and the curves with their names, each with that of the linear motion.
 struct Shown {
     title: &'static str,
     height: f32,
     curves: Vec<(String, Curve, Curve)>,
+    /// Whether they are forces, and not what these do.
+    has_forces: bool,
 }
 
 /// A motion, and the linear one of the same state where it is not that itself.
@@ -72,7 +80,7 @@ fn graphs(motion: &Motion, linear: Option<&Motion>) -> Vec<Shown> {
             true => quantity.name.to_owned(),
             false => format!("{} {}", quantity.label, quantity.name),
         };
-        add(&mut graphs, title, HEIGHT, (name, curve(motion), linear.map(curve).unwrap_or_default()));
+        add(&mut graphs, (title, false), HEIGHT, (name, curve(motion), linear.map(curve).unwrap_or_default()));
     }
     for (place, (name, unit)) in motion.feedback().into_iter().enumerate() {
         let title = match unit {
@@ -81,28 +89,38 @@ fn graphs(motion: &Motion, linear: Option<&Motion>) -> Vec<Shown> {
             _ => "forces",
         };
         let curve = |motion: &Motion| -> Curve { motion.rows.iter().map(|row| (row.t, row.feedback[place])).collect() };
-        add(&mut graphs, title, FLAT, (name, curve(motion), linear.map(curve).unwrap_or_default()));
+        add(&mut graphs, (title, true), FLAT, (name, curve(motion), linear.map(curve).unwrap_or_default()));
     }
     if is_bicycle {
         let speed = |motion: &Motion| -> Curve {
             motion.rows.iter().filter_map(|row| Some((row.t, motion.speed(row)?))).collect()
         };
         let curves = ("forward speed".to_owned(), speed(motion), linear.map(speed).unwrap_or_default());
-        graphs.push(Shown { title: "v (m/s)", height: FLAT, curves: vec![curves] });
+        graphs.push(Shown { title: "v (m/s)", height: FLAT, curves: vec![curves], has_forces: false });
     }
     graphs
 }
 
 /// Adds curves to the graph of their title.
-fn add(graphs: &mut Vec<Shown>, title: &'static str, height: f32, curves: (String, Curve, Curve)) {
+fn add(
+    graphs: &mut Vec<Shown>,
+    (title, has_forces): (&'static str, bool),
+    height: f32,
+    curves: (String, Curve, Curve),
+) {
     match graphs.iter_mut().find(|shown| shown.title == title) {
         Some(shown) => shown.curves.push(curves),
-        None => graphs.push(Shown { title, height, curves: vec![curves] }),
+        None => graphs.push(Shown { title, height, curves: vec![curves], has_forces }),
     }
 }
 
-fn graph(Shown { title, height, curves }: Shown, end: f64) -> Graph {
-    let y = extent(&curves);
+fn graph(Shown { title, height, mut curves, has_forces }: Shown, end: f64) -> Graph {
+    let y = if has_forces { extent_of_forces(&curves) } else { extent(&curves) };
+    for (name, curve, _) in &mut curves {
+        if let Some((_, last)) = curve.last().filter(|(_, last)| *last < y.0 || *last > y.1) {
+            *name += &format!(", which goes on to {}", shown(*last));
+        }
+    }
     let color = |index: usize| if curves.len() == 1 { INK } else { COLORS[index % COLORS.len()] };
     let lines = curves.iter().enumerate();
     let beside = lines.clone().map(|(index, (_, _, linear))| Line {
@@ -128,6 +146,12 @@ fn graph(Shown { title, height, curves }: Shown, end: f64) -> Graph {
     }
 }
 
+/// Three digits of a large number.
+fn shown(value: f64) -> String {
+    let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
+    shortest(rounded).replace('-', "−")
+}
+
 /// What the vertical axis shows: all of the motion itself, and of a linear one beside it no more than it takes to see how that
 /// leaves.
 fn extent(curves: &[(String, Curve, Curve)]) -> (f64, f64) {
@@ -135,4 +159,16 @@ fn extent(curves: &[(String, Curve, Curve)]) -> (f64, f64) {
     let (linear_low, linear_high) = range(curves.iter().flat_map(|(_, _, curve)| curve).map(|point| point.1));
     let room = (high - low).max(1e-6);
     roomy((low.min(linear_low.max(low - 0.5 * room)), high.max(linear_high.min(high + 0.5 * room))))
+}
+
+/// The same of forces, which a law may let grow beyond all bounds where the motion ends, so that nothing would be seen of what was before.
+fn extent_of_forces(curves: &[(String, Curve, Curve)]) -> (f64, f64) {
+    let all = extent(curves);
+    let sizes = curves.iter().flat_map(|(_, curve, _)| curve).map(|point| point.1.abs()).collect();
+    match quantile(sizes, 7) {
+        Some(usual) if usual > 0.0 && all.1.max(-all.0) > FAR * usual => {
+            (all.0.max(-BEYOND * usual), all.1.min(BEYOND * usual))
+        }
+        _ => all,
+    }
 }

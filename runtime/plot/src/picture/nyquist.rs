@@ -3,7 +3,7 @@
 use carvallo::Complex;
 
 use super::axes::{self, Axes, INK};
-use super::bode::{color, notes};
+use super::bode::{color, notes, paint};
 use super::curves::quantile;
 use super::graph::{range, write_names};
 use super::marks::arc;
@@ -30,13 +30,15 @@ const MIRRORED: Paint = dashed(1.6, [7.0, 5.0]);
 pub fn draw_nyquist(transfers: &Transfers) -> Scene {
     let title = super::transfer_title("Nyquist plot", transfers);
     let mut scene = Scene::new(title.clone(), WIDTH, 0.0);
-    let area = [axes::margin((-9.99, 9.99)), TOP + 26.0, RIGHT, TOP + 26.0 + HEIGHT];
-    let axes = scaled(transfers, area);
-    scene.text(((area[0] + RIGHT) / 2.0, 28.0), Anchor::Middle, 18.0, INK, &title);
+    let left = axes::margin((-9.99, 9.99));
+    scene.text(((left + RIGHT) / 2.0, 28.0), Anchor::Middle, 18.0, INK, &title);
     let names: Vec<String> = transfers.channels.iter().map(Transfer::title).collect();
     let count = transfers.channels.len();
-    let named = names.iter().enumerate().map(|(index, name)| (line(2.2), color(index, count), name.as_str()));
-    write_names(named.chain([(MIRRORED, GREY, "at negative frequencies")]), area[0], TOP, &mut scene);
+    let named = names.iter().enumerate().map(|(index, name)| (paint(index), color(index, count), name.as_str()));
+    let named = named.chain([(MIRRORED, GREY, "at negative frequencies")]);
+    let top = write_names(named, [left, RIGHT], TOP, &mut scene);
+    let area = [left, top, RIGHT, top + HEIGHT];
+    let axes = scaled(transfers, area);
     axes.draw_grid(&mut scene);
     let circle: Vec<Complex<f64>> = arc((0.0, 0.0), 1.0, 0.0, std::f32::consts::TAU)
         .into_iter()
@@ -47,7 +49,7 @@ pub fn draw_nyquist(transfers: &Transfers) -> Scene {
         let values = values(channel);
         let mirrored: Vec<Complex<f64>> = values.iter().map(Complex::conj).collect();
         draw(&mirrored, &axes, MIRRORED, color(index, count).lighter(0.35), &mut scene);
-        draw(&values, &axes, line(2.2), color(index, count), &mut scene);
+        draw(&values, &axes, paint(index), color(index, count), &mut scene);
         draw_head(&values, &axes, color(index, count), &mut scene);
     }
     if is_inside(&Complex::new(-1.0, 0.0), &axes) {

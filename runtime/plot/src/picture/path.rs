@@ -32,7 +32,7 @@ pub fn draw(&Drawn { motion, linear, left, right, top }: &Drawn, scene: &mut Sce
     }
     let names: Vec<String> = paths.iter().map(|(name, _)| format!("path of the {name}")).collect();
     let named = names.iter().zip(WHEELS).map(|(name, color)| (line(2.2), color, name.as_str()));
-    let top = write_names(named, left, top, scene);
+    let top = write_names(named, [left, right], top, scene);
     let points: Vec<(f64, f64)> = paths.iter().flat_map(|(_, path)| path.iter().copied()).collect();
     let axes = scaled(&points, left, right, top);
     axes.draw_grid(scene);

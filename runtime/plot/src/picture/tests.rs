@@ -65,3 +65,35 @@ fn modes_along_a_parameter_are_named() {
     let of_trail = draw("c=-0.05:0.2", 3.0);
     assert_eq!(["capsize −0.0025", "weave 0.0025"].map(|text| count(&of_trail, text)), [1, 1]);
 }
+
+/// Of one, four and 36 transfer functions: no name leaves the page, no two are at one place, and no two lines look the same.
+#[cfg(feature = "control")]
+#[test]
+fn names_of_many_transfer_functions_stay_on_the_page() {
+    use carvallo_control::{Ports, StateSpace};
+
+    use super::draw_bode;
+    use crate::analysis::transfer::Transfers;
+
+    for (model, inputs) in [("Whipple", 1), ("Whipple", 2), ("Motorcycle", 6)] {
+        let design = design(model, None);
+        let ports = Ports::of(&design);
+        let space = StateSpace::new(&design, 20.0, &ports.all_inputs()[..inputs], &ports.coordinates()).unwrap();
+        let transfers = Transfers::new(&design, &space, None).unwrap();
+        let scene = draw_bode(&transfers);
+        let titles: Vec<String> = transfers.channels.iter().map(|channel| channel.title()).collect();
+        let named = |item: &&super::scene::Item| item.text.as_ref().is_some_and(|text| titles.contains(text));
+        let boxes: Vec<_> = scene.items.iter().filter(named).map(|item| item.path.bounds()).collect();
+        assert_eq!(boxes.len(), titles.len());
+        for (place, own) in boxes.iter().enumerate() {
+            assert!(
+                own.left() >= 0.0 && own.right() <= scene.width && own.bottom() <= scene.height,
+                "{model}: {own:?}"
+            );
+            assert!(boxes[..place].iter().all(|other| own.intersect(other).is_none()), "{model}: {own:?}");
+        }
+        let looks: Vec<_> =
+            (0..titles.len()).map(|place| (super::bode::color(place, 36), super::bode::paint(place))).collect();
+        assert!((0..looks.len()).all(|place| !looks[..place].contains(&looks[place])), "{model}");
+    }
+}

@@ -1,7 +1,7 @@
 //! The effects of parameters on the weave and capsize speeds as bars from zero to both sides, the largest first.
 
 use carvallo::{CriticalKind, CriticalSpeed, Mode, ModelInfo};
-use carvallo_design::number::{fixed, shortest, unit};
+use carvallo_design::number::{fixed, shortest};
 
 use super::axes::INK;
 use super::bars::{self, Bars, Row};
@@ -24,7 +24,10 @@ pub fn draw_tornado(changes: &Changes) -> Option<Scene> {
         series: shown.iter().map(|critical| title(critical, changes)).zip(colors).collect(),
         notes: notes(changes, &rows),
         rows,
-        across: "change of the critical speed (m/s) as the parameter changes by what stands beside it",
+        across: format!(
+            "change of the critical speed ({}) as the parameter changes by what stands beside it",
+            changes.of_speeds().unit()
+        ),
     })
 }
 
@@ -50,20 +53,20 @@ fn notes(changes: &Changes, rows: &[Row]) -> Vec<String> {
 /// `weave speed, 4.2924 m/s`.
 fn title(critical: &CriticalSpeed, changes: &Changes) -> String {
     let name = name(critical, changes.design.info()).replace('_', "-");
-    format!("{name} speed, {} m/s", fixed(critical.speed, 4))
+    let unit = changes.of_speeds();
+    format!("{name} speed, {} {}", fixed(unit.value(critical.speed), 4), unit.unit())
 }
 
 fn rows(changes: &Changes) -> Vec<Row> {
-    let (info, shown) = (changes.design.info(), changes.within_reach());
+    let (info, shown, speed) = (changes.design.info(), changes.within_reach(), changes.of_speeds());
     let row = |parameter: usize| {
         let values: Option<Vec<f64>> =
-            shown.iter().map(|(_, derivatives)| changes.effect(derivatives, parameter)).collect();
+            shown.iter().map(|(_, derivatives)| Some(speed.value(changes.effect(derivatives, parameter)?))).collect();
         let (info, step) = (&info.parameters[parameter], changes.steps[parameter].size()?);
-        // Angles are shown in degrees, as on maps.
-        let (step, unit) = match info.unit {
-            "rad" => (step.to_degrees(), "°".to_owned()),
-            declared => (step, format!(" {}", unit(declared))),
-        };
+        // Angles are shown in degrees, as on maps, unless another unit is asked for.
+        let in_unit = changes.units.or(info.unit, (info.unit == "rad").then_some("deg"));
+        let step = in_unit.value(step);
+        let unit = if in_unit.written == "deg" { "°".to_owned() } else { format!(" {}", in_unit.unit()) };
         // Three digits are enough beside a bar.
         let rounded: f64 = format!("{step:.2e}").parse().unwrap_or(step);
         let sign = if step < 0.0 { "" } else { "+" };

@@ -26,8 +26,8 @@ pub fn fingerprint(design: &Design, source: &Source, headings: &[Heading], forma
         let _ = writeln!(text, "{name} {bits:x?}");
     };
     line("base", &design.values());
-    for Gain { matrix, row, column, value } in design.feedback.iter().flat_map(|law| &law.gains) {
-        line(&format!("gain {matrix} {row} {column}"), &[*value]);
+    for Gain { matrix, input, column, value } in design.feedback.iter().flat_map(|law| &law.gains) {
+        line(&format!("gain {matrix} {input:?} {column}"), &[*value]);
     }
     match source {
         Source::Generated(generator) => {

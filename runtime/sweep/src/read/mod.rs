@@ -47,6 +47,9 @@ impl File {
     /// If the file cannot be read, and everything that is wrong with its columns.
     pub fn open(path: &Path, format: Format, info: &'static ModelInfo) -> Result<Self, Failure> {
         let label = path.display().to_string();
+        if !path.exists() {
+            return Err(Failure::usage(format!("there is no file {label}")));
+        }
         // Files are read more than once, and reading others may never end.
         if std::fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
             return Err(Failure::at(Place::Option(format!("--designs {label}")), "expected a regular file"));

@@ -19,7 +19,7 @@ impl Motion for Swing {
         positions: &[position("angle", "rad", PositionKind::Free)],
         speeds: &[0],
         dependent: &[],
-        forces: &[AppliedInfo { name: "T", label: "torque", unit: "N*m" }],
+        forces: &[AppliedInfo { name: "T", label: "torque", unit: "N*m", position: "theta" }],
         wheels: &[],
     };
 }
@@ -70,7 +70,7 @@ impl Motion for Bob {
         positions: &[position("x", "m", PositionKind::Free), position("z", "m", PositionKind::Dependent)],
         speeds: &[0],
         dependent: &[1],
-        forces: &[AppliedInfo { name: "F", label: "force", unit: "N" }],
+        forces: &[AppliedInfo { name: "F", label: "force", unit: "N", position: "x" }],
         wheels: &[WheelInfo { name: "rod", label: "rod" }, WheelInfo { name: "rod", label: "rod" }],
     };
 }

@@ -9,7 +9,7 @@ use super::template::{fill, wrap};
 use super::{Context, Precision, counts};
 use crate::formula::Formula;
 use crate::free_name::take_free_name;
-use crate::kinematics::Kinematics;
+use crate::kinematics::{Applied, Kinematics};
 use crate::program::Program;
 
 /// The structs and the functions; nothing for a model that has no motions and forces beside its coordinates.
@@ -25,7 +25,10 @@ pub fn declare(context: &Context, precision: Precision) -> String {
     let forces = match kinematics.applied.len() {
         0 => String::new(),
         count => {
-            let what = kinematics.applied.iter().map(|[name, label, unit]| format!("`{name}` ({label}) in {unit}"));
+            let what = kinematics
+                .applied
+                .iter()
+                .map(|Applied { name, label, unit, .. }| format!("`{name}` ({label}) in {unit}"));
             let what: Vec<String> = what.collect();
             let docs = format!(
                 "The forces f on the coordinates that applied forces make: a row for each coordinate, a column for each of\n\

@@ -7,6 +7,7 @@ use super::comment::{block, quoted};
 use super::names::identifier;
 use super::template::{define_texts, fill, wrap};
 use super::{Context, Precision, counts};
+use crate::kinematics::Applied;
 use crate::motion::{MotionModel, PositionKind};
 use crate::nonlinear::MotionPrograms;
 use crate::program::{Instruction, Program};
@@ -37,7 +38,8 @@ impl Places {
             let position = &motion.positions[place];
             (position.name.clone(), format!("The rate of `{}`, in {}/s", position.name, position.unit))
         });
-        let forces = applied(context).map(|[name, label, unit]| (name.clone(), format!("{label}, in {unit}")));
+        let forces =
+            applied(context).map(|Applied { name, label, unit, .. }| (name.clone(), format!("{label}, in {unit}")));
         let wheels = motion.wheels.iter().map(|[name, label]| (name.clone(), label.clone()));
         let places = |what, docs, all: Vec<(String, String)>| Self { what, docs, all };
         let all = [
@@ -154,7 +156,7 @@ pub fn find<'a>(context: &'a Context) -> Option<(&'a MotionModel, &'a MotionProg
     context.model.motion.as_ref().zip(context.programs.motion.as_ref())
 }
 
-pub fn applied<'a>(context: &'a Context) -> impl Iterator<Item = &'a [String; 3]> {
+pub fn applied<'a>(context: &'a Context) -> impl Iterator<Item = &'a Applied> {
     context.model.kinematics.iter().flat_map(|kinematics| &kinematics.applied)
 }
 

@@ -25,16 +25,18 @@ pub fn write_deviations(changes: &Changes, text: &mut String) {
         text,
         "\n{HEADING}Standard deviations{HEADING:#}  to first order, from those of {given} of {all} parameters, {together}"
     );
-    let ranked = changes.ranked();
+    let (ranked, unit) = (changes.ranked(), changes.of_speeds());
     let speeds: Vec<String> = ranked
         .iter()
-        .map(|(critical, derivatives)| with_deviation(critical.speed, derivatives.deviation.unwrap_or(0.0)))
+        .map(|(critical, derivatives)| {
+            with_deviation(unit.value(critical.speed), unit.value(derivatives.deviation.unwrap_or(0.0)))
+        })
         .collect();
     let column = width(&speeds, 20);
     for ((critical, derivatives), speed) in ranked.iter().zip(&speeds) {
         let kind = name(critical, changes.design.info()).replace('_', " ");
         let parts = contributions(changes, derivatives);
-        let _ = writeln!(text, "  {kind:<10}{speed:<column$}m/s   {FAINT}{parts}{FAINT:#}");
+        let _ = writeln!(text, "  {kind:<10}{speed:<column$}{:<6}{FAINT}{parts}{FAINT:#}", unit.unit());
     }
     write_matrices(changes, text);
 }

@@ -4,4 +4,4 @@ mod deviations;
 mod table;
 
 pub use self::deviations::{contributions, matrices_with_deviations, with_deviation};
-pub use self::table::{RANKING, RANKING_MORE, notes, ranking, render_table};
+pub use self::table::{RANKING, notes, ranking, ranking_more, render_table};

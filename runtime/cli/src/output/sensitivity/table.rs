@@ -3,8 +3,7 @@
 use std::fmt::Write as _;
 
 use carvallo::CriticalKind;
-use carvallo_design::DisplayUnit;
-use carvallo_design::number::{fixed, shortest, unit};
+use carvallo_design::number::{fixed, shortest};
 use carvallo_plot::analysis::sensitivity::{Changes, Step, decides};
 use carvallo_plot::analysis::{kind, name};
 
@@ -16,7 +15,11 @@ use crate::output::{FAINT, HEADING};
 
 /// What the ranking is of.
 pub const RANKING: &str = "What 1 % of a parameter changes";
-pub const RANKING_MORE: &str = "and the derivative (m/s per unit); the largest effect first";
+
+/// What else it has, in the unit that speeds are shown in.
+pub fn ranking_more(changes: &Changes) -> String {
+    format!("and the derivative ({} per unit); the largest effect first", changes.of_speeds().unit())
+}
 
 /// Writing to a string cannot fail, so that the results of `write!` are dropped throughout.
 pub fn render_table(changes: &Changes) -> String {
@@ -37,10 +40,11 @@ fn write_critical_speeds(changes: &Changes, text: &mut String) {
     let info = changes.design.info();
     let [weave, capsize] = [CriticalKind::Weave, CriticalKind::Capsize].map(|of| kind(of, info));
     let first = weave[..1].to_uppercase() + &weave[1..];
-    let _ = writeln!(text, "\n{HEADING}{first} and {capsize} speeds{HEADING:#} (m/s)");
+    let speed = changes.of_speeds();
+    let _ = writeln!(text, "\n{HEADING}{first} and {capsize} speeds{HEADING:#} ({})", speed.unit());
     let none = |kind: CriticalKind| !changes.critical_speeds.iter().any(|critical| critical.speed.kind == kind);
     let all = changes.critical_speeds.iter().filter(|critical| decides(&critical.speed));
-    let values: Vec<String> = all.clone().map(|critical| shortest(critical.speed.speed)).collect();
+    let values: Vec<String> = all.clone().map(|critical| shortest(speed.value(critical.speed.speed))).collect();
     let column = width(&values, 20);
     for (critical, value) in all.zip(&values) {
         let reason = critical.derivatives.as_ref().err();
@@ -56,8 +60,8 @@ fn write_critical_speeds(changes: &Changes, text: &mut String) {
             let _ = writeln!(text, "  {meaning:<13}{:<column$}{FAINT}{reason}{FAINT:#}", "-");
         }
     }
-    write_undecided(&changes.stability, &DisplayUnit::declared("m/s"), text);
-    write_ranges(&changes.stability, &DisplayUnit::declared("m/s"), text);
+    write_undecided(&changes.stability, &speed, text);
+    write_ranges(&changes.stability, &speed, text);
 }
 
 /// The columns of the ranking, each with its heading and a line for every parameter that has an effect: names, values, what 1 %
@@ -75,25 +79,27 @@ pub fn ranking(changes: &Changes) -> Vec<(String, Vec<String>)> {
     let lines =
         |cell: &dyn Fn(usize) -> String| order.iter().map(|&parameter| cell(parameter)).collect::<Vec<String>>();
     let values = changes.design.values();
+    let speed = changes.of_speeds();
+    let shown = |i: usize, value: f64| changes.of_parameter(i).value(value);
     let mut columns = vec![
         (String::new(), lines(&|i| info.parameters[i].name.to_owned())),
-        ("value".to_owned(), lines(&|i| shortest(values[i]))),
+        ("value".to_owned(), lines(&|i| shortest(changes.of_parameter(i).short_value(values[i])))),
         (
             "1 % is".to_owned(),
             lines(&|i| match changes.steps[i] {
-                Step::OfValue(step) => signed(step, 6),
-                Step::OfScale(step) => format!("*{}", signed(step, 6)),
+                Step::OfValue(step) => signed(shown(i, step), 6),
+                Step::OfScale(step) => format!("*{}", signed(shown(i, step), 6)),
                 Step::Unknown => "-".to_owned(),
             }),
         ),
-        ("unit".to_owned(), lines(&|i| unit(info.parameters[i].unit))),
+        ("unit".to_owned(), lines(&|i| changes.of_parameter(i).unit())),
     ];
     for (critical, derivatives) in &ranked {
         let kind = name(critical, changes.design.info()).replace('_', " ");
-        let name = format!("{kind} {}", fixed(critical.speed, 4));
-        let effect = |i| changes.effect(derivatives, i).map_or("-".to_owned(), |effect| signed(effect, 6));
+        let name = format!("{kind} {}", fixed(speed.value(critical.speed), 4));
+        let effect = |i| changes.effect(derivatives, i).map_or("-".to_owned(), |effect| signed(speed.value(effect), 6));
         columns.push((name, lines(&effect)));
-        columns.push(("per unit".to_owned(), lines(&|i| signed(derivatives.speed[i], 6))));
+        columns.push(("per unit".to_owned(), lines(&|i| signed(speed.value(derivatives.speed[i]) / shown(i, 1.0), 6))));
     }
     columns
 }
@@ -122,7 +128,8 @@ pub fn notes(changes: &Changes) -> Vec<String> {
 }
 
 fn write_ranking(changes: &Changes, text: &mut String) {
-    let _ = writeln!(text, "\n{HEADING}{RANKING}{HEADING:#} (m/s), {RANKING_MORE}");
+    let _ =
+        writeln!(text, "\n{HEADING}{RANKING}{HEADING:#} ({}), {}", changes.of_speeds().unit(), ranking_more(changes));
     let columns = ranking(changes);
     let widths: Vec<usize> = columns.iter().map(|(header, lines)| width(lines.iter().chain([header]), 8)).collect();
     let row = |cell: &dyn Fn(usize) -> String| {

@@ -77,6 +77,9 @@ fn is_file(text: &str) -> bool {
 /// The force in a file, from its beginning to the end of the motion.
 fn read(path: &str, unit: &str, duration: f64) -> Result<Force, Vec<Problem>> {
     let of_file = |message: String| vec![Problem { place: Place::File(path.to_owned()), message }];
+    if !Path::new(path).exists() {
+        return Err(vec![Problem { place: Place::Nowhere, message: format!("there is no file {path}") }]);
+    }
     let text = std::fs::read_to_string(path).map_err(|error| of_file(format!("cannot be read: {error}")))?;
     let mut points: Vec<(f64, f64)> = Vec::new();
     let mut units = [None, None];

@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 
 use carvallo::simulation::{LinearMotion, SimulationError, Snapshot};
 use carvallo::{Rate, States};
+use carvallo_design::feedback::Input;
 use carvallo_design::number::shortest;
 use carvallo_design::{Design, Failure};
 
@@ -30,6 +31,8 @@ pub const OF_SPEED: &str = "it follows from --speed";
 pub struct Linear {
     givable: Vec<Givable>,
     channels: Vec<Channel>,
+    /// What the forces of the channels act on.
+    inputs: Vec<Input>,
 }
 
 impl Linear {
@@ -50,15 +53,10 @@ impl Linear {
             position: Ok(()),
             rate: Err(if matches!(quantity.name, "psi" | "y") { OF_YAW } else { OF_SPEED }),
         });
-        let channels = info.coordinates.iter().map(|coordinate| Channel {
-            names: vec![coordinate.name.to_owned(), format!("T{}", coordinate.name), coordinate.label.to_owned()],
-            unit: match coordinate.unit {
-                "rad" => "N*m",
-                "m" => "N",
-                _ => "1",
-            },
-        });
-        Self { givable: coordinates.chain(path).collect(), channels: channels.collect() }
+        let inputs = Input::all(info);
+        let channel = |input: &Input| Channel { names: input.names(info), unit: input.unit(info).unwrap_or("1") };
+        let channels = inputs.iter().map(channel).collect();
+        Self { givable: coordinates.chain(path).collect(), channels, inputs }
     }
 }
 
@@ -84,6 +82,11 @@ impl Solver for Linear {
         let fail = |message: String| Failure::Run(format!("{title}: {message}{}", extremes(design)));
         let motion = design.equations.motion(speed, design.gravity().unwrap_or(0.0));
         let mut motion = motion.map_err(|error| fail(error.to_string()))?;
+        for input in &self.inputs {
+            if let Input::Applied(force) = input {
+                motion = motion.with_force(&design.model.shares(&design.values(), *force).unwrap_or_default());
+            }
+        }
         if let Some(kinematics) = design.kinematics() {
             let forward = Rate { speed: 1.0, rates: [0.0; 2], coordinates: [0.0; 2], heading: 0.0 };
             let [yaw, others @ ..] =

@@ -75,8 +75,10 @@ impl<'a> Nonlinear<'a> {
         });
         let channels = info.forces.iter().map(|force| {
             let short = force.name.strip_prefix(['T', 'F']).filter(|short| !short.is_empty());
-            let names = [Some(force.name), short, Some(force.label)];
-            Channel { names: names.into_iter().flatten().map(str::to_owned).collect(), unit: force.unit }
+            let names = [Some(force.name), short, Some(force.label), Some(force.position)].into_iter().flatten();
+            // As the linear equations have it on a coordinate.
+            let on_coordinate = ["T", "F"].map(|letter| format!("{letter}{}", force.position));
+            Channel { names: names.map(str::to_owned).chain(on_coordinate).collect(), unit: force.unit }
         });
         Self { machine, givable: givable.collect(), channels: channels.collect(), drive }
     }
