@@ -13,7 +13,7 @@ const FIRST: f64 = 0.01;
 const LONGEST: f64 = 0.04;
 const SHORTEST: f64 = 1e-6;
 const MOST_STEPS: usize = 1000;
-/// In such shares: a curve that comes so far goes on to infinite speed.
+/// In such shares, or as many times the one at which it begins: a curve that comes so far goes on to infinite speed.
 const FASTEST: f64 = 5.0;
 
 /// Newton's method is at rounding after four of its steps, if it gets there.
@@ -122,6 +122,7 @@ impl Curve<'_> {
         let count = self.balance.free.len();
         let mut turns = Vec::new();
         let mut step = FIRST;
+        let fastest = FASTEST * point[count].max(1.0);
         let end = loop {
             if turns.len() >= MOST_STEPS {
                 break TurnsEnd::Lost(None);
@@ -164,7 +165,7 @@ impl Curve<'_> {
             if has_fallen {
                 break TurnsEnd::Fallen;
             }
-            if point[count] > FASTEST {
+            if point[count] > fastest {
                 break TurnsEnd::Fast;
             }
             if corrections <= 4 {

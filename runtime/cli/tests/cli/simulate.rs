@@ -442,10 +442,10 @@ fn force_files_are_read_in_many_forms() {
 #[test]
 fn pictures_do_without_linear_motions_that_there_are_not() {
     let directory = Directory::of_this_test();
-    let ride = ["--model", "WheeledPendulum", "--force", "TL=0.01", "--duration", "0.2", "--plot", "ride.svg"];
+    let ride = ["--model", "WheeledPendulum", "--initial", "thetaL=0.1", "--duration", "0.2", "--plot", "ride.svg"];
     let run = simulate(&directory, &ride);
     assert_eq!(run.code, Some(0), "{}", run.stderr);
-    assert!(run.stderr.contains("note: the picture has no linear motion, which knows no --force TL=0.01\n"));
+    assert!(run.stderr.contains("note: the picture has no linear motion, which knows no --initial thetaL=0.1\n"));
     let svg = std::fs::read_to_string(directory.0.join("ride.svg")).expect("a picture");
     assert!(!svg.contains("the same by the linear equations"));
 }

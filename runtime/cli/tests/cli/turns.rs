@@ -109,3 +109,19 @@ fn no_steer_is_straight_running() {
     // Behind the header one at each, and at 5 degrees one of another curve.
     assert_eq!(csv.stdout.lines().count(), 4);
 }
+
+/// With a torque that follows the lean the circles go on through pivoting about the rear wheel, where there is a yaw rate and no speed: one
+/// curve, with that of each steer once, and in few steps. At rest it ends where the front wheel stands as without the law, which is zero
+/// without a lean.
+#[test]
+fn a_curve_of_a_closed_loop_goes_through_a_pivot_once() {
+    let directory = Directory::of_this_test();
+    let json = directory.run(&["turns", "--feedback", "Tdelta=10*phi", "--format", "json"]).json();
+    let [family] = &json["families"].as_array().expect("families")[..] else { panic!("{json}") };
+    let turns = family["turns"].as_array().expect("turns");
+    let of = |turn: &serde_json::Value, member: &str, name: &str| turn[member][name].as_f64().expect("a number");
+    let speeds: Vec<f64> = turns.iter().map(|turn| -0.3 * of(turn, "rates", "thetaR")).collect();
+    assert!(speeds.windows(2).any(|pair| pair[0] * pair[1] < 0.0) && turns.len() < 500, "{}", turns.len());
+    let steer = of(&turns[turns.len() - 1], "positions", "delta");
+    assert!((steer - 1.339_739_91).abs() < 1e-8, "{steer}");
+}

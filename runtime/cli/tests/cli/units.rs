@@ -363,7 +363,7 @@ fn slips_of_units_are_told_once() {
 #[test]
 fn sensitivities_are_in_the_units_of_their_headings() {
     let directory = Directory::of_this_test();
-    let table = directory.run(&["sensitivity", "--units", "km/h,mm,deg", "--plot", "tornado.svg"]).ok();
+    let table = directory.run(&["sensitivity", "--units", "km/h,mm,deg", "--plot", "tornado.svg"]).stdout;
     let json = directory.run(&["sensitivity", "--format", "json"]).json();
     let weave = json["critical_speeds"].as_array().unwrap().iter().find(|event| event["kind"] == "weave").unwrap();
     assert!(table.contains("Weave and capsize speeds (km/h)\n"), "{table}");

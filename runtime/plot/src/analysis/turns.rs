@@ -4,7 +4,7 @@ use carvallo::motion::{MotionInfo, PositionKind};
 use carvallo::simulation::Machine;
 use carvallo::turns::{Turn, Turns, TurnsEnd, TurnsError};
 use carvallo::{CriticalKind, CriticalSpeed};
-use carvallo_design::{Design, Failure};
+use carvallo_design::{Design, Failure, WithoutMachine};
 
 use crate::analysis::simulation::Quantity;
 
@@ -69,11 +69,12 @@ impl<'a> Families<'a> {
                 .and_then(|curves| curves.into_iter().map(family).collect::<Result<Vec<_>, TurnsError>>())
                 .map_err(|error| error.to_string());
         });
-        machine.map_err(|without| fail(design.explain(&without)))?;
         let families = found.map_err(fail)?;
-        if families.is_empty() && speeds.is_empty() {
+        let is_closed = !matches!(machine, Err(WithoutMachine::Feedback(_)));
+        if families.is_empty() && speeds.is_empty() && is_closed {
             return Err(fail("there is no capsize speed, at which steady turns begin".to_owned()));
         }
+        machine.map_err(|without| fail(design.explain(&without)))?;
         let [positions, rates] = told;
         Ok(Self { design, positions, rates, families })
     }

@@ -27,8 +27,8 @@ const DOT: f32 = 3.2;
 const ON_DOT: f32 = 200.0;
 /// A label is no farther from its dot, in pixels.
 const NEAR: f32 = 10.0;
-/// By so many pixels it is closer to its dot than to any other.
-const CLOSER: f32 = 1.5;
+/// By so many pixels another dot is clearly closer to it.
+const CLEARLY: f32 = 2.0;
 /// Eigenvalues so many times farther to the left than the others are to the right or upward are beyond the picture.
 const FAR: f64 = 2.5;
 
@@ -174,8 +174,8 @@ fn draw_dots(
             let [off_x, off_y] = [(left - x).max(x - right), (top - y).max(y - base)].map(|off| off.max(0.0));
             off_x.hypot(off_y)
         };
-        // One that is farther away, or as close to another dot, could be that of another.
-        let is_of_other = |(other, own): &((f32, f32), String)| own != text && off(*other) < off((x, y)) + CLOSER;
+        // One that is farther away, or closer to another dot, would be taken for that of another.
+        let is_of_other = |(other, own): &((f32, f32), String)| own != text && off(*other) + CLEARLY < off((x, y));
         if off((x, y)) < NEAR && !dots.iter().any(is_of_other) {
             scene.text((left, base), Anchor::Start, TEXT_SIZE, INK, text);
             taken.push(((x, y), text.clone()));

@@ -52,7 +52,7 @@ impl File {
         }
         // Files are read more than once, and reading others may never end.
         if std::fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
-            return Err(Failure::at(Place::Option(format!("--designs {label}")), "expected a regular file"));
+            return Err(Failure::Run(format!("cannot read {label}: expected a regular file")));
         }
         let names = match format {
             Format::Csv => csv::names(path)?,
