@@ -55,7 +55,8 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         picture.check(&options.design)?;
     }
     let units = options.units.in_tables(options.format)?;
-    let changes = Changes { units, ..Changes::new(options.design.load()?)? };
+    let shown = Box::new(move |declared: &str| units.of(declared));
+    let changes = Changes { shown, ..Changes::new(options.design.load()?)? };
     if let Some(picture) = &options.plot {
         let nothing = || {
             let title = changes.design.title();

@@ -4,7 +4,6 @@ use carvallo::{
     Change, Complex, CriticalDerivative, CriticalKind, CriticalSpeed, ModelInfo, NotDifferentiable, SensitivityError,
     Stability, standard_deviation, variance_shares,
 };
-use carvallo_design::units::Units;
 use carvallo_design::{Design, DisplayUnit, Equations, Failure, matrices};
 
 use crate::analysis::reach::reach;
@@ -24,8 +23,8 @@ pub struct Changes {
     pub deviations: Option<Vec<f64>>,
     /// The standard deviations of the entries of the matrices, if parameters have any.
     pub matrix_deviations: Option<Box<dyn Equations>>,
-    /// What tables and pictures show speeds and parameters in.
-    pub units: Units,
+    /// What tables and pictures show speeds and parameters in, by the units that they are declared in.
+    pub shown: Box<dyn Fn(&str) -> DisplayUnit>,
 }
 
 /// The change of a parameter whose effect is told.
@@ -113,7 +112,15 @@ impl Changes {
         };
         let matrix_deviations = of_matrices.transpose().map_err(fail)?;
         let steps = steps(design.info(), &design.values());
-        Ok(Self { steps, critical_speeds, deviations, matrix_deviations, stability, design, units: Units::default() })
+        Ok(Self {
+            steps,
+            critical_speeds,
+            deviations,
+            matrix_deviations,
+            stability,
+            design,
+            shown: Box::new(DisplayUnit::declared),
+        })
     }
 
     /// The critical speeds that have derivatives and decide about stability, weave first, and these.
@@ -137,12 +144,12 @@ impl Changes {
 
     /// What speeds are shown in.
     pub fn of_speeds(&self) -> DisplayUnit {
-        self.units.of("m/s")
+        (self.shown)("m/s")
     }
 
     /// What a parameter is shown in.
     pub fn of_parameter(&self, parameter: usize) -> DisplayUnit {
-        self.units.of(self.design.info().parameters[parameter].unit)
+        (self.shown)(self.design.info().parameters[parameter].unit)
     }
 
     /// Whether the parameters are the entries of given matrices.

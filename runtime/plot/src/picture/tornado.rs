@@ -64,9 +64,12 @@ fn rows(changes: &Changes) -> Vec<Row> {
             shown.iter().map(|(_, derivatives)| Some(speed.value(changes.effect(derivatives, parameter)?))).collect();
         let (info, step) = (&info.parameters[parameter], changes.steps[parameter].size()?);
         // Angles are shown in degrees, as on maps, unless another unit is asked for.
-        let in_unit = changes.units.or(info.unit, (info.unit == "rad").then_some("deg"));
-        let step = in_unit.value(step);
-        let unit = if in_unit.written == "deg" { "°".to_owned() } else { format!(" {}", in_unit.unit()) };
+        let in_unit = changes.of_parameter(parameter);
+        let (step, unit) = match in_unit.written.as_str() {
+            "rad" => (step.to_degrees(), "°".to_owned()),
+            "deg" => (in_unit.value(step), "°".to_owned()),
+            _ => (in_unit.value(step), format!(" {}", in_unit.unit())),
+        };
         // Three digits are enough beside a bar.
         let rounded: f64 = format!("{step:.2e}").parse().unwrap_or(step);
         let sign = if step < 0.0 { "" } else { "+" };
