@@ -54,6 +54,7 @@ mod serialization;
 mod simulation;
 mod single_precision;
 mod some_derivatives;
+mod spread_eigenvalues;
 mod stability;
 mod state_space;
 mod states;

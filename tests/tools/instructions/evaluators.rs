@@ -4,8 +4,8 @@ use std::hint::black_box;
 use std::process::ExitCode;
 
 use carvallo::batch::{Batch, Blocks, Eigenvalues};
-use carvallo::{Model, Stability, System};
-use carvallo_models::{Whipple, WhippleMechanism};
+use carvallo::{Model, Sensitivity, Stability, System};
+use carvallo_models::{Whipple, WhippleLeaning, WhippleMechanism};
 use carvallo_tests::{designs, hand_written};
 
 /// An evaluator.
@@ -68,6 +68,33 @@ pub const EVALUATORS: &[Evaluator] = &[
     Evaluator { name: "eigenvalues, batch along the speed, SSE2", calls: 2010, run: |calls| along(calls, "SSE2") },
     Evaluator { name: "eigenvalues, batch along the speed, AVX2", calls: 2010, run: |calls| along(calls, "AVX2") },
     Evaluator {
+        name: "eigenvalues of three coordinates",
+        calls: 100,
+        run: |calls| one(calls, &leaning(), System::eigenvalues),
+    },
+    Evaluator { name: "eigenvalues of three coordinates, batch, SSE2", calls: 640, run: |calls| three(calls, "SSE2") },
+    Evaluator { name: "eigenvalues of three coordinates, batch, AVX2", calls: 640, run: |calls| three(calls, "AVX2") },
+    Evaluator {
+        name: "derivatives of all critical speeds",
+        calls: 20,
+        run: |calls| {
+            let stability = Stability::new(&bicycle().coefficients(), bicycle().g).expect("critical speeds");
+            one(calls, &bicycle(), |bicycle| {
+                let sensitivity = Sensitivity::of(bicycle).expect("derivatives");
+                let speeds = stability.critical_speeds.iter();
+                speeds.for_each(|critical| drop(black_box(sensitivity.critical_speed(critical))));
+            })
+        },
+    },
+    Evaluator {
+        name: "critical speeds of three coordinates",
+        calls: 10,
+        run: |calls| {
+            let leaning = WhippleLeaning::EXAMPLE;
+            one(calls, &leaning.coefficients(), |coefficients| Stability::new(coefficients, leaning.g))
+        },
+    },
+    Evaluator {
         name: "critical speeds and stable ranges",
         calls: 20,
         run: |calls| {
@@ -108,6 +135,22 @@ fn eigenvalues(calls: usize) -> Option<()> {
     let systems = speeds().map(|speed| coefficients.at(speed, bicycle().g).expect("a system"));
     for system in systems.iter().cycle().take(calls) {
         let _ = black_box(System::quartic_eigenvalues(black_box(system)));
+    }
+    Some(())
+}
+
+/// A bicycle whose rider leans, at a speed.
+fn leaning() -> System<3> {
+    let leaning = WhippleLeaning::EXAMPLE;
+    leaning.coefficients().at(5.0, leaning.g).expect("a system")
+}
+
+fn three(calls: usize, level: &str) -> Option<()> {
+    let (batch, systems) = (of_level(level)?, vec![leaning(); DESIGNS]);
+    let mut found = vec![Ok(Vec::new()); DESIGNS];
+    for _ in 0..calls / DESIGNS {
+        let done = batch.eigenvalues_of_any(black_box(&systems), black_box(&mut found));
+        done.expect("slices of equal length");
     }
     Some(())
 }
