@@ -36,7 +36,7 @@ fn a_fault_is_found() {
     }
     let report = carvallo_compare::compare!(RigidPendulum, wrong: f64).report().expect("designs");
     let [explanation] = &report.sides[1].explanations[..] else { panic!("{report}") };
-    let slip = "in `Jyy_theta = J + l^2*m` the term `J` has the other sign: `-J + l^2*m`";
+    let slip = "\"J + l^2*m\" in Jyy_theta is \"-J + l^2*m\"";
     assert_eq!(explanation.causes, ["`J` has the opposite sign", slip], "{report}");
     assert_eq!(report.broken(carvallo_compare::Limits::default()), ["`wrong` differs in M_11"]);
 }
