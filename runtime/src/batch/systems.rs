@@ -19,7 +19,8 @@ impl Batch {
     ///
     /// They are those of [`System::eigenvalues`], to the last bit, with all that it promises; a system that has none gets its
     /// error, and the others are not affected. Systems of three to eight coordinates with damping are computed side by side,
-    /// but for those whose eigenvalues nearly coincide, and others one after the other; for those of two coordinates there is
+    /// but for those whose eigenvalues nearly coincide or differ much in size, and others one after the other; for those of two
+    /// coordinates there is
     /// [`eigenvalues`](Self::eigenvalues).
     ///
     /// ```

@@ -33,7 +33,7 @@ pub struct Gain {
 }
 
 /// Closes the loop: forces stand on the other side of the equation than the matrices. Of gains of forces that act on no coordinate there
-/// must be [those on coordinates](on_coordinates) instead.
+/// must be those on coordinates instead.
 ///
 /// ```
 /// use carvallo::{Model, Stability};

@@ -63,8 +63,10 @@ pub(crate) fn spectrum(rows: &Square<f64>, reduced_columns: usize) -> Option<Spe
 fn of_rows<const C: usize>(rows: &Square<f64>, reduced_columns: usize) -> Option<Spectrum> {
     let mut copy = [[0.0; C]; C];
     copy.iter_mut().zip(rows.rows()).for_each(|(copy, row)| copy.copy_from_slice(row));
-    let (Roots { re, im, norm }, are_certain) = of_matrix_alone::<C>(C, reduced_columns, copy);
-    are_certain.then(|| Spectrum { values: re.iter().zip(im).map(|(&re, im)| Complex::new(re, im)).collect(), norm })
+    let (roots, are_certain) = of_matrix_alone::<C>(C, reduced_columns, copy);
+    let Roots { re, im, norm } = roots;
+    (are_certain && roots.are_of_one_size(C))
+        .then(|| Spectrum { values: re.iter().zip(im).map(|(&re, im)| Complex::new(re, im)).collect(), norm })
 }
 
 #[inline(never)]

@@ -8,7 +8,7 @@
 //! 5. [`correction`]: roots as good as the matrix, and whether they are certain.
 //!
 //! What is not certain is left to the QR algorithm: a mass matrix that is not symmetric and positive, eigenvalues that nearly
-//! coincide or of which some are lost beside others, and iterations that do not converge.
+//! coincide or are of very different sizes, and iterations that do not converge.
 
 // Places are those of several arrays, in one room for all numbers of coordinates.
 #![allow(clippy::needless_range_loop)]
@@ -93,19 +93,25 @@ pub(crate) fn of_matrix<T: Lane, const C: usize>(
 }
 
 impl<const C: usize> Roots<f64, C> {
-    /// Puts so many of them in the place of what is there, sorted by real part, then by imaginary part. False if some are so
-    /// small that rounding beside the largest hides them.
+    /// Puts so many of them in the place of what is there, sorted by real part, then by imaginary part. False if they are not
+    /// [of one size](Self::are_of_one_size).
     pub(crate) fn sort_into(&self, size: usize, values: &mut Vec<Complex<f64>>) -> bool {
-        const HIDDEN: f64 = 16.0 * f64::EPSILON;
         values.clear();
+        if !self.are_of_one_size(size) {
+            return false;
+        }
         for (&re, &im) in self.re.iter().zip(&self.im).take(size) {
-            if re.abs() + im.abs() < HIDDEN * self.norm {
-                return false;
-            }
             // From behind, to where it belongs.
             let place = values.iter().rposition(|before| (before.re, before.im) <= (re, im));
             values.insert(place.map_or(0, |place| place + 1), Complex::new(re, im));
         }
         true
+    }
+
+    /// Whether none is so small that it has less than twelve digits beside the norm: errors are some units in the last place
+    /// of the norm here, and of rows of different sizes often less than that by the QR algorithm.
+    fn are_of_one_size(&self, size: usize) -> bool {
+        const SMALLEST: f64 = 1.0 / 4096.0;
+        self.re.iter().zip(&self.im).take(size).all(|(re, im)| re.abs() + im.abs() >= SMALLEST * self.norm)
     }
 }
