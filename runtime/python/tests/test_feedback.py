@@ -47,7 +47,7 @@ def test_files_have_laws(tmp_path):
 def test_mistakes_are_told():
     with pytest.raises(ValueError, match="`Tdelt` is no force on Whipple; did you mean `Tdelta`"):
         carvallo.Whipple("benchmark").with_feedback("Tdelt = phi")
-    with pytest.raises(ValueError, match="there is a law for the force on `delta` already"):
+    with pytest.raises(ValueError, match="there is a law for the force `Tdelta` already"):
         carvallo.Whipple("benchmark").with_feedback("Tdelta = phi", "steer = phi_rate")
     with pytest.raises(ValueError, match="did you mean `Tdelta`"):
         carvallo.Whipple("benchmark").lqr(5.0, inputs="Tdelt")

@@ -137,6 +137,6 @@ test("bad laws say so", () => {
   assert.match(mistake("Tdelt = phi"), /feedback `Tdelt = phi`: `Tdelt` is no force on Whipple; did you mean `Tdelta`\?/);
   assert.match(mistake("Tdelta = phi^2"), /it is not linear/);
   assert.match(mistake("Tdelta = 5"), /does not depend on the motion/);
-  assert.match(mistake("Tdelta = phi", "steer = phi_rate"), /there is a law for the force on `delta` already/);
+  assert.match(mistake("Tdelta = phi", "steer = phi_rate"), /there is a law for the force `Tdelta` already/);
   assert.match(mistake("phi"), /expected FORCE = LAW/);
 });

@@ -54,7 +54,6 @@ mod serialization;
 mod simulation;
 mod single_precision;
 mod some_derivatives;
-mod spread_eigenvalues;
 mod stability;
 mod state_space;
 mod states;

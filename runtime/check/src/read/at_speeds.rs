@@ -13,8 +13,10 @@ impl Reader {
     /// The speed of a table, or else that of the file.
     fn speed_of(&mut self, members: &[Named], what: &str, place: &Place) -> Option<f64> {
         match members.iter().find(|member| member.name == "speed" || member.name == "v") {
-            Some(member) => speed(&member.node).map_err(|problem| self.problems.push(problem)).ok(),
-            None => self.speed_or_problem(what, place),
+            Some(member) if !matches!(member.node.value, Value::Other("null")) => {
+                speed(&member.node).map_err(|problem| self.problems.push(problem)).ok()
+            }
+            _ => self.speed_or_problem(what, place),
         }
     }
 

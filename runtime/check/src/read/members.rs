@@ -1,7 +1,7 @@
 //! The members of a file: what each is, and the matrices and parameters among them.
 
 use carvallo_design::input::{Named, Node, Value, matrix_of_rows};
-use carvallo_design::{Problem, nearest};
+use carvallo_design::{Problem, Shipped, nearest};
 
 use super::numbers::{problem, rows, speed};
 use crate::given::{Given, SystemMatrix};
@@ -72,8 +72,18 @@ impl Reader {
         reader
     }
 
+    /// Where nothing depends on the speed any will do, and none is needed: `null`, as `analyze` writes.
     fn top_speed(&mut self, members: &[Named]) -> Option<f64> {
-        let own = members.iter().find(|member| member.name == "speed")?;
+        let member = |name: &str| members.iter().find(|member| member.name == name);
+        let model = member("model").and_then(|own| match &own.node.value {
+            Value::Text(name) => Shipped::called(name).ok(),
+            _ => None,
+        });
+        let is_free = model.is_some_and(|model| !model.depends_on_speed());
+        let own = match member("speed") {
+            Some(own) if !(is_free && matches!(own.node.value, Value::Other("null"))) => own,
+            _ => return is_free.then_some(0.0),
+        };
         speed(&own.node).map_err(|problem| self.problems.push(problem)).ok()
     }
 

@@ -162,11 +162,13 @@ fn reports_are_in_the_units_that_are_asked_for() {
     directory.run(&["check", "mine.toml", "--units", "km/h", "--format", "csv"]).fails(2, message);
 }
 
-/// Of each kind of model: with the positions and rates of two coordinates, of six, and with rates alone.
+/// Of each kind of model: with the positions and rates of two coordinates, of six, with rates alone, and without a speed.
 #[test]
 fn what_the_program_prints_agrees_with_it() {
     let directory = Directory::of_this_test();
-    for arguments in [&["pista"][..], &["--model", "Motorcycle", "--speeds", "5,10"], &["--model", "Car"]] {
+    let models =
+        [&["--model", "Motorcycle", "--speeds", "5,10"][..], &["--model", "Car"], &["--model", "DoublePendulum"]];
+    for arguments in [&["pista"][..]].into_iter().chain(models) {
         let json = directory.run(&[&["analyze", "--format", "json"], arguments].concat());
         let run = directory.run_with_input(&["check", "-"], &json.stdout);
         assert_eq!((run.code, run.stderr.as_str()), (Some(0), ""), "{arguments:?}: {}", run.stdout);

@@ -12,7 +12,7 @@ use super::name::{Name, Need, Values};
 use super::read::list;
 use crate::design::Given;
 use crate::failure::{Place, Problem};
-use crate::input::{Document, Entry, Names, Scope, Written, resolve_correlations, validate};
+use crate::input::{Document, Entry, Names, Scope, Value, Written, resolve_correlations, validate};
 use crate::number::{shortest, with_unit};
 
 /// The parameters of the paper that follow from those of a convention.
@@ -105,7 +105,21 @@ impl Source<'_> {
                 .iter()
                 .any(|entry| self.convention.parameter(&entry.name).is_some_and(|own| std::ptr::eq(own, name)))
         };
-        let members = std::mem::take(&mut document.correlations);
+        let mut members = std::mem::take(&mut document.correlations);
+        // What gives way to a setting is correlated with nothing any more.
+        let set = || self.settings.iter().filter_map(|entry| self.convention.parameter(&entry.name));
+        let stays = |name: &str| {
+            self.convention.parameter(name).is_none_or(|own| {
+                given.iter().any(|(name, _)| std::ptr::eq(*name, own))
+                    || !set().any(|set| self.convention.are_alternatives(own.name, set.name))
+            })
+        };
+        members.retain(|member| stays(&member.name));
+        for member in &mut members {
+            if let Value::Table(others) = &mut member.node.value {
+                others.retain(|other| stays(&other.name));
+            }
+        }
         match resolve_correlations(members, &names, &values, &is_set) {
             Ok(Some(covariance)) => Some(covariance),
             Ok(None) => Covariance::independent(&deviations(values)).ok(),
