@@ -401,7 +401,7 @@ fn geometry_is_read_as_it_is_printed() {
 #[test]
 fn what_gives_way_to_a_setting_loses_its_correlations() {
     let directory = Directory::of_this_test();
-    directory.run(&["convert", "pista", "--to", "geometry", "--output", "pista.toml"]).ok();
+    assert_eq!(directory.run(&["convert", "pista", "--to", "geometry", "--output", "pista.toml"]).code, Some(0));
     for bicycle in ["pista", "pista.toml"] {
         let run =
             directory.run(&["sweep", bicycle, "--vary", "head_angle=68 deg:74 deg:2 deg", "--set", "trail=60 mm"]);
