@@ -388,6 +388,12 @@ impl<'a> Search<'a> {
     fn nothing(&self, reached: &[Rc<Point>]) -> Failure {
         let problem = self.problem;
         let title = problem.design.title();
+        if reached.iter().all(|point| point.measures.is_none()) {
+            return Failure::Run(format!(
+                "{title}: none of the designs within these ranges that were tried can be built, or computed: `carvallo sweep` \
+                 with the same ranges tells why"
+            ));
+        }
         if reached.iter().all(|point| point.measured.is_none()) {
             let nearest = reached.iter().map(|point| point.instability()).fold(f64::INFINITY, f64::min);
             let [low, high] = problem.settings.speeds.map(shortest);

@@ -191,6 +191,17 @@ fn moores_names_have_their_optimum() {
     assert!(best <= least && least - best < 1e-3, "{best}, {least}");
 }
 
+/// A chain stay that is too short to reach the axle.
+#[test]
+fn ranges_without_any_design_are_told() {
+    let directory = Directory::of_this_test();
+    let set = ["--set", "bb_drop=0.07", "--set", "front_center=0.6", "--vary", "chainstay=0.01:0.06"];
+    let run = directory.run(&[&["optimize"], &set[..], &["--minimize", "weave-speed"]].concat());
+    assert_eq!(run.code, Some(1), "{}", run.stderr);
+    let told = "none of the designs within these ranges that were tried can be built";
+    assert!(run.stderr.contains(told), "{}", run.stderr);
+}
+
 #[test]
 fn mistakes_are_told() {
     let directory = Directory::of_this_test();
