@@ -6,7 +6,7 @@ use carvallo::ModelInfo;
 use carvallo_design::Design;
 use carvallo_design::feedback::{Gain, Law};
 use carvallo_design::units::Units;
-use carvallo_slips::{FormulaSlip, Formulas, Values};
+use carvallo_slips::{FormulaSlip, Formulas, Values, index};
 
 use crate::conventions::{self, Convention};
 use crate::explain::Cause;
@@ -71,9 +71,14 @@ impl Machine {
         let gravity = info.gravity.map_or(0.0, |at| parameters[at]);
         // Of a closed loop the sign of its feedback is the likeliest.
         let mut usual = conventions::feedback(info, feedback);
-        usual.extend(conventions::matrices(info, &values.entries, gravity));
+        let gains = feedback.iter().flat_map(|law| &law.gains);
+        let closed: Vec<usize> =
+            gains.flat_map(|gain| entries_of(gain, info, parameters)).map(|(entry, _)| entry).collect();
+        let of_open_loop = |own: Convention| own.of_open_loop(&closed);
+        usual.extend(conventions::matrices(info, &values.entries, gravity).into_iter().map(of_open_loop));
         usual.extend(conventions::usual(info, parameters));
-        let mut single = conventions::entries(info, &values.entries);
+        let mut single: Vec<Convention> =
+            conventions::entries(info, &values.entries).into_iter().map(of_open_loop).collect();
         single.extend(conventions::parameters(info, parameters));
         single.extend(conventions::gains(info, feedback));
         let (parameters, feedback) = (parameters.to_vec(), feedback.to_vec());
@@ -160,4 +165,11 @@ impl Machine {
         convention.change_matrices(&old, &mut own, self.formulas.count);
         own
     }
+}
+
+/// The entries that a gain is taken from, and its share in each.
+pub fn entries_of(gain: &Gain, info: &ModelInfo, parameters: &[f64]) -> Vec<(usize, f64)> {
+    let entry = |row: usize| index(gain.matrix, row, gain.column, info.coordinates.len());
+    let shares = gain.input.shares(info, parameters).into_iter().enumerate();
+    shares.filter(|(_, share)| *share != 0.0).map(|(row, share)| (entry(row), share)).collect()
 }

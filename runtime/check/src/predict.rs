@@ -8,7 +8,7 @@ use carvallo_design::matrices::{self, Coordinate, Form};
 use carvallo_design::{Equations, Shipped};
 
 use crate::given::{Accelerations, Eigenvalues, Given, Kind, Quantity, Reading, StateMatrix, SystemMatrix};
-use crate::machine::Machine;
+use crate::machine::{Machine, entries_of};
 use crate::motion::Nonlinear;
 use crate::states::{order, states};
 use carvallo_slips::index;
@@ -66,11 +66,7 @@ impl<'a> Predictor<'a> {
         let form = Form { matrices: MatrixName::ALL.to_vec(), coordinates: coordinates.collect() };
         let numbers = given.numbers();
         let orders = given.state_matrices.iter().map(|matrix| order(matrix, info)).collect();
-        let closing = machine.gains().map(|gain| {
-            let entry = |row: usize| index(gain.matrix, row, gain.column, info.coordinates.len());
-            let shares = gain.input.shares(info, &machine.parameters).into_iter().enumerate();
-            shares.filter(|(_, share)| *share != 0.0).map(|(row, share)| (entry(row), share)).collect()
-        });
+        let closing = machine.gains().map(|gain| entries_of(gain, info, &machine.parameters));
         let (closing, system) = (closing.collect(), matrices::model(&form));
         let (nonlinear, feedback) = (Vec::new(), &machine.feedback[..]);
         let none = Vec::new();

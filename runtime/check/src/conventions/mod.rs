@@ -67,6 +67,16 @@ impl Assignment {
 }
 
 impl Convention {
+    /// Says so where it is of entries that feedback is added to: what was written of it is true of the open loop.
+    pub fn of_open_loop(mut self, closed: &[usize]) -> Self {
+        if let Effect::Entries(assignments) = &self.effect
+            && assignments.iter().any(|own| closed.contains(&own.to) || closed.contains(&own.from))
+        {
+            self.what += ", before the loop is closed";
+        }
+        self
+    }
+
     /// Entries that have other values.
     pub fn of_entries(what: impl Into<String>, assignments: Vec<Assignment>) -> Self {
         Self { what: what.into(), effect: Effect::Entries(assignments), rank: 0 }

@@ -148,6 +148,10 @@ fn a_closed_loop_has_its_feedback_checked() {
     let run = directory.run(&["check", "closed.json", "--feedback", "Tdelta = 10*phi_rate + 3*v*delta"]);
     let expected = "\nAll come out as yours if\n  \"10*phi_rate\" in Tdelta has the other sign\n";
     assert!(run.code == Some(1) && run.stdout.ends_with(expected), "{}", run.stdout);
+    // -M_12 is -2.3194, and what is fed back takes 3 from the entry.
+    let one = r#"{"bicycle": "benchmark", "feedback": "Tdelta = -10*phi_rate + 3*phi", "Kc": [[0, 0], [-5.3194, 0]]}"#;
+    let run = directory.run_with_input(&["check", "-"], one);
+    assert!(run.stdout.contains("Kc_21 has the value of -M_12, before the loop is closed\n"), "{}", run.stdout);
 }
 
 #[test]
