@@ -108,10 +108,10 @@ impl<const C: usize> Roots<f64, C> {
         true
     }
 
-    /// Whether none is so small that it has less than twelve digits beside the norm: errors are some units in the last place
+    /// Whether none is so small that it has less than eleven digits beside the norm: errors are some units in the last place
     /// of the norm here, and of rows of different sizes often less than that by the QR algorithm.
     fn are_of_one_size(&self, size: usize) -> bool {
-        const SMALLEST: f64 = 1.0 / 4096.0;
+        const SMALLEST: f64 = 1.0 / 65536.0;
         self.re.iter().zip(&self.im).take(size).all(|(re, im)| re.abs() + im.abs() >= SMALLEST * self.norm)
     }
 }
