@@ -155,14 +155,14 @@ double_pendulum_validity_t double_pendulum_f64_validate(const double_pendulum_f6
 
 void double_pendulum_f64_matrices(const double_pendulum_f64_t *p, double_pendulum_f64_matrices_t *matrices)
 {
-    const double t4 = p->a2 + p->l1;
-    const double t5 = p->m2 * t4;
-    const double t10 = p->a1 * p->m1;
-    const double Jxx_theta1 = p->I2 + ((t5 * t4) + (p->I1 + (p->a1 * t10)));
+    const double t5 = p->a1 * p->m1;
+    const double t9 = p->a2 + p->l1;
+    const double t11 = p->m2 * t9;
+    const double Jxx_theta1 = p->I1 + p->I2 + ((p->a1 * t5) + (t9 * t11));
     const double t15 = p->a2 * p->m2;
-    const double M_theta1_theta2 = p->I2 + (t15 * t4);
     const double Jxx_theta2 = p->I2 + (p->a2 * t15);
-    const double K0_11 = -(t5 + t10);
+    const double M_theta1_theta2 = Jxx_theta2 + (t15 * p->l1);
+    const double K0_11 = -(t5 + t11);
     const double K0_12 = -t15;
     matrices->m[0][0] = Jxx_theta1;
     matrices->m[0][1] = M_theta1_theta2;
@@ -276,22 +276,22 @@ void double_pendulum_f64_kinematics(const double_pendulum_f64_t *p, double_pendu
 void double_pendulum_f64_derivatives(const double_pendulum_f64_t *p,
     double_pendulum_f64_matrices_t *matrices, double_pendulum_f64_derivatives_t *derivatives)
 {
-    const double t4 = p->l1 + p->a2;
-    const double M_11_m2 = t4 * t4;
-    const double t10 = p->a1 * p->m1;
-    const double Jxx_theta1 = p->I1 + (p->m2 * M_11_m2) + p->I2 + (p->a1 * t10);
-    const double M_12_m2 = p->a2 * t4;
-    const double M_theta1_theta2 = p->I2 + (p->m2 * M_12_m2);
-    const double M_12_l1 = p->m2 * p->a2;
+    const double t2 = p->a1 * p->m1;
+    const double t8 = p->l1 + p->a2;
+    const double t10 = t8 * p->m2;
+    const double Jxx_theta1 = (p->a1 * t2) + p->I1 + p->I2 + (t8 * t10);
+    const double M_12_l1 = p->a2 * p->m2;
     const double Jxx_theta2 = p->I2 + (p->a2 * M_12_l1);
-    const double t21 = p->m2 * t4;
-    const double M_11_l1 = t21 + t21;
-    const double M_11_a1 = t10 + t10;
+    const double M_theta1_theta2 = Jxx_theta2 + (p->l1 * M_12_l1);
+    const double M_11_l1 = t10 + t10;
+    const double M_11_a1 = t2 + t2;
     const double M_11_m1 = p->a1 * p->a1;
-    const double M_12_a2 = M_12_l1 + t21;
+    const double M_12_a2 = t10 + M_12_l1;
     const double Jxx_theta2_a2 = M_12_l1 + M_12_l1;
+    const double M_11_m2 = t8 * t8;
+    const double M_12_m2 = p->a2 * t8;
     const double Jxx_theta2_m2 = p->a2 * p->a2;
-    const double K0_11 = -(t10 + t21);
+    const double K0_11 = -(t2 + t10);
     const double K0_12 = -M_12_l1;
     matrices->m[0][0] = Jxx_theta1;
     matrices->m[0][1] = M_theta1_theta2;
@@ -314,7 +314,7 @@ void double_pendulum_f64_derivatives(const double_pendulum_f64_t *p,
     derivatives->values[10] = M_11_m2;
     derivatives->values[11] = M_12_m2;
     derivatives->values[12] = Jxx_theta2_m2;
-    derivatives->values[13] = t4;
+    derivatives->values[13] = t8;
     derivatives->values[14] = p->a2;
 }
 
@@ -810,14 +810,14 @@ double_pendulum_validity_t double_pendulum_f32_validate(const double_pendulum_f3
 
 void double_pendulum_f32_matrices(const double_pendulum_f32_t *p, double_pendulum_f32_matrices_t *matrices)
 {
-    const float t4 = p->a2 + p->l1;
-    const float t5 = p->m2 * t4;
-    const float t10 = p->a1 * p->m1;
-    const float Jxx_theta1 = p->I2 + ((t5 * t4) + (p->I1 + (p->a1 * t10)));
+    const float t5 = p->a1 * p->m1;
+    const float t9 = p->a2 + p->l1;
+    const float t11 = p->m2 * t9;
+    const float Jxx_theta1 = p->I1 + p->I2 + ((p->a1 * t5) + (t9 * t11));
     const float t15 = p->a2 * p->m2;
-    const float M_theta1_theta2 = p->I2 + (t15 * t4);
     const float Jxx_theta2 = p->I2 + (p->a2 * t15);
-    const float K0_11 = -(t5 + t10);
+    const float M_theta1_theta2 = Jxx_theta2 + (t15 * p->l1);
+    const float K0_11 = -(t5 + t11);
     const float K0_12 = -t15;
     matrices->m[0][0] = Jxx_theta1;
     matrices->m[0][1] = M_theta1_theta2;
@@ -931,22 +931,22 @@ void double_pendulum_f32_kinematics(const double_pendulum_f32_t *p, double_pendu
 void double_pendulum_f32_derivatives(const double_pendulum_f32_t *p,
     double_pendulum_f32_matrices_t *matrices, double_pendulum_f32_derivatives_t *derivatives)
 {
-    const float t4 = p->l1 + p->a2;
-    const float M_11_m2 = t4 * t4;
-    const float t10 = p->a1 * p->m1;
-    const float Jxx_theta1 = p->I1 + (p->m2 * M_11_m2) + p->I2 + (p->a1 * t10);
-    const float M_12_m2 = p->a2 * t4;
-    const float M_theta1_theta2 = p->I2 + (p->m2 * M_12_m2);
-    const float M_12_l1 = p->m2 * p->a2;
+    const float t2 = p->a1 * p->m1;
+    const float t8 = p->l1 + p->a2;
+    const float t10 = t8 * p->m2;
+    const float Jxx_theta1 = (p->a1 * t2) + p->I1 + p->I2 + (t8 * t10);
+    const float M_12_l1 = p->a2 * p->m2;
     const float Jxx_theta2 = p->I2 + (p->a2 * M_12_l1);
-    const float t21 = p->m2 * t4;
-    const float M_11_l1 = t21 + t21;
-    const float M_11_a1 = t10 + t10;
+    const float M_theta1_theta2 = Jxx_theta2 + (p->l1 * M_12_l1);
+    const float M_11_l1 = t10 + t10;
+    const float M_11_a1 = t2 + t2;
     const float M_11_m1 = p->a1 * p->a1;
-    const float M_12_a2 = M_12_l1 + t21;
+    const float M_12_a2 = t10 + M_12_l1;
     const float Jxx_theta2_a2 = M_12_l1 + M_12_l1;
+    const float M_11_m2 = t8 * t8;
+    const float M_12_m2 = p->a2 * t8;
     const float Jxx_theta2_m2 = p->a2 * p->a2;
-    const float K0_11 = -(t10 + t21);
+    const float K0_11 = -(t2 + t10);
     const float K0_12 = -M_12_l1;
     matrices->m[0][0] = Jxx_theta1;
     matrices->m[0][1] = M_theta1_theta2;
@@ -969,7 +969,7 @@ void double_pendulum_f32_derivatives(const double_pendulum_f32_t *p,
     derivatives->values[10] = M_11_m2;
     derivatives->values[11] = M_12_m2;
     derivatives->values[12] = Jxx_theta2_m2;
-    derivatives->values[13] = t4;
+    derivatives->values[13] = t8;
     derivatives->values[14] = p->a2;
 }
 

@@ -193,7 +193,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 6 additions, 32 multiplications and 3 negations: 41 operations.
+ * 7 additions, 30 multiplications and 3 negations: 40 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -319,7 +319,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 6 additions, 32 multiplications and 3 negations: 41 operations.
+ * 7 additions, 30 multiplications and 3 negations: 40 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

@@ -225,7 +225,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 15 additions, 8 multiplications, 1 division and 2 negations: 26 operations.
+ * 13 additions, 9 multiplications, 1 division and 2 negations: 25 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -571,7 +571,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 15 additions, 8 multiplications, 1 division and 2 negations: 26 operations.
+ * 13 additions, 9 multiplications, 1 division and 2 negations: 25 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.

@@ -234,7 +234,7 @@ void wheelset_f64_derivatives(const wheelset_f64_t *p, wheelset_f64_matrices_t *
     const double t22 = p->f11 * t14;
     const double Kc_21_b = t22 + t22;
     const double Kc_21_lam = t13 * t20;
-    const double t25 = t13 * Kc_21;
+    const double t25 = t14 * Kc_21_lam;
     const double Kc_12 = -Cm1_11;
     matrices->m[0][0] = p->m;
     matrices->m[0][1] = 0.0;
@@ -461,7 +461,7 @@ void wheelset_f32_derivatives(const wheelset_f32_t *p, wheelset_f32_matrices_t *
     const float t22 = p->f11 * t14;
     const float Kc_21_b = t22 + t22;
     const float Kc_21_lam = t13 * t20;
-    const float t25 = t13 * Kc_21;
+    const float t25 = t14 * Kc_21_lam;
     const float Kc_12 = -Cm1_11;
     matrices->m[0][0] = p->m;
     matrices->m[0][1] = 0.0F;

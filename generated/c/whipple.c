@@ -99,27 +99,27 @@ const char *whipple_validity_text(whipple_validity_t validity)
 const carvallo_partial_t whipple_partials[WHIPPLE_PARTIALS] = {
     {CARVALLO_MATRIX_M, 0U, 1U, 0U, 0U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 1U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 1U, true},
     {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 2U, true},
     {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 3U, false},
     {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 4U, false},
     {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 5U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 5U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 6U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 6U, true},
     {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 7U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 8U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 8U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 1U, 9U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 1U, 9U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 10U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 10U, true},
     {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 11U, false},
     {CARVALLO_MATRIX_C1, 1U, 0U, 1U, 12U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 13U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 13U, false},
     {CARVALLO_MATRIX_K0, 0U, 1U, 1U, 14U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 1U, 14U, false},
     {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 15U, false},
     {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 16U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 17U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 17U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 17U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 17U, true},
     {CARVALLO_MATRIX_M, 1U, 1U, 2U, 18U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 19U, true},
     {CARVALLO_MATRIX_C1, 1U, 0U, 2U, 20U, false},
@@ -179,7 +179,7 @@ const carvallo_partial_t whipple_partials[WHIPPLE_PARTIALS] = {
     {CARVALLO_MATRIX_C1, 0U, 1U, 14U, 63U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 15U, 64U, true},
     {CARVALLO_MATRIX_M, 1U, 0U, 15U, 64U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 65U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 65U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 15U, 66U, true},
     {CARVALLO_MATRIX_C1, 1U, 1U, 15U, 67U, false},
     {CARVALLO_MATRIX_K0, 0U, 1U, 15U, 68U, true},
@@ -189,7 +189,7 @@ const carvallo_partial_t whipple_partials[WHIPPLE_PARTIALS] = {
     {CARVALLO_MATRIX_M, 0U, 0U, 16U, 71U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 16U, 72U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 16U, 72U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 73U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 73U, true},
     {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 74U, true},
     {CARVALLO_MATRIX_C1, 1U, 1U, 16U, 75U, true},
     {CARVALLO_MATRIX_K0, 0U, 0U, 16U, 76U, false},
@@ -199,17 +199,17 @@ const carvallo_partial_t whipple_partials[WHIPPLE_PARTIALS] = {
     {CARVALLO_MATRIX_K2, 0U, 1U, 16U, 79U, true},
     {CARVALLO_MATRIX_K2, 1U, 1U, 16U, 80U, true},
     {CARVALLO_MATRIX_M, 0U, 0U, 17U, 81U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 82U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 82U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 82U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 82U, true},
     {CARVALLO_MATRIX_M, 1U, 1U, 17U, 83U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 84U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 85U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 85U, false},
     {CARVALLO_MATRIX_K0, 0U, 0U, 17U, 86U, false},
     {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 87U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 87U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 88U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 88U, true},
     {CARVALLO_MATRIX_K2, 0U, 1U, 17U, 89U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 90U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 90U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 18U, 35U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 18U, 91U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 18U, 91U, false},
@@ -224,7 +224,7 @@ const carvallo_partial_t whipple_partials[WHIPPLE_PARTIALS] = {
     {CARVALLO_MATRIX_M, 0U, 0U, 22U, 98U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 22U, 99U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 22U, 99U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 22U, 100U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 22U, 100U, true},
     {CARVALLO_MATRIX_C1, 0U, 1U, 22U, 101U, false},
     {CARVALLO_MATRIX_C1, 1U, 0U, 22U, 102U, false},
     {CARVALLO_MATRIX_C1, 1U, 1U, 22U, 103U, false},
@@ -235,17 +235,17 @@ const carvallo_partial_t whipple_partials[WHIPPLE_PARTIALS] = {
     {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 107U, false},
     {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 108U, false},
     {CARVALLO_MATRIX_M, 0U, 0U, 23U, 109U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 110U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 110U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 110U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 110U, true},
     {CARVALLO_MATRIX_M, 1U, 1U, 23U, 111U, false},
     {CARVALLO_MATRIX_C1, 0U, 1U, 23U, 112U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 113U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 113U, true},
     {CARVALLO_MATRIX_K0, 0U, 0U, 23U, 114U, true},
     {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 115U, false},
     {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 115U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 116U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 116U, false},
     {CARVALLO_MATRIX_K2, 0U, 1U, 23U, 117U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 118U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 118U, true},
     {CARVALLO_MATRIX_M, 0U, 0U, 24U, 35U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 24U, 91U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 24U, 91U, false},
@@ -530,215 +530,214 @@ carvallo_system_error_t whipple_f64_state_space(const whipple_f64_system_t *syst
 void whipple_f64_derivatives(const whipple_f64_t *p, whipple_f64_matrices_t *matrices,
     whipple_f64_derivatives_t *derivatives)
 {
+    const double t5 = p->rF * p->mF;
+    const double M_11_mH = p->zH * p->zH;
+    const double t13 = p->IFxx + p->IHxx + (p->rF * t5) + (p->mH * M_11_mH);
     const double M_11_mB = p->zB * p->zB;
-    const double t8 = p->rF * p->mF;
-    const double t12 = p->zH * p->mH;
-    const double t18 = (p->rF * t8) + (p->zH * t12) + p->IHxx + p->IFxx;
     const double t21 = p->rR * p->mR;
-    const double M_11 = p->IRxx + p->IBxx + (p->mB * M_11_mB) + t18 + (p->rR * t21);
+    const double M_11 = p->IRxx + t13 + (p->mB * M_11_mB) + p->IBxx + (p->rR * t21);
+    const double t31 = p->mH * p->xH;
+    const double t33 = p->IHxz - (p->zH * t31);
+    const double t34 = (t5 * p->w) + t33;
+    const double t36 = p->mB * p->zB;
+    const double t40 = t34 + p->IBxz - (t36 * p->xB);
     double sin_lam = 0.0;
     double cos_lam = 0.0;
     carvallo_sin_cos_f64(p->lam, &sin_lam, &cos_lam);
-    const double t32 = p->c + p->w;
-    const double t33 = p->xH - t32;
-    const double t34 = p->mH * t33;
-    const double t39 = p->IHxz - (p->zH * t34) - (t8 * p->c);
-    const double t43 = (cos_lam * t39) + (t18 * sin_lam);
-    const double t44 = p->mH * p->xH;
-    const double t46 = p->mF * p->w;
-    const double t49 = p->IHxz + (p->rF * t46) - (p->zH * t44);
-    const double t52 = p->mB * p->xB;
-    const double t55 = t49 + p->IBxz - (p->zB * t52);
-    const double t56 = 1.0 / p->w;
-    const double C1_12_IBxz = cos_lam * t56;
+    const double t44 = 1.0 / p->w;
+    const double C1_12_IBxz = cos_lam * t44;
     const double mu = p->c * C1_12_IBxz;
-    const double M_12 = t43 + (t55 * mu);
-    const double t62 = sin_lam * t56;
-    const double t65 = p->IFxx + p->IHzz;
-    const double t69 = t65 + (p->xH * t34) - (p->c * t46);
-    const double t71 = (t49 * t62) + (C1_12_IBxz * t69);
-    const double t73 = t39 * sin_lam;
-    const double t86 = C1_12_IBxz * (p->IRxx + t65 + (p->xH * t44) + (p->xB * t52) + (p->w * t46) +
-        p->IBzz);
-    const double t87 = p->c * t56;
-    const double t88 = t86 * t87;
-    const double t89 = t71 + t88;
-    const double t90 = p->mF * p->c;
-    const double t91 = cos_lam * t90;
-    const double t95 = t73 + (cos_lam * (t65 + (t33 * t34))) + (p->c * (t89 + t91));
-    const double M_22 = (sin_lam * t43) + (cos_lam * ((p->c * t71) + t95));
-    const double t101 = 1.0 / p->rF;
-    const double SF = p->IFyy * t101;
-    const double t104 = 1.0 / p->rR;
-    const double t105 = p->IRyy * t104;
-    const double ST = SF + t105;
-    const double t107 = p->mB * p->zB;
-    const double t108 = t8 - t107;
-    const double t109 = t12 - t21;
-    const double t111 = ST + (t108 - t109);
-    const double t115 = t55 + (p->c * t111) + (p->w * SF);
-    const double C1_12 = C1_12_IBxz * t115;
-    const double t117 = t87 * ST;
-    const double t118 = SF + t117;
-    const double t120 = t44 + t46;
-    const double ITzz_mB = t56 * (t52 + t120);
-    const double t123 = p->mF - ITzz_mB;
-    const double t125 = (p->c * t123) - t34;
-    const double t127 = p->mF * sin_lam;
-    const double t128 = p->rF * t127;
-    const double K0_12 = (cos_lam * t125) + (t12 * sin_lam) - t128;
-    const double t133 = t89 - (t87 * K0_12);
-    const double C1_22 = cos_lam * t133;
+    const double t48 = p->mH * p->zH;
+    const double t49 = t48 - t5;
+    const double t53 = t33 + (p->c * t49) + (p->w * t48);
+    const double t57 = (cos_lam * t53) + (t13 * sin_lam);
+    const double M_12 = (t40 * mu) + t57;
+    const double t63 = p->IFxx + p->IHzz;
+    const double t64 = p->w + p->c;
+    const double t65 = p->xH - t64;
+    const double t66 = p->mH * t65;
+    const double t71 = t53 * sin_lam;
+    const double t72 = (cos_lam * ((p->mF * p->c * p->c) + t63 + (t65 * t66))) + t71;
+    const double t76 = p->mF * p->w;
+    const double t80 = cos_lam * (t63 + (t31 * t65) - (p->c * t76));
+    const double t81 = (t34 * sin_lam) + t80;
+    const double t82 = p->c * cos_lam;
+    const double t86 = p->mB * p->xB;
+    const double t93 = t44 * (p->IRxx + t63 + p->IBzz + (p->w * t76) + (p->xH * t31) + (p->xB *
+        t86));
+    const double t94 = t82 * t93;
+    const double t95 = t81 + t94;
+    const double M_22 = (sin_lam * t57) + (cos_lam * t72) + (mu * (t81 + t95));
+    const double t102 = 1.0 / p->rF;
+    const double SF = p->IFyy * t102;
+    const double t105 = 1.0 / p->rR;
+    const double t106 = p->IRyy * t105;
+    const double ST = SF + t106;
+    const double t108 = t36 + t49;
+    const double t110 = ST + (t21 - t108);
+    const double t114 = t40 + (p->c * t110) + (p->w * SF);
+    const double C1_12 = C1_12_IBxz * t114;
+    const double t116 = cos_lam * SF;
+    const double t117 = C1_12_IBxz * ST;
+    const double t118 = p->c * t117;
+    const double t120 = t49 * sin_lam;
+    const double t124 = p->mF - (t44 * (t31 + t76 + t86));
+    const double t125 = p->c * t124;
+    const double t126 = t125 - t66;
+    const double K0_12 = t120 + (cos_lam * t126);
+    const double t130 = t95 - (p->c * K0_12);
+    const double C1_22 = C1_12_IBxz * t130;
     const double K0_22 = sin_lam * K0_12;
-    const double K2_12 = C1_12_IBxz * t111;
-    const double t138 = (sin_lam * SF) - K0_12;
-    const double K2_22 = C1_12_IBxz * t138;
-    const double t140 = t12 * cos_lam;
-    const double t141 = t55 * t56;
-    const double M_12_w = t140 + (mu * (t8 - t141));
-    const double t145 = p->mH * cos_lam;
+    const double K2_12 = C1_12_IBxz * t110;
+    const double t134 = sin_lam * SF;
+    const double t135 = K0_12 - t134;
+    const double t136 = C1_12_IBxz * t135;
+    const double t138 = t5 * cos_lam;
+    const double t139 = (t40 * C1_12_IBxz) - t138;
+    const double t142 = cos_lam * t48;
+    const double M_12_w = t142 - (p->c * t44 * t139);
+    const double t144 = p->rF * sin_lam;
+    const double K0_12_mF = t82 - t144 - (p->w * mu);
+    const double t148 = p->mF * K0_12_mF;
+    const double t149 = t44 * t95;
+    const double t150 = t148 + t149;
+    const double t151 = t150 + t150;
     const double M_12_IHxz = cos_lam + mu;
-    const double t149 = (cos_lam * t32) - (p->xH * M_12_IHxz);
-    const double t150 = p->zH * sin_lam;
-    const double K0_12_mH = t149 + t150;
-    const double t152 = t150 + K0_12_mH;
-    const double t153 = t149 + t152;
-    const double t154 = t145 * t153;
-    const double t155 = p->w * C1_12_IBxz;
-    const double t156 = t90 * t155;
-    const double t158 = t128 + t156 - t91;
-    const double t159 = t89 - t158;
-    const double t160 = mu + mu;
-    const double M_22_w = t154 - (t159 * t160);
-    const double t163 = cos_lam * SF;
-    const double t164 = t8 * cos_lam;
-    const double t167 = t56 * (C1_12 - t163 - t164);
-    const double C1_21_w = C1_12_IBxz * t117;
-    const double t169 = cos_lam * C1_12_IBxz;
-    const double t170 = t44 * t169;
-    const double t171 = t88 + t133;
-    const double K0_12_w = t145 - (mu * t123);
-    const double C1_22_w = (C1_12_IBxz * (t156 + t158 - t171 - (p->c * K0_12_w))) - t170;
-    const double K0_22_w = sin_lam * K0_12_w;
-    const double t181 = t56 * K2_12;
-    const double t182 = t56 * t138;
-    const double t184 = C1_12_IBxz * (K0_12_w + t182);
-    const double t186 = t140 - t164;
-    const double M_12_c = (cos_lam * t141) + t186;
-    const double t188 = cos_lam * t159;
-    const double M_22_c = t154 + t188 + t188;
-    const double t191 = C1_12_IBxz * ST;
-    const double K0_12_c = t145 + (cos_lam * t123);
-    const double t199 = C1_12_IBxz * (K0_12 + (cos_lam * t120) + (p->c * K0_12_c) - t86);
+    const double t154 = p->xH * M_12_IHxz;
+    const double t155 = cos_lam * t64;
+    const double t156 = p->zH * sin_lam;
+    const double t157 = t155 + t156;
+    const double t158 = t154 - t157;
+    const double t159 = t158 + t158;
+    const double t160 = p->mH * t159;
+    const double t161 = cos_lam * t160;
+    const double t162 = (mu * t151) + t161;
+    const double t163 = t116 + t138;
+    const double t165 = t44 * (C1_12 - t163);
+    const double C1_21_w = t44 * t118;
+    const double t168 = t44 * (t94 + t130);
+    const double t169 = p->mH * cos_lam;
+    const double t170 = p->xH + p->c;
+    const double t172 = t76 + t125;
+    const double C1_22_w = C1_12_IBxz * ((mu * t172) - t148 - t168 - (t169 * t170));
+    const double K0_12_w = t169 - (C1_12_IBxz * t125);
+    const double t181 = t44 * K2_12;
+    const double K2_22_w = t44 * (t136 - (cos_lam * K0_12_w));
+    const double M_12_c = t139 + t142;
+    const double t187 = cos_lam * (t160 - t151);
+    const double t188 = cos_lam * C1_12_IBxz;
+    const double t189 = p->mH * t170;
+    const double C1_22_c = (t188 * (t93 - t126 - t172 - t189)) - (C1_12_IBxz * t120);
+    const double K0_12_c = t169 + (cos_lam * t124);
     const double K0_22_c = sin_lam * K0_12_c;
-    const double t201 = C1_12_IBxz * K0_12_c;
-    const double M_12_lam = (t18 * cos_lam) - t73 - (p->c * t55 * t62);
-    const double K2_22_SF = sin_lam * C1_12_IBxz;
-    const double ITzz_xB = t69 * K2_22_SF;
-    const double t211 = ITzz_xB - (t49 * t169);
-    const double t215 = (cos_lam * t43) - (p->c * t211) - (sin_lam * t95);
+    const double t199 = C1_12_IBxz * K0_12_c;
+    const double t200 = t44 * sin_lam;
+    const double t201 = p->c * t200;
+    const double t205 = t71 + (t40 * t201) - (t13 * cos_lam);
+    const double t210 = (t34 * t188) - (t80 * t200);
+    const double t215 = (cos_lam * t57) - (p->c * ((sin_lam * t149) - t210)) - (sin_lam * t72);
     const double M_22_lam = t215 + t215;
-    const double t217 = t62 * t115;
-    const double C1_21_lam = sin_lam * t118;
-    const double K0_12_lam = t186 - (sin_lam * t125);
-    const double K0_22_lam = (sin_lam * K0_12_lam) + (cos_lam * K0_12);
-    const double t228 = t62 * t111;
-    const double K2_22_lam = (C1_12_IBxz * (t163 - K0_12_lam)) - (sin_lam * t182);
+    const double t217 = t114 * t200;
+    const double C1_21_lam = t134 + (ST * t201);
+    const double t222 = t142 - (sin_lam * t126);
+    const double t223 = t138 - t222;
+    const double C1_22_lam = t210 + (mu * t223) - (sin_lam * t168);
+    const double K0_22_lam = (cos_lam * K0_12) - (sin_lam * t223);
+    const double t230 = t110 * t200;
+    const double K2_22_lam = (C1_12_IBxz * (t163 - t222)) + (t135 * t200);
     const double M_11_rR = t21 + t21;
-    const double t234 = t104 * t105;
-    const double t235 = p->mR - t234;
-    const double C1_12_rR = mu * t235;
-    const double C1_21_rR = mu * t234;
-    const double K2_12_rR = C1_12_IBxz * t235;
+    const double K2_12_rR = C1_12_IBxz * (p->mR - (t105 * t106));
+    const double C1_12_rR = p->c * K2_12_rR;
+    const double C1_12_IRyy = mu * t105;
+    const double C1_21_rR = t106 * C1_12_IRyy;
     const double M_11_mR = p->rR * p->rR;
     const double C1_12_mR = p->rR * mu;
     const double K2_12_mR = p->rR * C1_12_IBxz;
-    const double M_22_ITzz = mu * mu;
     const double C1_22_ITzz = C1_12_IBxz * mu;
-    const double K2_12_IRyy = C1_12_IBxz * t104;
-    const double C1_12_IRyy = p->c * K2_12_IRyy;
-    const double t247 = mu * t107;
-    const double t248 = p->xB * mu;
-    const double t249 = p->mB * t248;
-    const double M_22_xB = t160 * t249;
-    const double t251 = p->mB * C1_12_IBxz;
-    const double t252 = p->zB * t251;
-    const double t253 = p->c * t251;
-    const double t254 = p->xB * C1_12_IBxz;
-    const double t255 = mu + t254;
-    const double C1_22_xB = t253 * (t254 + t255);
-    const double t258 = sin_lam * t253;
+    const double M_22_ITzz = p->c * C1_22_ITzz;
+    const double K2_12_IRyy = C1_12_IBxz * t105;
+    const double t249 = p->mB * C1_12_IBxz;
+    const double t250 = p->c * t249;
+    const double t251 = p->zB * t250;
+    const double t252 = p->xB * mu;
+    const double t253 = t250 * t252;
+    const double M_22_xB = t253 + t253;
+    const double t255 = p->zB * t249;
+    const double t256 = p->mB * t252;
+    const double t257 = p->xB + p->c;
+    const double C1_22_xB = C1_12_IBxz * (t256 + (t250 * t257));
+    const double t261 = sin_lam * t250;
     const double K2_22_xB = p->mB * C1_22_ITzz;
-    const double M_11_zB = t107 + t107;
-    const double t261 = p->mB * t255;
-    const double t262 = p->zB * t248;
-    const double M_22_mB = t248 * t248;
-    const double t264 = p->zB * t255;
-    const double C1_22_mB = t248 * t255;
-    const double t266 = sin_lam * t248;
+    const double M_11_zB = t36 + t36;
+    const double t264 = t249 * t257;
+    const double t265 = p->zB * t252;
+    const double M_22_mB = t252 * t252;
     const double t267 = p->zB * C1_12_IBxz;
-    const double K2_22_mB = mu * t254;
-    const double t269 = p->mH * M_12_IHxz;
-    const double t270 = p->zH * t269;
-    const double t271 = t153 * t269;
-    const double t272 = t12 * C1_12_IBxz;
-    const double t274 = C1_12_IBxz * (p->xH + p->c);
-    const double t277 = C1_12_IBxz * K0_12_mH;
-    const double C1_22_xH = t170 + (p->mH * ((mu * (cos_lam + t274)) - t277));
-    const double K0_12_zH = p->mH * sin_lam;
-    const double t282 = M_12_IHxz * K0_12_zH;
-    const double C1_22_IHzz = t169 + C1_22_ITzz;
+    const double t268 = t257 * t267;
+    const double K2_22_mB = p->xB * C1_22_ITzz;
+    const double C1_22_mB = t257 * K2_22_mB;
+    const double t271 = sin_lam * t252;
+    const double t272 = t48 * M_12_IHxz;
+    const double t273 = p->mH * C1_12_IBxz;
+    const double t274 = p->c * t273;
+    const double M_22_xH = t161 + (t158 * (t274 + t274));
+    const double t278 = p->zH * C1_12_IBxz;
+    const double t279 = p->mH * t278;
+    const double C1_22_IHzz = C1_12_IBxz * M_12_IHxz;
+    const double C1_22_xH = (t158 * t273) + (t189 * C1_22_IHzz);
+    const double t284 = t169 + t274;
+    const double t285 = sin_lam * t284;
     const double K2_22_xH = p->mH * C1_22_IHzz;
-    const double M_11_zH = t12 + t12;
-    const double M_12_zH = p->mH * t152;
-    const double M_22_zH = t153 * K0_12_zH;
-    const double t288 = p->mH * t274;
-    const double t289 = sin_lam * t288;
+    const double M_11_zH = t48 + t48;
+    const double M_12_zH = p->mH * (t156 - t158);
+    const double K0_12_zH = p->mH * sin_lam;
+    const double t291 = t159 * K0_12_zH;
+    const double t292 = t170 * t273;
+    const double t293 = t169 * t200;
+    const double t294 = t170 * t293;
     const double K0_22_zH = sin_lam * K0_12_zH;
-    const double t291 = p->mH * C1_12_IBxz;
-    const double t292 = sin_lam * t291;
-    const double M_11_mH = p->zH * p->zH;
-    const double M_12_mH = p->zH * K0_12_mH;
-    const double M_22_mH = K0_12_mH * K0_12_mH;
-    const double t296 = p->zH * t274;
-    const double t297 = K0_12_mH * t274;
-    const double K0_22_mH = sin_lam * K0_12_mH;
-    const double t299 = p->zH * C1_12_IBxz;
+    const double t296 = p->zH * t158;
+    const double M_22_mH = t158 * t158;
+    const double t298 = t170 * t278;
+    const double K2_22_mH = C1_12_IBxz * t158;
+    const double C1_22_mH = t170 * K2_22_mH;
+    const double t301 = sin_lam * t158;
     const double M_22_IHxx = sin_lam * sin_lam;
-    const double M_22_IHzz = M_12_IHxz * M_12_IHxz;
-    const double t302 = sin_lam + sin_lam;
-    const double M_22_IHxz = M_12_IHxz * t302;
-    const double M_11_rF = t8 + t8;
-    const double M_12_rF = t128 + t158;
-    const double M_22_rF = t158 * t302;
-    const double C1_12_SF = t32 * C1_12_IBxz;
-    const double t309 = p->mF - (t101 * SF);
-    const double C1_12_rF = C1_12_SF * t309;
-    const double t311 = t101 * M_12_IHxz;
-    const double C1_21_rF = SF * t311;
-    const double C1_22_rF = t127 * C1_12_SF;
-    const double t314 = sin_lam * t127;
-    const double K2_12_rF = C1_12_IBxz * t309;
-    const double K2_22_rF = K2_22_SF * t309;
+    const double M_22_IHzz = M_22_ITzz + (cos_lam * (mu + M_12_IHxz));
+    const double t306 = sin_lam + sin_lam;
+    const double M_22_IHxz = M_12_IHxz * t306;
+    const double K2_22_SF = C1_12_IBxz * sin_lam;
+    const double M_11_rF = t5 + t5;
+    const double M_12_rF = p->mF * (t144 - K0_12_mF);
+    const double t312 = t148 * t306;
+    const double ITzz_w = p->mF - (t102 * SF);
+    const double C1_12_SF = t44 * t155;
+    const double C1_12_rF = ITzz_w * C1_12_SF;
+    const double t317 = t102 * M_12_IHxz;
+    const double C1_21_rF = SF * t317;
+    const double t319 = p->mF * sin_lam;
+    const double C1_22_rF = C1_12_SF * t319;
+    const double t321 = sin_lam * t319;
+    const double K2_12_rF = C1_12_IBxz * ITzz_w;
+    const double K2_22_rF = sin_lam * K2_12_rF;
     const double M_11_mF = p->rF * p->rF;
-    const double t318 = p->rF * sin_lam;
-    const double t320 = p->c * (cos_lam - t155);
-    const double t321 = t318 - t320;
-    const double M_12_mF = p->rF * t321;
-    const double M_22_mF = t321 * t321;
+    const double t325 = p->rF * K0_12_mF;
+    const double M_22_mF = K0_12_mF * K0_12_mF;
     const double C1_12_mF = p->rF * C1_12_SF;
-    const double K2_22_mF = C1_12_IBxz * t321;
-    const double C1_22_mF = t32 * K2_22_mF;
-    const double t327 = sin_lam * t321;
+    const double t328 = K0_12_mF * C1_12_SF;
+    const double K0_22_mF = sin_lam * K0_12_mF;
     const double K2_12_mF = p->rF * C1_12_IBxz;
+    const double t331 = C1_12_IBxz * K0_12_mF;
     const double M_22_IFxx = M_22_IHxx + M_22_IHzz;
-    const double C1_12_IFyy = t101 * C1_12_SF;
-    const double K2_12_IFyy = C1_12_IBxz * t101;
-    const double K2_22_IFyy = sin_lam * K2_12_IFyy;
-    const double C1_21 = -(cos_lam * t118);
-    const double K0_11 = t109 - t108;
-    const double C1_22_lam = -(t211 + (sin_lam * t171) + (mu * K0_12_lam));
-    const double K0_12_mF = t320 - t318;
+    const double C1_12_IFyy = t102 * C1_12_SF;
+    const double K2_12_IFyy = C1_12_IBxz * t102;
+    const double K2_22_IFyy = t102 * K2_22_SF;
+    const double C1_21 = -(t116 + t118);
+    const double K0_11 = t108 - t21;
+    const double K2_22 = -t136;
+    const double t339 = -(sin_lam * K0_12_w);
+    const double K0_12_lam = t222 - t138;
+    const double K0_12_mH = t157 - t154;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -756,30 +755,30 @@ void whipple_f64_derivatives(const whipple_f64_t *p, whipple_f64_matrices_t *mat
     matrices->k2[1][0] = 0.0;
     matrices->k2[1][1] = K2_22;
     derivatives->values[0] = M_12_w;
-    derivatives->values[1] = M_22_w;
-    derivatives->values[2] = t167;
+    derivatives->values[1] = t162;
+    derivatives->values[2] = t165;
     derivatives->values[3] = C1_21_w;
     derivatives->values[4] = C1_22_w;
     derivatives->values[5] = K0_12_w;
-    derivatives->values[6] = K0_22_w;
+    derivatives->values[6] = t339;
     derivatives->values[7] = t181;
-    derivatives->values[8] = t184;
+    derivatives->values[8] = K2_22_w;
     derivatives->values[9] = M_12_c;
-    derivatives->values[10] = M_22_c;
+    derivatives->values[10] = t187;
     derivatives->values[11] = K2_12;
-    derivatives->values[12] = t191;
-    derivatives->values[13] = t199;
+    derivatives->values[12] = t117;
+    derivatives->values[13] = C1_22_c;
     derivatives->values[14] = K0_12_c;
     derivatives->values[15] = K0_22_c;
-    derivatives->values[16] = t201;
-    derivatives->values[17] = M_12_lam;
+    derivatives->values[16] = t199;
+    derivatives->values[17] = t205;
     derivatives->values[18] = M_22_lam;
     derivatives->values[19] = t217;
     derivatives->values[20] = C1_21_lam;
     derivatives->values[21] = C1_22_lam;
     derivatives->values[22] = K0_12_lam;
     derivatives->values[23] = K0_22_lam;
-    derivatives->values[24] = t228;
+    derivatives->values[24] = t230;
     derivatives->values[25] = K2_22_lam;
     derivatives->values[26] = M_11_rR;
     derivatives->values[27] = C1_12_rR;
@@ -795,57 +794,57 @@ void whipple_f64_derivatives(const whipple_f64_t *p, whipple_f64_matrices_t *mat
     derivatives->values[37] = C1_22_ITzz;
     derivatives->values[38] = C1_12_IRyy;
     derivatives->values[39] = K2_12_IRyy;
-    derivatives->values[40] = t247;
+    derivatives->values[40] = t251;
     derivatives->values[41] = M_22_xB;
-    derivatives->values[42] = t252;
+    derivatives->values[42] = t255;
     derivatives->values[43] = C1_22_xB;
-    derivatives->values[44] = t253;
-    derivatives->values[45] = t258;
+    derivatives->values[44] = t250;
+    derivatives->values[45] = t261;
     derivatives->values[46] = K2_22_xB;
     derivatives->values[47] = M_11_zB;
-    derivatives->values[48] = t249;
-    derivatives->values[49] = t261;
+    derivatives->values[48] = t256;
+    derivatives->values[49] = t264;
     derivatives->values[50] = p->mB;
-    derivatives->values[51] = t251;
+    derivatives->values[51] = t249;
     derivatives->values[52] = M_11_mB;
-    derivatives->values[53] = t262;
+    derivatives->values[53] = t265;
     derivatives->values[54] = M_22_mB;
-    derivatives->values[55] = t264;
+    derivatives->values[55] = t268;
     derivatives->values[56] = C1_22_mB;
     derivatives->values[57] = p->zB;
-    derivatives->values[58] = t248;
-    derivatives->values[59] = t266;
+    derivatives->values[58] = t252;
+    derivatives->values[59] = t271;
     derivatives->values[60] = t267;
     derivatives->values[61] = K2_22_mB;
     derivatives->values[62] = mu;
     derivatives->values[63] = C1_12_IBxz;
-    derivatives->values[64] = t270;
-    derivatives->values[65] = t271;
-    derivatives->values[66] = t272;
+    derivatives->values[64] = t272;
+    derivatives->values[65] = M_22_xH;
+    derivatives->values[66] = t279;
     derivatives->values[67] = C1_22_xH;
-    derivatives->values[68] = t269;
-    derivatives->values[69] = t282;
+    derivatives->values[68] = t284;
+    derivatives->values[69] = t285;
     derivatives->values[70] = K2_22_xH;
     derivatives->values[71] = M_11_zH;
     derivatives->values[72] = M_12_zH;
-    derivatives->values[73] = M_22_zH;
-    derivatives->values[74] = t288;
-    derivatives->values[75] = t289;
+    derivatives->values[73] = t291;
+    derivatives->values[74] = t292;
+    derivatives->values[75] = t294;
     derivatives->values[76] = p->mH;
     derivatives->values[77] = K0_12_zH;
     derivatives->values[78] = K0_22_zH;
-    derivatives->values[79] = t291;
-    derivatives->values[80] = t292;
+    derivatives->values[79] = t273;
+    derivatives->values[80] = t293;
     derivatives->values[81] = M_11_mH;
-    derivatives->values[82] = M_12_mH;
+    derivatives->values[82] = t296;
     derivatives->values[83] = M_22_mH;
-    derivatives->values[84] = t296;
-    derivatives->values[85] = t297;
+    derivatives->values[84] = t298;
+    derivatives->values[85] = C1_22_mH;
     derivatives->values[86] = p->zH;
     derivatives->values[87] = K0_12_mH;
-    derivatives->values[88] = K0_22_mH;
-    derivatives->values[89] = t299;
-    derivatives->values[90] = t277;
+    derivatives->values[88] = t301;
+    derivatives->values[89] = t278;
+    derivatives->values[90] = K2_22_mH;
     derivatives->values[91] = sin_lam;
     derivatives->values[92] = M_22_IHxx;
     derivatives->values[93] = M_22_IHzz;
@@ -855,28 +854,28 @@ void whipple_f64_derivatives(const whipple_f64_t *p, whipple_f64_matrices_t *mat
     derivatives->values[97] = K2_22_SF;
     derivatives->values[98] = M_11_rF;
     derivatives->values[99] = M_12_rF;
-    derivatives->values[100] = M_22_rF;
+    derivatives->values[100] = t312;
     derivatives->values[101] = C1_12_rF;
     derivatives->values[102] = C1_21_rF;
     derivatives->values[103] = C1_22_rF;
     derivatives->values[104] = p->mF;
-    derivatives->values[105] = t127;
-    derivatives->values[106] = t314;
+    derivatives->values[105] = t319;
+    derivatives->values[106] = t321;
     derivatives->values[107] = K2_12_rF;
     derivatives->values[108] = K2_22_rF;
     derivatives->values[109] = M_11_mF;
-    derivatives->values[110] = M_12_mF;
+    derivatives->values[110] = t325;
     derivatives->values[111] = M_22_mF;
     derivatives->values[112] = C1_12_mF;
-    derivatives->values[113] = C1_22_mF;
+    derivatives->values[113] = t328;
     derivatives->values[114] = p->rF;
     derivatives->values[115] = K0_12_mF;
-    derivatives->values[116] = t327;
+    derivatives->values[116] = K0_22_mF;
     derivatives->values[117] = K2_12_mF;
-    derivatives->values[118] = K2_22_mF;
+    derivatives->values[118] = t331;
     derivatives->values[119] = M_22_IFxx;
     derivatives->values[120] = C1_12_IFyy;
-    derivatives->values[121] = t311;
+    derivatives->values[121] = t317;
     derivatives->values[122] = K2_12_IFyy;
     derivatives->values[123] = K2_22_IFyy;
 }
@@ -1191,215 +1190,214 @@ carvallo_system_error_t whipple_f32_state_space(const whipple_f32_system_t *syst
 void whipple_f32_derivatives(const whipple_f32_t *p, whipple_f32_matrices_t *matrices,
     whipple_f32_derivatives_t *derivatives)
 {
+    const float t5 = p->rF * p->mF;
+    const float M_11_mH = p->zH * p->zH;
+    const float t13 = p->IFxx + p->IHxx + (p->rF * t5) + (p->mH * M_11_mH);
     const float M_11_mB = p->zB * p->zB;
-    const float t8 = p->rF * p->mF;
-    const float t12 = p->zH * p->mH;
-    const float t18 = (p->rF * t8) + (p->zH * t12) + p->IHxx + p->IFxx;
     const float t21 = p->rR * p->mR;
-    const float M_11 = p->IRxx + p->IBxx + (p->mB * M_11_mB) + t18 + (p->rR * t21);
+    const float M_11 = p->IRxx + t13 + (p->mB * M_11_mB) + p->IBxx + (p->rR * t21);
+    const float t31 = p->mH * p->xH;
+    const float t33 = p->IHxz - (p->zH * t31);
+    const float t34 = (t5 * p->w) + t33;
+    const float t36 = p->mB * p->zB;
+    const float t40 = t34 + p->IBxz - (t36 * p->xB);
     float sin_lam = 0.0F;
     float cos_lam = 0.0F;
     carvallo_sin_cos_f32(p->lam, &sin_lam, &cos_lam);
-    const float t32 = p->c + p->w;
-    const float t33 = p->xH - t32;
-    const float t34 = p->mH * t33;
-    const float t39 = p->IHxz - (p->zH * t34) - (t8 * p->c);
-    const float t43 = (cos_lam * t39) + (t18 * sin_lam);
-    const float t44 = p->mH * p->xH;
-    const float t46 = p->mF * p->w;
-    const float t49 = p->IHxz + (p->rF * t46) - (p->zH * t44);
-    const float t52 = p->mB * p->xB;
-    const float t55 = t49 + p->IBxz - (p->zB * t52);
-    const float t56 = 1.0F / p->w;
-    const float C1_12_IBxz = cos_lam * t56;
+    const float t44 = 1.0F / p->w;
+    const float C1_12_IBxz = cos_lam * t44;
     const float mu = p->c * C1_12_IBxz;
-    const float M_12 = t43 + (t55 * mu);
-    const float t62 = sin_lam * t56;
-    const float t65 = p->IFxx + p->IHzz;
-    const float t69 = t65 + (p->xH * t34) - (p->c * t46);
-    const float t71 = (t49 * t62) + (C1_12_IBxz * t69);
-    const float t73 = t39 * sin_lam;
-    const float t86 = C1_12_IBxz * (p->IRxx + t65 + (p->xH * t44) + (p->xB * t52) + (p->w * t46) +
-        p->IBzz);
-    const float t87 = p->c * t56;
-    const float t88 = t86 * t87;
-    const float t89 = t71 + t88;
-    const float t90 = p->mF * p->c;
-    const float t91 = cos_lam * t90;
-    const float t95 = t73 + (cos_lam * (t65 + (t33 * t34))) + (p->c * (t89 + t91));
-    const float M_22 = (sin_lam * t43) + (cos_lam * ((p->c * t71) + t95));
-    const float t101 = 1.0F / p->rF;
-    const float SF = p->IFyy * t101;
-    const float t104 = 1.0F / p->rR;
-    const float t105 = p->IRyy * t104;
-    const float ST = SF + t105;
-    const float t107 = p->mB * p->zB;
-    const float t108 = t8 - t107;
-    const float t109 = t12 - t21;
-    const float t111 = ST + (t108 - t109);
-    const float t115 = t55 + (p->c * t111) + (p->w * SF);
-    const float C1_12 = C1_12_IBxz * t115;
-    const float t117 = t87 * ST;
-    const float t118 = SF + t117;
-    const float t120 = t44 + t46;
-    const float ITzz_mB = t56 * (t52 + t120);
-    const float t123 = p->mF - ITzz_mB;
-    const float t125 = (p->c * t123) - t34;
-    const float t127 = p->mF * sin_lam;
-    const float t128 = p->rF * t127;
-    const float K0_12 = (cos_lam * t125) + (t12 * sin_lam) - t128;
-    const float t133 = t89 - (t87 * K0_12);
-    const float C1_22 = cos_lam * t133;
+    const float t48 = p->mH * p->zH;
+    const float t49 = t48 - t5;
+    const float t53 = t33 + (p->c * t49) + (p->w * t48);
+    const float t57 = (cos_lam * t53) + (t13 * sin_lam);
+    const float M_12 = (t40 * mu) + t57;
+    const float t63 = p->IFxx + p->IHzz;
+    const float t64 = p->w + p->c;
+    const float t65 = p->xH - t64;
+    const float t66 = p->mH * t65;
+    const float t71 = t53 * sin_lam;
+    const float t72 = (cos_lam * ((p->mF * p->c * p->c) + t63 + (t65 * t66))) + t71;
+    const float t76 = p->mF * p->w;
+    const float t80 = cos_lam * (t63 + (t31 * t65) - (p->c * t76));
+    const float t81 = (t34 * sin_lam) + t80;
+    const float t82 = p->c * cos_lam;
+    const float t86 = p->mB * p->xB;
+    const float t93 = t44 * (p->IRxx + t63 + p->IBzz + (p->w * t76) + (p->xH * t31) + (p->xB *
+        t86));
+    const float t94 = t82 * t93;
+    const float t95 = t81 + t94;
+    const float M_22 = (sin_lam * t57) + (cos_lam * t72) + (mu * (t81 + t95));
+    const float t102 = 1.0F / p->rF;
+    const float SF = p->IFyy * t102;
+    const float t105 = 1.0F / p->rR;
+    const float t106 = p->IRyy * t105;
+    const float ST = SF + t106;
+    const float t108 = t36 + t49;
+    const float t110 = ST + (t21 - t108);
+    const float t114 = t40 + (p->c * t110) + (p->w * SF);
+    const float C1_12 = C1_12_IBxz * t114;
+    const float t116 = cos_lam * SF;
+    const float t117 = C1_12_IBxz * ST;
+    const float t118 = p->c * t117;
+    const float t120 = t49 * sin_lam;
+    const float t124 = p->mF - (t44 * (t31 + t76 + t86));
+    const float t125 = p->c * t124;
+    const float t126 = t125 - t66;
+    const float K0_12 = t120 + (cos_lam * t126);
+    const float t130 = t95 - (p->c * K0_12);
+    const float C1_22 = C1_12_IBxz * t130;
     const float K0_22 = sin_lam * K0_12;
-    const float K2_12 = C1_12_IBxz * t111;
-    const float t138 = (sin_lam * SF) - K0_12;
-    const float K2_22 = C1_12_IBxz * t138;
-    const float t140 = t12 * cos_lam;
-    const float t141 = t55 * t56;
-    const float M_12_w = t140 + (mu * (t8 - t141));
-    const float t145 = p->mH * cos_lam;
+    const float K2_12 = C1_12_IBxz * t110;
+    const float t134 = sin_lam * SF;
+    const float t135 = K0_12 - t134;
+    const float t136 = C1_12_IBxz * t135;
+    const float t138 = t5 * cos_lam;
+    const float t139 = (t40 * C1_12_IBxz) - t138;
+    const float t142 = cos_lam * t48;
+    const float M_12_w = t142 - (p->c * t44 * t139);
+    const float t144 = p->rF * sin_lam;
+    const float K0_12_mF = t82 - t144 - (p->w * mu);
+    const float t148 = p->mF * K0_12_mF;
+    const float t149 = t44 * t95;
+    const float t150 = t148 + t149;
+    const float t151 = t150 + t150;
     const float M_12_IHxz = cos_lam + mu;
-    const float t149 = (cos_lam * t32) - (p->xH * M_12_IHxz);
-    const float t150 = p->zH * sin_lam;
-    const float K0_12_mH = t149 + t150;
-    const float t152 = t150 + K0_12_mH;
-    const float t153 = t149 + t152;
-    const float t154 = t145 * t153;
-    const float t155 = p->w * C1_12_IBxz;
-    const float t156 = t90 * t155;
-    const float t158 = t128 + t156 - t91;
-    const float t159 = t89 - t158;
-    const float t160 = mu + mu;
-    const float M_22_w = t154 - (t159 * t160);
-    const float t163 = cos_lam * SF;
-    const float t164 = t8 * cos_lam;
-    const float t167 = t56 * (C1_12 - t163 - t164);
-    const float C1_21_w = C1_12_IBxz * t117;
-    const float t169 = cos_lam * C1_12_IBxz;
-    const float t170 = t44 * t169;
-    const float t171 = t88 + t133;
-    const float K0_12_w = t145 - (mu * t123);
-    const float C1_22_w = (C1_12_IBxz * (t156 + t158 - t171 - (p->c * K0_12_w))) - t170;
-    const float K0_22_w = sin_lam * K0_12_w;
-    const float t181 = t56 * K2_12;
-    const float t182 = t56 * t138;
-    const float t184 = C1_12_IBxz * (K0_12_w + t182);
-    const float t186 = t140 - t164;
-    const float M_12_c = (cos_lam * t141) + t186;
-    const float t188 = cos_lam * t159;
-    const float M_22_c = t154 + t188 + t188;
-    const float t191 = C1_12_IBxz * ST;
-    const float K0_12_c = t145 + (cos_lam * t123);
-    const float t199 = C1_12_IBxz * (K0_12 + (cos_lam * t120) + (p->c * K0_12_c) - t86);
+    const float t154 = p->xH * M_12_IHxz;
+    const float t155 = cos_lam * t64;
+    const float t156 = p->zH * sin_lam;
+    const float t157 = t155 + t156;
+    const float t158 = t154 - t157;
+    const float t159 = t158 + t158;
+    const float t160 = p->mH * t159;
+    const float t161 = cos_lam * t160;
+    const float t162 = (mu * t151) + t161;
+    const float t163 = t116 + t138;
+    const float t165 = t44 * (C1_12 - t163);
+    const float C1_21_w = t44 * t118;
+    const float t168 = t44 * (t94 + t130);
+    const float t169 = p->mH * cos_lam;
+    const float t170 = p->xH + p->c;
+    const float t172 = t76 + t125;
+    const float C1_22_w = C1_12_IBxz * ((mu * t172) - t148 - t168 - (t169 * t170));
+    const float K0_12_w = t169 - (C1_12_IBxz * t125);
+    const float t181 = t44 * K2_12;
+    const float K2_22_w = t44 * (t136 - (cos_lam * K0_12_w));
+    const float M_12_c = t139 + t142;
+    const float t187 = cos_lam * (t160 - t151);
+    const float t188 = cos_lam * C1_12_IBxz;
+    const float t189 = p->mH * t170;
+    const float C1_22_c = (t188 * (t93 - t126 - t172 - t189)) - (C1_12_IBxz * t120);
+    const float K0_12_c = t169 + (cos_lam * t124);
     const float K0_22_c = sin_lam * K0_12_c;
-    const float t201 = C1_12_IBxz * K0_12_c;
-    const float M_12_lam = (t18 * cos_lam) - t73 - (p->c * t55 * t62);
-    const float K2_22_SF = sin_lam * C1_12_IBxz;
-    const float ITzz_xB = t69 * K2_22_SF;
-    const float t211 = ITzz_xB - (t49 * t169);
-    const float t215 = (cos_lam * t43) - (p->c * t211) - (sin_lam * t95);
+    const float t199 = C1_12_IBxz * K0_12_c;
+    const float t200 = t44 * sin_lam;
+    const float t201 = p->c * t200;
+    const float t205 = t71 + (t40 * t201) - (t13 * cos_lam);
+    const float t210 = (t34 * t188) - (t80 * t200);
+    const float t215 = (cos_lam * t57) - (p->c * ((sin_lam * t149) - t210)) - (sin_lam * t72);
     const float M_22_lam = t215 + t215;
-    const float t217 = t62 * t115;
-    const float C1_21_lam = sin_lam * t118;
-    const float K0_12_lam = t186 - (sin_lam * t125);
-    const float K0_22_lam = (sin_lam * K0_12_lam) + (cos_lam * K0_12);
-    const float t228 = t62 * t111;
-    const float K2_22_lam = (C1_12_IBxz * (t163 - K0_12_lam)) - (sin_lam * t182);
+    const float t217 = t114 * t200;
+    const float C1_21_lam = t134 + (ST * t201);
+    const float t222 = t142 - (sin_lam * t126);
+    const float t223 = t138 - t222;
+    const float C1_22_lam = t210 + (mu * t223) - (sin_lam * t168);
+    const float K0_22_lam = (cos_lam * K0_12) - (sin_lam * t223);
+    const float t230 = t110 * t200;
+    const float K2_22_lam = (C1_12_IBxz * (t163 - t222)) + (t135 * t200);
     const float M_11_rR = t21 + t21;
-    const float t234 = t104 * t105;
-    const float t235 = p->mR - t234;
-    const float C1_12_rR = mu * t235;
-    const float C1_21_rR = mu * t234;
-    const float K2_12_rR = C1_12_IBxz * t235;
+    const float K2_12_rR = C1_12_IBxz * (p->mR - (t105 * t106));
+    const float C1_12_rR = p->c * K2_12_rR;
+    const float C1_12_IRyy = mu * t105;
+    const float C1_21_rR = t106 * C1_12_IRyy;
     const float M_11_mR = p->rR * p->rR;
     const float C1_12_mR = p->rR * mu;
     const float K2_12_mR = p->rR * C1_12_IBxz;
-    const float M_22_ITzz = mu * mu;
     const float C1_22_ITzz = C1_12_IBxz * mu;
-    const float K2_12_IRyy = C1_12_IBxz * t104;
-    const float C1_12_IRyy = p->c * K2_12_IRyy;
-    const float t247 = mu * t107;
-    const float t248 = p->xB * mu;
-    const float t249 = p->mB * t248;
-    const float M_22_xB = t160 * t249;
-    const float t251 = p->mB * C1_12_IBxz;
-    const float t252 = p->zB * t251;
-    const float t253 = p->c * t251;
-    const float t254 = p->xB * C1_12_IBxz;
-    const float t255 = mu + t254;
-    const float C1_22_xB = t253 * (t254 + t255);
-    const float t258 = sin_lam * t253;
+    const float M_22_ITzz = p->c * C1_22_ITzz;
+    const float K2_12_IRyy = C1_12_IBxz * t105;
+    const float t249 = p->mB * C1_12_IBxz;
+    const float t250 = p->c * t249;
+    const float t251 = p->zB * t250;
+    const float t252 = p->xB * mu;
+    const float t253 = t250 * t252;
+    const float M_22_xB = t253 + t253;
+    const float t255 = p->zB * t249;
+    const float t256 = p->mB * t252;
+    const float t257 = p->xB + p->c;
+    const float C1_22_xB = C1_12_IBxz * (t256 + (t250 * t257));
+    const float t261 = sin_lam * t250;
     const float K2_22_xB = p->mB * C1_22_ITzz;
-    const float M_11_zB = t107 + t107;
-    const float t261 = p->mB * t255;
-    const float t262 = p->zB * t248;
-    const float M_22_mB = t248 * t248;
-    const float t264 = p->zB * t255;
-    const float C1_22_mB = t248 * t255;
-    const float t266 = sin_lam * t248;
+    const float M_11_zB = t36 + t36;
+    const float t264 = t249 * t257;
+    const float t265 = p->zB * t252;
+    const float M_22_mB = t252 * t252;
     const float t267 = p->zB * C1_12_IBxz;
-    const float K2_22_mB = mu * t254;
-    const float t269 = p->mH * M_12_IHxz;
-    const float t270 = p->zH * t269;
-    const float t271 = t153 * t269;
-    const float t272 = t12 * C1_12_IBxz;
-    const float t274 = C1_12_IBxz * (p->xH + p->c);
-    const float t277 = C1_12_IBxz * K0_12_mH;
-    const float C1_22_xH = t170 + (p->mH * ((mu * (cos_lam + t274)) - t277));
-    const float K0_12_zH = p->mH * sin_lam;
-    const float t282 = M_12_IHxz * K0_12_zH;
-    const float C1_22_IHzz = t169 + C1_22_ITzz;
+    const float t268 = t257 * t267;
+    const float K2_22_mB = p->xB * C1_22_ITzz;
+    const float C1_22_mB = t257 * K2_22_mB;
+    const float t271 = sin_lam * t252;
+    const float t272 = t48 * M_12_IHxz;
+    const float t273 = p->mH * C1_12_IBxz;
+    const float t274 = p->c * t273;
+    const float M_22_xH = t161 + (t158 * (t274 + t274));
+    const float t278 = p->zH * C1_12_IBxz;
+    const float t279 = p->mH * t278;
+    const float C1_22_IHzz = C1_12_IBxz * M_12_IHxz;
+    const float C1_22_xH = (t158 * t273) + (t189 * C1_22_IHzz);
+    const float t284 = t169 + t274;
+    const float t285 = sin_lam * t284;
     const float K2_22_xH = p->mH * C1_22_IHzz;
-    const float M_11_zH = t12 + t12;
-    const float M_12_zH = p->mH * t152;
-    const float M_22_zH = t153 * K0_12_zH;
-    const float t288 = p->mH * t274;
-    const float t289 = sin_lam * t288;
+    const float M_11_zH = t48 + t48;
+    const float M_12_zH = p->mH * (t156 - t158);
+    const float K0_12_zH = p->mH * sin_lam;
+    const float t291 = t159 * K0_12_zH;
+    const float t292 = t170 * t273;
+    const float t293 = t169 * t200;
+    const float t294 = t170 * t293;
     const float K0_22_zH = sin_lam * K0_12_zH;
-    const float t291 = p->mH * C1_12_IBxz;
-    const float t292 = sin_lam * t291;
-    const float M_11_mH = p->zH * p->zH;
-    const float M_12_mH = p->zH * K0_12_mH;
-    const float M_22_mH = K0_12_mH * K0_12_mH;
-    const float t296 = p->zH * t274;
-    const float t297 = K0_12_mH * t274;
-    const float K0_22_mH = sin_lam * K0_12_mH;
-    const float t299 = p->zH * C1_12_IBxz;
+    const float t296 = p->zH * t158;
+    const float M_22_mH = t158 * t158;
+    const float t298 = t170 * t278;
+    const float K2_22_mH = C1_12_IBxz * t158;
+    const float C1_22_mH = t170 * K2_22_mH;
+    const float t301 = sin_lam * t158;
     const float M_22_IHxx = sin_lam * sin_lam;
-    const float M_22_IHzz = M_12_IHxz * M_12_IHxz;
-    const float t302 = sin_lam + sin_lam;
-    const float M_22_IHxz = M_12_IHxz * t302;
-    const float M_11_rF = t8 + t8;
-    const float M_12_rF = t128 + t158;
-    const float M_22_rF = t158 * t302;
-    const float C1_12_SF = t32 * C1_12_IBxz;
-    const float t309 = p->mF - (t101 * SF);
-    const float C1_12_rF = C1_12_SF * t309;
-    const float t311 = t101 * M_12_IHxz;
-    const float C1_21_rF = SF * t311;
-    const float C1_22_rF = t127 * C1_12_SF;
-    const float t314 = sin_lam * t127;
-    const float K2_12_rF = C1_12_IBxz * t309;
-    const float K2_22_rF = K2_22_SF * t309;
+    const float M_22_IHzz = M_22_ITzz + (cos_lam * (mu + M_12_IHxz));
+    const float t306 = sin_lam + sin_lam;
+    const float M_22_IHxz = M_12_IHxz * t306;
+    const float K2_22_SF = C1_12_IBxz * sin_lam;
+    const float M_11_rF = t5 + t5;
+    const float M_12_rF = p->mF * (t144 - K0_12_mF);
+    const float t312 = t148 * t306;
+    const float ITzz_w = p->mF - (t102 * SF);
+    const float C1_12_SF = t44 * t155;
+    const float C1_12_rF = ITzz_w * C1_12_SF;
+    const float t317 = t102 * M_12_IHxz;
+    const float C1_21_rF = SF * t317;
+    const float t319 = p->mF * sin_lam;
+    const float C1_22_rF = C1_12_SF * t319;
+    const float t321 = sin_lam * t319;
+    const float K2_12_rF = C1_12_IBxz * ITzz_w;
+    const float K2_22_rF = sin_lam * K2_12_rF;
     const float M_11_mF = p->rF * p->rF;
-    const float t318 = p->rF * sin_lam;
-    const float t320 = p->c * (cos_lam - t155);
-    const float t321 = t318 - t320;
-    const float M_12_mF = p->rF * t321;
-    const float M_22_mF = t321 * t321;
+    const float t325 = p->rF * K0_12_mF;
+    const float M_22_mF = K0_12_mF * K0_12_mF;
     const float C1_12_mF = p->rF * C1_12_SF;
-    const float K2_22_mF = C1_12_IBxz * t321;
-    const float C1_22_mF = t32 * K2_22_mF;
-    const float t327 = sin_lam * t321;
+    const float t328 = K0_12_mF * C1_12_SF;
+    const float K0_22_mF = sin_lam * K0_12_mF;
     const float K2_12_mF = p->rF * C1_12_IBxz;
+    const float t331 = C1_12_IBxz * K0_12_mF;
     const float M_22_IFxx = M_22_IHxx + M_22_IHzz;
-    const float C1_12_IFyy = t101 * C1_12_SF;
-    const float K2_12_IFyy = C1_12_IBxz * t101;
-    const float K2_22_IFyy = sin_lam * K2_12_IFyy;
-    const float C1_21 = -(cos_lam * t118);
-    const float K0_11 = t109 - t108;
-    const float C1_22_lam = -(t211 + (sin_lam * t171) + (mu * K0_12_lam));
-    const float K0_12_mF = t320 - t318;
+    const float C1_12_IFyy = t102 * C1_12_SF;
+    const float K2_12_IFyy = C1_12_IBxz * t102;
+    const float K2_22_IFyy = t102 * K2_22_SF;
+    const float C1_21 = -(t116 + t118);
+    const float K0_11 = t108 - t21;
+    const float K2_22 = -t136;
+    const float t339 = -(sin_lam * K0_12_w);
+    const float K0_12_lam = t222 - t138;
+    const float K0_12_mH = t157 - t154;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -1417,30 +1415,30 @@ void whipple_f32_derivatives(const whipple_f32_t *p, whipple_f32_matrices_t *mat
     matrices->k2[1][0] = 0.0F;
     matrices->k2[1][1] = K2_22;
     derivatives->values[0] = M_12_w;
-    derivatives->values[1] = M_22_w;
-    derivatives->values[2] = t167;
+    derivatives->values[1] = t162;
+    derivatives->values[2] = t165;
     derivatives->values[3] = C1_21_w;
     derivatives->values[4] = C1_22_w;
     derivatives->values[5] = K0_12_w;
-    derivatives->values[6] = K0_22_w;
+    derivatives->values[6] = t339;
     derivatives->values[7] = t181;
-    derivatives->values[8] = t184;
+    derivatives->values[8] = K2_22_w;
     derivatives->values[9] = M_12_c;
-    derivatives->values[10] = M_22_c;
+    derivatives->values[10] = t187;
     derivatives->values[11] = K2_12;
-    derivatives->values[12] = t191;
-    derivatives->values[13] = t199;
+    derivatives->values[12] = t117;
+    derivatives->values[13] = C1_22_c;
     derivatives->values[14] = K0_12_c;
     derivatives->values[15] = K0_22_c;
-    derivatives->values[16] = t201;
-    derivatives->values[17] = M_12_lam;
+    derivatives->values[16] = t199;
+    derivatives->values[17] = t205;
     derivatives->values[18] = M_22_lam;
     derivatives->values[19] = t217;
     derivatives->values[20] = C1_21_lam;
     derivatives->values[21] = C1_22_lam;
     derivatives->values[22] = K0_12_lam;
     derivatives->values[23] = K0_22_lam;
-    derivatives->values[24] = t228;
+    derivatives->values[24] = t230;
     derivatives->values[25] = K2_22_lam;
     derivatives->values[26] = M_11_rR;
     derivatives->values[27] = C1_12_rR;
@@ -1456,57 +1454,57 @@ void whipple_f32_derivatives(const whipple_f32_t *p, whipple_f32_matrices_t *mat
     derivatives->values[37] = C1_22_ITzz;
     derivatives->values[38] = C1_12_IRyy;
     derivatives->values[39] = K2_12_IRyy;
-    derivatives->values[40] = t247;
+    derivatives->values[40] = t251;
     derivatives->values[41] = M_22_xB;
-    derivatives->values[42] = t252;
+    derivatives->values[42] = t255;
     derivatives->values[43] = C1_22_xB;
-    derivatives->values[44] = t253;
-    derivatives->values[45] = t258;
+    derivatives->values[44] = t250;
+    derivatives->values[45] = t261;
     derivatives->values[46] = K2_22_xB;
     derivatives->values[47] = M_11_zB;
-    derivatives->values[48] = t249;
-    derivatives->values[49] = t261;
+    derivatives->values[48] = t256;
+    derivatives->values[49] = t264;
     derivatives->values[50] = p->mB;
-    derivatives->values[51] = t251;
+    derivatives->values[51] = t249;
     derivatives->values[52] = M_11_mB;
-    derivatives->values[53] = t262;
+    derivatives->values[53] = t265;
     derivatives->values[54] = M_22_mB;
-    derivatives->values[55] = t264;
+    derivatives->values[55] = t268;
     derivatives->values[56] = C1_22_mB;
     derivatives->values[57] = p->zB;
-    derivatives->values[58] = t248;
-    derivatives->values[59] = t266;
+    derivatives->values[58] = t252;
+    derivatives->values[59] = t271;
     derivatives->values[60] = t267;
     derivatives->values[61] = K2_22_mB;
     derivatives->values[62] = mu;
     derivatives->values[63] = C1_12_IBxz;
-    derivatives->values[64] = t270;
-    derivatives->values[65] = t271;
-    derivatives->values[66] = t272;
+    derivatives->values[64] = t272;
+    derivatives->values[65] = M_22_xH;
+    derivatives->values[66] = t279;
     derivatives->values[67] = C1_22_xH;
-    derivatives->values[68] = t269;
-    derivatives->values[69] = t282;
+    derivatives->values[68] = t284;
+    derivatives->values[69] = t285;
     derivatives->values[70] = K2_22_xH;
     derivatives->values[71] = M_11_zH;
     derivatives->values[72] = M_12_zH;
-    derivatives->values[73] = M_22_zH;
-    derivatives->values[74] = t288;
-    derivatives->values[75] = t289;
+    derivatives->values[73] = t291;
+    derivatives->values[74] = t292;
+    derivatives->values[75] = t294;
     derivatives->values[76] = p->mH;
     derivatives->values[77] = K0_12_zH;
     derivatives->values[78] = K0_22_zH;
-    derivatives->values[79] = t291;
-    derivatives->values[80] = t292;
+    derivatives->values[79] = t273;
+    derivatives->values[80] = t293;
     derivatives->values[81] = M_11_mH;
-    derivatives->values[82] = M_12_mH;
+    derivatives->values[82] = t296;
     derivatives->values[83] = M_22_mH;
-    derivatives->values[84] = t296;
-    derivatives->values[85] = t297;
+    derivatives->values[84] = t298;
+    derivatives->values[85] = C1_22_mH;
     derivatives->values[86] = p->zH;
     derivatives->values[87] = K0_12_mH;
-    derivatives->values[88] = K0_22_mH;
-    derivatives->values[89] = t299;
-    derivatives->values[90] = t277;
+    derivatives->values[88] = t301;
+    derivatives->values[89] = t278;
+    derivatives->values[90] = K2_22_mH;
     derivatives->values[91] = sin_lam;
     derivatives->values[92] = M_22_IHxx;
     derivatives->values[93] = M_22_IHzz;
@@ -1516,28 +1514,28 @@ void whipple_f32_derivatives(const whipple_f32_t *p, whipple_f32_matrices_t *mat
     derivatives->values[97] = K2_22_SF;
     derivatives->values[98] = M_11_rF;
     derivatives->values[99] = M_12_rF;
-    derivatives->values[100] = M_22_rF;
+    derivatives->values[100] = t312;
     derivatives->values[101] = C1_12_rF;
     derivatives->values[102] = C1_21_rF;
     derivatives->values[103] = C1_22_rF;
     derivatives->values[104] = p->mF;
-    derivatives->values[105] = t127;
-    derivatives->values[106] = t314;
+    derivatives->values[105] = t319;
+    derivatives->values[106] = t321;
     derivatives->values[107] = K2_12_rF;
     derivatives->values[108] = K2_22_rF;
     derivatives->values[109] = M_11_mF;
-    derivatives->values[110] = M_12_mF;
+    derivatives->values[110] = t325;
     derivatives->values[111] = M_22_mF;
     derivatives->values[112] = C1_12_mF;
-    derivatives->values[113] = C1_22_mF;
+    derivatives->values[113] = t328;
     derivatives->values[114] = p->rF;
     derivatives->values[115] = K0_12_mF;
-    derivatives->values[116] = t327;
+    derivatives->values[116] = K0_22_mF;
     derivatives->values[117] = K2_12_mF;
-    derivatives->values[118] = K2_22_mF;
+    derivatives->values[118] = t331;
     derivatives->values[119] = M_22_IFxx;
     derivatives->values[120] = C1_12_IFyy;
-    derivatives->values[121] = t311;
+    derivatives->values[121] = t317;
     derivatives->values[122] = K2_12_IFyy;
     derivatives->values[123] = K2_22_IFyy;
 }

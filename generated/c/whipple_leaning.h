@@ -353,7 +353,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 54 additions, 55 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 116 operations.
+ * 53 additions, 55 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 115 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -470,7 +470,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 118 additions, 227 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 354 operations.
+ * 123 additions, 235 multiplications, 3 divisions, 6 negations and 2 trigonometric functions: 369 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -770,7 +770,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 54 additions, 55 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 116 operations.
+ * 53 additions, 55 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 115 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -887,7 +887,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 118 additions, 227 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 354 operations.
+ * 123 additions, 235 multiplications, 3 divisions, 6 negations and 2 trigonometric functions: 369 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

@@ -432,7 +432,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 94 additions, 178 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 279 operations.
+ * 94 additions, 185 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 285 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -824,7 +824,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 94 additions, 178 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 279 operations.
+ * 94 additions, 185 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 285 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

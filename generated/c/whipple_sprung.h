@@ -241,7 +241,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 41 additions, 43 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 90 operations.
+ * 40 additions, 43 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 89 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -358,7 +358,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 96 additions, 183 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 287 operations.
+ * 100 additions, 182 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 289 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -481,7 +481,7 @@ typedef struct {
 
 /**
  * The coefficient matrices, from one straight-line program:
- * 41 additions, 43 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 90 operations.
+ * 40 additions, 43 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 89 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] matrices The matrices.
@@ -598,7 +598,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 96 additions, 183 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 287 operations.
+ * 100 additions, 182 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 289 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

@@ -350,234 +350,238 @@ pub struct BalanceAssistDerivatives<T = f64> {
 
 impl<T: Number> BalanceAssist<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 132 additions, 195 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 336 operations.
+    /// 133 additions, 202 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 345 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (BalanceAssistMatrices<T>, BalanceAssistDerivatives<T>) {
-        let t2 = self.rR * self.mR;
-        let t10 = self.zH * self.mH;
-        let M_11_mF = self.rF * self.rF;
-        let Jxx_delta = self.IHxx + self.IFxx + self.zH * t10 + self.mF * M_11_mF;
-        let t21 = self.zB * self.mB;
-        let M_11 = self.rR * t2 + self.IBxx + self.IRxx + Jxx_delta + self.zB * t21;
-        let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t31 = self.mF * self.c;
-        let t34 = self.c + self.w;
-        let t36 = t34 - self.xH;
-        let t37 = self.mH * t36;
-        let t41 = self.rF * t31 - self.zH * t37 - self.IHxz;
-        let t43 = t41 * cos_lam;
-        let hx_delta = Jxx_delta * sin_lam - t43;
-        let t46 = self.mF * self.rF;
-        let t47 = t46 - t10;
-        let t53 = self.IBxz + t34 * t47 - t41 - t21 * self.xB;
-        let t54 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = cos_lam * t54;
-        let t56 = t53 * yaw_per_v_delta;
-        let M_12 = hx_delta + self.c * t56;
-        let t60 = self.c * t54;
-        let mu = cos_lam * t60;
-        let t62 = sin_lam * t41;
-        let Jzz_delta = self.IFxx + self.IHzz + self.c * t31 + t36 * t37;
-        let t70 = cos_lam * Jzz_delta - t62;
-        let t72 = t31 + t37;
-        let t74 = sin_lam * t47 - cos_lam * t72;
-        let t76 = t70 + t34 * t74;
-        let t77 = self.mB * self.xB;
-        let mA = self.mH + self.mF;
-        let t82 = t72 - t34 * mA;
-        let t89 = yaw_per_v_delta
-            * (self.IRxx + Jzz_delta + self.xB * t77 + self.IBzz - t34 * (t72 + t82));
-        let t90 = self.c * t89;
-        let t92 = t76 + t76 + t90;
-        let M_22 = sin_lam * hx_delta + mu * t92 + cos_lam * t70;
-        let zero = self.w.like(0.0);
-        let t102 = self.w.like(1.0) / self.rF;
-        let SF = self.IFyy * t102;
-        let t104 = cos_lam * SF;
-        let t106 = self.w.like(1.0) / self.rR;
-        let t107 = self.IRyy * t106;
-        let ST = SF + t107;
-        let t109 = t21 - t2;
-        let t111 = ST + (t47 - t109);
-        let t113 = t53 + self.c * t111;
-        let t114 = yaw_per_v_delta * t113;
-        let C1_12 = t104 + t114;
-        let t116 = yaw_per_v_delta * ST;
-        let t117 = self.c * t116;
-        let C1_21 = self.kappa - t104 - t117;
-        let t120 = mu * t77;
-        let t121 = mu * t82;
-        let t122 = t74 - t121;
-        let t123 = t120 + t122;
-        let t124 = t89 + t123;
-        let t126 = t76 + self.c * t124;
-        let C1_22 = yaw_per_v_delta * t126;
-        let K2_12 = yaw_per_v_delta * t111;
-        let t130 = sin_lam * SF;
-        let t131 = t123 + t130;
-        let K2_22 = yaw_per_v_delta * t131;
-        let M_12_Jxz_delta = cos_lam + mu;
-        let t134 = self.mH * M_12_Jxz_delta;
-        let t135 = self.zH * t134;
-        let t138 = self.c * t47 * yaw_per_v_delta;
-        let M_12_w = t135 + t138 - t56 * t60;
-        let t141 = t36 * M_12_Jxz_delta;
-        let t142 = self.zH * sin_lam;
-        let t143 = t141 + t142;
-        let t144 = t34 * cos_lam;
-        let t145 = t60 * t144;
-        let t146 = t141 - t145;
-        let K0_12_mH = t142 + t146;
-        let t148 = t145 - K0_12_mH;
-        let t150 = t134 * (t143 - t148);
-        let t151 = t121 - t122;
-        let t154 = t150 + mu * (t74 - t151);
-        let t155 = t90 + t92;
-        let t156 = yaw_per_v_delta * t155;
-        let M_22_w = t154 - t60 * t156;
-        let C1_12_w = t46 * yaw_per_v_delta - t54 * t114;
-        let C1_21_w = t54 * t117;
-        let t163 = t144 + t145;
-        let t164 = t146 - t163;
-        let t165 = t143 + t164;
-        let t166 = self.mH * yaw_per_v_delta;
-        let t167 = t165 * t166;
-        let t168 = t77 - t82;
-        let K0_12_c = cos_lam * (mA - t54 * t168);
-        let t172 = t60 * K0_12_c;
-        let K0_12_w = t134 - t172;
-        let t176 = t54 * (t90 + t126);
-        let C1_22_w = t167 - yaw_per_v_delta * (t151 + self.c * K0_12_w + t176);
-        let K0_22_w = sin_lam * K0_12_w;
-        let t182 = t54 * K2_12;
-        let t185 = t54 * (K2_22 + cos_lam * K0_12_w);
-        let M_12_c = t56 + t138 - t47 * M_12_Jxz_delta;
-        let t189 = self.c * M_12_Jxz_delta;
-        let t190 = self.rF * sin_lam;
-        let t191 = t189 - t190;
-        let t192 = t145 - t191;
-        let t193 = M_12_Jxz_delta + M_12_Jxz_delta;
-        let M_22_c = t154 + t156 - self.mF * t192 * t193;
-        let t198 = t145 + t192;
-        let t204 = t54 * (t151 + self.mF * (t144 + t198 - t189) - t124);
-        let C1_22_c = t167 - cos_lam * (t172 + t204);
-        let K0_22_c = sin_lam * K0_12_c;
-        let t209 = yaw_per_v_delta * K0_12_c;
-        let t210 = sin_lam * t60;
-        let t213 = t62 + Jxx_delta * cos_lam;
-        let M_12_lam = t213 - t53 * t210;
-        let t217 = cos_lam * t47 + sin_lam * t72;
-        let t218 = t34 * t217;
-        let t221 = mu * t218 + sin_lam * t213;
-        let t224 = t43 + sin_lam * Jzz_delta;
-        let M_22_lam = t221 + t221 - t155 * t210 - t193 * t224;
-        let t229 = sin_lam * t54;
-        let t231 = t130 + t113 * t229;
-        let C1_21_lam = t130 + ST * t210;
-        let t235 = t168 * t210;
-        let t236 = t217 - t235;
-        let M_22_hz_delta = yaw_per_v_delta * (t218 + self.c * t236 - t224);
-        let C1_22_lam = M_22_hz_delta - sin_lam * t176;
-        let t244 = sin_lam * t236 + cos_lam * t123;
-        let t245 = t111 * t229;
-        let K2_22_lam = yaw_per_v_delta * (t104 + t236) - t131 * t229;
-        let M_11_rR = t2 + t2;
-        let K2_12_IRyy = yaw_per_v_delta * t106;
-        let K2_12_rR = self.mR * yaw_per_v_delta - t107 * K2_12_IRyy;
-        let C1_12_rR = self.c * K2_12_rR;
-        let C1_12_IRyy = self.c * K2_12_IRyy;
-        let C1_21_rR = t107 * C1_12_IRyy;
+        let M_11_mB = self.zB * self.zB;
+        let t10 = self.rF * self.mF;
+        let t14 = self.zH * self.mH;
+        let Jxx_delta = self.IFxx + self.IHxx + self.rF * t10 + self.zH * t14;
         let M_11_mR = self.rR * self.rR;
+        let M_11 = self.IBxx + self.IRxx + self.mB * M_11_mB + Jxx_delta
+            + self.mR * M_11_mR;
+        let (sin_lam, cos_lam) = self.lam.sin_cos();
+        let t32 = t10 - t14;
+        let t36 = self.w - self.xH;
+        let t39 = self.IHxz + t14 * t36 - self.c * t32;
+        let t41 = t39 * cos_lam;
+        let hx_delta = Jxx_delta * sin_lam + t41;
+        let t44 = self.c + self.w;
+        let M_22_hz_delta = t32 * t44;
+        let t47 = self.mB * self.zB;
+        let t51 = t39 + self.IBxz + M_22_hz_delta - self.xB * t47;
+        let t52 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = cos_lam * t52;
+        let mu = self.c * yaw_per_v_delta;
+        let M_12 = hx_delta + t51 * mu;
+        let t59 = self.mF * self.c;
+        let t60 = t44 - self.xH;
+        let t61 = self.mH * t60;
+        let t62 = t59 + t61;
+        let t64 = sin_lam * t32 - cos_lam * t62;
+        let t65 = t44 * t64;
+        let t66 = sin_lam * t39;
+        let Jzz_delta = self.IFxx + self.IHzz + self.c * t59 + t60 * t61;
+        let t74 = t66 + cos_lam * Jzz_delta;
+        let t75 = self.mB * self.xB;
+        let mA = self.mF + self.mH;
+        let t80 = t62 - t44 * mA;
+        let t86 = self.IRxx + Jzz_delta + self.xB * t75 + self.IBzz - t44 * (t62 + t80);
+        let t87 = mu * t86;
+        let t89 = t65 + t74 + t87;
+        let M_12_Jxz_delta = cos_lam + mu;
+        let M_22 = sin_lam * hx_delta + mu * (t65 + t89) + t74 * M_12_Jxz_delta;
+        let zero = self.w.like(0.0);
+        let t101 = self.w.like(1.0) / self.rF;
+        let SF = self.IFyy * t101;
+        let t104 = self.w.like(1.0) / self.rR;
+        let t105 = self.IRyy * t104;
+        let ST = SF + t105;
+        let t107 = self.mR * self.rR;
+        let K0_11 = t47 - (t32 + t107);
+        let t111 = t52 * (ST - K0_11);
+        let t113 = t51 * t52;
+        let t114 = self.c * t111 + t113;
+        let t115 = SF + t114;
+        let C1_12 = cos_lam * t115;
+        let t117 = cos_lam * SF;
+        let t118 = mu * ST;
+        let C1_21 = self.kappa - t117 - t118;
+        let t121 = mu * t75;
+        let t122 = mu * t80;
+        let t123 = t121 - t122;
+        let t124 = t64 + t123;
+        let t126 = t89 + self.c * t124;
+        let C1_22 = yaw_per_v_delta * t126;
+        let K2_12 = cos_lam * t111;
+        let t130 = sin_lam * SF;
+        let t131 = t124 + t130;
+        let K2_22 = yaw_per_v_delta * t131;
+        let t133 = t32 - t113;
+        let t135 = t14 * M_12_Jxz_delta;
+        let M_12_w = mu * t133 + t135;
+        let t137 = t52 * t89;
+        let t138 = t137 + t137;
+        let t140 = t60 * M_12_Jxz_delta;
+        let t141 = M_12_Jxz_delta * t140;
+        let t142 = t44 * mu;
+        let t143 = M_12_Jxz_delta + M_12_Jxz_delta;
+        let t144 = t142 * t143;
+        let t145 = t141 - t144;
+        let t146 = self.zH * sin_lam;
+        let t150 = self.mH * (t141 + t145 + t143 * t146);
+        let t151 = mu + mu;
+        let t152 = t64 - t122;
+        let P_delta_yaw_xB = t151 * t152;
+        let t154 = t150 + P_delta_yaw_xB;
+        let M_22_w = t154 - mu * t138;
+        let C1_12_w = yaw_per_v_delta * (t10 - t114);
+        let C1_21_w = t52 * t118;
+        let t161 = self.mF * mu - self.mH * cos_lam;
+        let t162 = t52 * t123;
+        let P_delta_lateral_w = t161 - t162;
+        let t165 = t142 - t140;
+        let K0_12_mH = t146 - t165;
+        let t167 = t165 - K0_12_mH;
+        let t168 = cos_lam * t44;
+        let t169 = t167 + t168;
+        let t172 = t122 + self.mH * t169 - t152;
+        let t174 = t52 * (t87 + t126);
+        let C1_22_w = yaw_per_v_delta * (self.c * P_delta_lateral_w - t172 - t174);
+        let t178 = sin_lam * P_delta_lateral_w;
+        let t179 = yaw_per_v_delta * t111;
+        let t180 = t52 * t131;
+        let K2_22_w = yaw_per_v_delta * (P_delta_lateral_w - t180);
+        let t183 = cos_lam * t133;
+        let M_22_Jzz_delta = M_12_Jxz_delta * M_12_Jxz_delta;
+        let t185 = self.c * M_22_Jzz_delta;
+        let t186 = t185 - t144;
+        let t190 = self.mF * M_12_Jxz_delta;
+        let t191 = self.rF * sin_lam;
+        let t193 = cos_lam * t137 - t190 * t191;
+        let M_22_c = t154 + self.mF * (t185 + t186) + t193 + t193;
+        let t197 = yaw_per_v_delta * ST;
+        let t198 = self.c * M_12_Jxz_delta;
+        let t200 = t142 + t191 - t198;
+        let t201 = t142 + t200;
+        let t205 = t75 - t80;
+        let t207 = t161 + yaw_per_v_delta * t205;
+        let t212 = t172 + self.mF * (t168 + t201) - t124 - yaw_per_v_delta * t86
+            - self.c * t207;
+        let t213 = yaw_per_v_delta * t212;
+        let K0_12_c = t190 - t207;
+        let t218 = t66 - Jxx_delta * cos_lam;
+        let t220 = sin_lam * self.c * t52;
+        let t222 = t218 + t51 * t220;
+        let t229 = t32 * cos_lam + sin_lam * t62;
+        let t232 = t41 - sin_lam * Jzz_delta;
+        let t233 = t44 * t229 + t232;
+        let M_22_lam = t151 * t233 + cos_lam * (hx_delta + t232)
+            - sin_lam * (t74 + t218 + self.c * t138);
+        let t239 = sin_lam * t115;
+        let C1_21_lam = t130 + ST * t220;
+        let t242 = t205 * t220;
+        let t243 = t229 - t242;
+        let C1_22_lam = yaw_per_v_delta * (t233 + self.c * t243) - sin_lam * t174;
+        let t251 = sin_lam * t243 + cos_lam * t124;
+        let t252 = sin_lam * t111;
+        let K2_22_lam = yaw_per_v_delta * (t117 + t243) - sin_lam * t180;
+        let M_11_rR = t107 + t107;
+        let K2_12_IRyy = yaw_per_v_delta * t104;
+        let K2_12_rR = self.mR * yaw_per_v_delta - t105 * K2_12_IRyy;
+        let C1_12_rR = self.c * K2_12_rR;
+        let C1_12_IRyy = mu * t104;
+        let C1_21_rR = t105 * C1_12_IRyy;
         let K2_12_mR = self.rR * yaw_per_v_delta;
         let C1_12_mR = self.c * K2_12_mR;
-        let M_22_IRxx = mu * mu;
         let C1_22_IRxx = yaw_per_v_delta * mu;
-        let t264 = t21 * mu;
-        let t265 = t77 * M_22_IRxx;
-        let M_22_xB = t265 + t265;
-        let t267 = self.mB * yaw_per_v_delta;
-        let t268 = self.zB * t267;
-        let t269 = self.xB * mu;
-        let K2_22_mB = yaw_per_v_delta * t269;
-        let t271 = M_22_IRxx + K2_22_mB;
-        let C1_22_xB = self.mB * (K2_22_mB + t271);
-        let t274 = self.mB * mu;
-        let t275 = sin_lam * t274;
-        let K2_22_xB = mu * t267;
-        let M_11_zB = t21 + t21;
-        let t278 = self.c + self.xB;
-        let t279 = t267 * t278;
-        let M_11_mB = self.zB * self.zB;
-        let t281 = self.zB * t269;
-        let M_22_mB = t269 * t269;
-        let t283 = self.zB * yaw_per_v_delta;
-        let t284 = t278 * t283;
-        let C1_22_mB = self.xB * t271;
-        let t286 = sin_lam * t269;
-        let t287 = self.zH * yaw_per_v_delta;
-        let t288 = self.mH * t287;
-        let t290 = t166 * (t165 - t189);
-        let t291 = sin_lam * t134;
-        let K2_22_xH = yaw_per_v_delta * t134;
-        let M_11_zH = t10 + t10;
-        let M_12_zH = self.mH * (t142 + K0_12_mH);
-        let K0_22_mH = sin_lam * K0_12_mH;
-        let t297 = self.mH * K0_22_mH;
-        let M_22_zH = t297 + t297;
-        let t299 = self.c + self.xH;
-        let t300 = t166 * t299;
-        let t301 = sin_lam * t166;
-        let t302 = t299 * t301;
+        let M_22_IRxx = self.c * C1_22_IRxx;
+        let t270 = self.mB * self.c;
+        let t271 = self.zB * yaw_per_v_delta;
+        let t272 = t270 * t271;
+        let M_22_xB = t121 * t151;
+        let t274 = self.mB * yaw_per_v_delta;
+        let t275 = self.zB * t274;
+        let t276 = self.c + self.xB;
+        let t277 = self.c * t274;
+        let K2_22_xB = yaw_per_v_delta * t277;
+        let t280 = self.xB * mu;
+        let C1_22_xB = t276 * K2_22_xB + t274 * t280;
+        let C1_22_Jxz_delta = sin_lam * yaw_per_v_delta;
+        let t284 = t270 * C1_22_Jxz_delta;
+        let M_11_zB = t47 + t47;
+        let t286 = t274 * t276;
+        let t287 = self.zB * t280;
+        let M_22_mB = t280 * t280;
+        let t289 = t271 * t276;
+        let K2_22_mB = self.xB * C1_22_IRxx;
+        let C1_22_mB = t276 * K2_22_mB;
+        let t292 = sin_lam * t280;
+        let t293 = self.mH * yaw_per_v_delta;
+        let t294 = self.zH * t293;
+        let C1_22_xH = t293 * (t169 + t198);
+        let t297 = self.mH * M_12_Jxz_delta;
+        let t298 = sin_lam * t297;
+        let K2_22_xH = M_12_Jxz_delta * t293;
+        let M_11_zH = t14 + t14;
+        let t301 = t146 + K0_12_mH;
+        let M_12_zH = self.mH * t301;
         let K0_12_zH = self.mH * sin_lam;
+        let t305 = (t165 - t301) * K0_12_zH;
+        let t306 = self.c + self.xH;
+        let t307 = t293 * t306;
+        let t308 = sin_lam * t307;
         let K0_22_zH = sin_lam * K0_12_zH;
+        let t310 = yaw_per_v_delta * K0_12_zH;
         let M_11_mH = self.zH * self.zH;
         let M_12_mH = self.zH * K0_12_mH;
-        let t308 = t54 * t144;
-        let t309 = t145 * t308;
-        let t310 = self.c * t309;
-        let M_22_mH = t310 - t143 * t148;
-        let t312 = t287 * t299;
-        let C1_22_mA = mu * t146;
-        let C1_22_mH = t309 + t36 * yaw_per_v_delta * t164 - C1_22_mA - sin_lam * t312;
-        let t320 = yaw_per_v_delta * K0_12_mH;
+        let t313 = t44 * yaw_per_v_delta;
+        let C1_22_mA = t142 * t313;
+        let M_22_mH = self.c * C1_22_mA + t60 * t145 - t146 * t167;
+        let t320 = self.zH * yaw_per_v_delta;
+        let t321 = t306 * t320;
+        let C1_22_mH = C1_22_mA
+            - yaw_per_v_delta * (t44 * t140 + t36 * t165 + t146 * t306);
+        let K0_22_mH = sin_lam * K0_12_mH;
+        let t330 = yaw_per_v_delta * K0_12_mH;
         let M_22_Jxx_delta = sin_lam * sin_lam;
-        let M_22_Jzz_delta = M_12_Jxz_delta * M_12_Jxz_delta;
         let C1_22_Jzz_delta = yaw_per_v_delta * M_12_Jxz_delta;
-        let M_22_Jxz_delta = sin_lam * t193;
-        let C1_22_Jxz_delta = sin_lam * yaw_per_v_delta;
-        let M_11_rF = t46 + t46;
-        let M_12_rF = self.mF * (t190 + t192);
-        let t329 = sin_lam * t192;
-        let t330 = self.mF * t329;
-        let M_22_rF = t330 + t330;
-        let t332 = self.mF * yaw_per_v_delta;
-        let t333 = t34 * t332;
-        let C1_12_IFyy = t102 * M_12_Jxz_delta;
-        let C1_21_rF = SF * C1_12_IFyy;
-        let C1_12_rF = t333 - C1_21_rF;
-        let C1_22_rF = sin_lam * t333;
+        let M_22_Jxz_delta = sin_lam * t143;
+        let M_11_rF = t10 + t10;
+        let M_12_rF = self.mF * (t191 + t200);
         let P_delta_lateral_rF = self.mF * sin_lam;
-        let t339 = sin_lam * P_delta_lateral_rF;
-        let K2_12_IFyy = yaw_per_v_delta * t102;
-        let K2_12_rF = t332 - SF * K2_12_IFyy;
-        let M_12_mF = self.rF * t192;
-        let M_22_mF = t310 - t191 * t198;
-        let C1_12_mF = self.rF * t308;
-        let C1_22_mF = t309 + t190 * t308 - mu * t163;
+        let t338 = t200 * P_delta_lateral_rF;
+        let M_22_rF = t338 + t338;
+        let t340 = self.mF * t313;
+        let t341 = t101 * SF;
+        let C1_21_rF = M_12_Jxz_delta * t341;
+        let C1_12_rF = t340 - C1_21_rF;
+        let C1_22_rF = sin_lam * t340;
+        let t345 = sin_lam * P_delta_lateral_rF;
+        let K2_12_rF = yaw_per_v_delta * (self.mF - t341);
+        let K2_22_rF = sin_lam * K2_12_rF;
+        let M_11_mF = self.rF * self.rF;
+        let M_12_mF = self.rF * t200;
+        let M_22_mF = self.c * (t186 + C1_22_mA) - t191 * (t198 - t201);
+        let C1_12_mF = self.rF * t313;
+        let C1_22_mF = t200 * t313;
+        let t358 = sin_lam * t200;
         let K2_12_mF = self.rF * yaw_per_v_delta;
-        let K2_22_mF = yaw_per_v_delta * t192;
-        let M_22_IFxx = M_22_Jxx_delta + M_22_Jzz_delta;
-        let K2_22_IFyy = t102 * C1_22_Jxz_delta;
+        let K2_22_mF = yaw_per_v_delta * t200;
+        let M_22_IFxx = M_22_Jzz_delta + M_22_Jxx_delta;
+        let C1_12_IFyy = M_12_Jxz_delta * t101;
+        let K2_12_IFyy = yaw_per_v_delta * t101;
+        let K2_22_IFyy = t101 * C1_22_Jxz_delta;
         let C0_21 = -(self.kappa * self.vo);
-        let K0_11 = t109 - t47;
-        let K0_12 = -t123;
-        let K0_22 = -(sin_lam * t123);
-        let K0_12_lam = t235 - t217;
-        let t361 = -(sin_lam * K2_12_rF);
-        let K0_12_mF = t191 - t145;
+        let K0_12 = -t124;
+        let K0_22 = -(sin_lam * t124);
+        let K0_12_w = t162 - t161;
+        let t369 = -(sin_lam * K0_12_c);
+        let K2_22_c = -(yaw_per_v_delta * K0_12_c);
+        let K0_12_lam = t242 - t229;
         (
             BalanceAssistMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, zero, C0_21, zero, zero, C1_12, C1_21, C1_22, K0_11,
@@ -585,21 +589,21 @@ impl<T: Number> BalanceAssist<T> {
             ]),
             BalanceAssistDerivatives {
                 values: [
-                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_12_w, K0_22_w, t182, t185, M_12_c,
-                    M_22_c, K2_12, t116, C1_22_c, K0_12_c, K0_22_c, t209, M_12_lam, M_22_lam, t231,
-                    C1_21_lam, C1_22_lam, K0_12_lam, t244, t245, K2_22_lam, M_11_rR, C1_12_rR,
+                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_12_w, t178, t179, K2_22_w, t183,
+                    M_22_c, K2_12, t197, t213, K0_12_c, t369, K2_22_c, t222, M_22_lam, t239,
+                    C1_21_lam, C1_22_lam, K0_12_lam, t251, t252, K2_22_lam, M_11_rR, C1_12_rR,
                     C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
-                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t264, M_22_xB,
-                    t268, C1_22_xB, t274, t275, K2_22_xB, M_11_zB, t120, t279, self.mB, t267,
-                    M_11_mB, t281, M_22_mB, t284, C1_22_mB, self.zB, t269, t286, t283, K2_22_mB, mu,
-                    yaw_per_v_delta, t135, t150, t288, t290, t134, t291, K2_22_xH, M_11_zH, M_12_zH,
-                    M_22_zH, t300, t302, self.mH, K0_12_zH, K0_22_zH, t166, t301, M_11_mH, M_12_mH,
-                    M_22_mH, t312, C1_22_mH, self.zH, K0_12_mH, K0_22_mH, t287, t320, sin_lam,
-                    M_22_Jxx_delta, M_22_Jzz_delta, C1_22_Jzz_delta, M_12_Jxz_delta, M_22_Jxz_delta,
-                    C1_22_Jxz_delta, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF,
-                    self.mF, P_delta_lateral_rF, t339, K2_12_rF, t361, M_11_mF, M_12_mF, M_22_mF,
-                    C1_12_mF, C1_22_mF, self.rF, K0_12_mF, t329, K2_12_mF, K2_22_mF, M_22_IFxx,
-                    C1_12_IFyy, K2_12_IFyy, K2_22_IFyy, self.vo, self.kappa,
+                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t272, M_22_xB,
+                    t275, C1_22_xB, t277, t284, K2_22_xB, M_11_zB, t121, t286, self.mB, t274,
+                    M_11_mB, t287, M_22_mB, t289, C1_22_mB, self.zB, t280, t292, t271, K2_22_mB, mu,
+                    yaw_per_v_delta, t135, t150, t294, C1_22_xH, t297, t298, K2_22_xH, M_11_zH,
+                    M_12_zH, t305, t307, t308, self.mH, K0_12_zH, K0_22_zH, t293, t310, M_11_mH,
+                    M_12_mH, M_22_mH, t321, C1_22_mH, self.zH, K0_12_mH, K0_22_mH, t320, t330,
+                    sin_lam, M_22_Jxx_delta, M_22_Jzz_delta, C1_22_Jzz_delta, M_12_Jxz_delta,
+                    M_22_Jxz_delta, C1_22_Jxz_delta, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF,
+                    C1_22_rF, self.mF, P_delta_lateral_rF, t345, K2_12_rF, K2_22_rF, M_11_mF,
+                    M_12_mF, M_22_mF, C1_12_mF, C1_22_mF, self.rF, t200, t358, K2_12_mF, K2_22_mF,
+                    M_22_IFxx, C1_12_IFyy, K2_12_IFyy, K2_22_IFyy, self.vo, self.kappa,
                 ],
             },
         )
@@ -1137,17 +1141,20 @@ impl BalanceAssistDerivatives {
         Partial::new(MatrixName::M, 1, 1, 0, 1), Partial::new(MatrixName::C1, 0, 1, 0, 2),
         Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
         Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
-        Partial::new(MatrixName::K0, 1, 1, 0, 6),
+        Partial::new(MatrixName::K0, 1, 1, 0, 6).negative(),
         Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 0, 8).negative(),
-        Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
+        Partial::new(MatrixName::K2, 1, 1, 0, 8),
+        Partial::new(MatrixName::M, 0, 1, 1, 9).negative(),
+        Partial::new(MatrixName::M, 1, 0, 1, 9).negative(),
         Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
         Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 13), Partial::new(MatrixName::K0, 0, 1, 1, 14),
-        Partial::new(MatrixName::K0, 1, 0, 1, 14), Partial::new(MatrixName::K0, 1, 1, 1, 15),
-        Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
-        Partial::new(MatrixName::M, 0, 1, 2, 17),
-        Partial::new(MatrixName::M, 1, 0, 2, 17),
+        Partial::new(MatrixName::C1, 1, 1, 1, 13).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 1, 14),
+        Partial::new(MatrixName::K0, 1, 0, 1, 14),
+        Partial::new(MatrixName::K0, 1, 1, 1, 15).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 1, 16),
+        Partial::new(MatrixName::M, 0, 1, 2, 17).negative(),
+        Partial::new(MatrixName::M, 1, 0, 2, 17).negative(),
         Partial::new(MatrixName::M, 1, 1, 2, 18),
         Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
         Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
@@ -1199,13 +1206,13 @@ impl BalanceAssistDerivatives {
         Partial::new(MatrixName::M, 1, 0, 15, 64).negative(),
         Partial::new(MatrixName::M, 1, 1, 15, 65).negative(),
         Partial::new(MatrixName::C1, 0, 1, 15, 66).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 15, 67).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 15, 67),
         Partial::new(MatrixName::K0, 0, 1, 15, 68).negative(),
         Partial::new(MatrixName::K0, 1, 0, 15, 68).negative(),
         Partial::new(MatrixName::K0, 1, 1, 15, 69).negative(),
         Partial::new(MatrixName::K2, 1, 1, 15, 70), Partial::new(MatrixName::M, 0, 0, 16, 71),
         Partial::new(MatrixName::M, 0, 1, 16, 72), Partial::new(MatrixName::M, 1, 0, 16, 72),
-        Partial::new(MatrixName::M, 1, 1, 16, 73),
+        Partial::new(MatrixName::M, 1, 1, 16, 73).negative(),
         Partial::new(MatrixName::C1, 0, 1, 16, 74).negative(),
         Partial::new(MatrixName::C1, 1, 1, 16, 75).negative(),
         Partial::new(MatrixName::K0, 0, 0, 16, 76), Partial::new(MatrixName::K0, 0, 1, 16, 77),
@@ -1233,14 +1240,13 @@ impl BalanceAssistDerivatives {
         Partial::new(MatrixName::K0, 0, 1, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 0, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 1, 22, 106).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 107),
-        Partial::new(MatrixName::K2, 1, 1, 22, 108).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 22, 107), Partial::new(MatrixName::K2, 1, 1, 22, 108),
         Partial::new(MatrixName::M, 0, 0, 23, 109), Partial::new(MatrixName::M, 0, 1, 23, 110),
         Partial::new(MatrixName::M, 1, 0, 23, 110), Partial::new(MatrixName::M, 1, 1, 23, 111),
         Partial::new(MatrixName::C1, 0, 1, 23, 112), Partial::new(MatrixName::C1, 1, 1, 23, 113),
         Partial::new(MatrixName::K0, 0, 0, 23, 114).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 23, 115),
-        Partial::new(MatrixName::K0, 1, 0, 23, 115),
+        Partial::new(MatrixName::K0, 0, 1, 23, 115).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 23, 115).negative(),
         Partial::new(MatrixName::K0, 1, 1, 23, 116).negative(),
         Partial::new(MatrixName::K2, 0, 1, 23, 117), Partial::new(MatrixName::K2, 1, 1, 23, 118),
         Partial::new(MatrixName::M, 0, 0, 24, 35), Partial::new(MatrixName::M, 0, 1, 24, 91),

@@ -109,14 +109,14 @@ impl<T: Number> DoublePendulum<T> {
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> DoublePendulumMatrices<T> {
-        let t4 = self.a2 + self.l1;
-        let t5 = self.m2 * t4;
-        let t10 = self.a1 * self.m1;
-        let Jxx_theta1 = self.I2 + (t5 * t4 + (self.I1 + self.a1 * t10));
+        let t5 = self.a1 * self.m1;
+        let t9 = self.a2 + self.l1;
+        let t11 = self.m2 * t9;
+        let Jxx_theta1 = self.I1 + self.I2 + (self.a1 * t5 + t9 * t11);
         let t15 = self.a2 * self.m2;
-        let M_theta1_theta2 = self.I2 + t15 * t4;
         let Jxx_theta2 = self.I2 + self.a2 * t15;
-        let K0_11 = -(t5 + t10);
+        let M_theta1_theta2 = Jxx_theta2 + t15 * self.l1;
+        let K0_11 = -(t5 + t11);
         let K0_12 = -t15;
         DoublePendulumMatrices::from_entries([
             Jxx_theta1, M_theta1_theta2, M_theta1_theta2, Jxx_theta2, K0_11, K0_12, K0_12, K0_12,
@@ -519,22 +519,22 @@ impl<T: Number> DoublePendulum<T> {
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (DoublePendulumMatrices<T>, DoublePendulumDerivatives<T>) {
-        let t4 = self.l1 + self.a2;
-        let M_11_m2 = t4 * t4;
-        let t10 = self.a1 * self.m1;
-        let Jxx_theta1 = self.I1 + self.m2 * M_11_m2 + self.I2 + self.a1 * t10;
-        let M_12_m2 = self.a2 * t4;
-        let M_theta1_theta2 = self.I2 + self.m2 * M_12_m2;
-        let M_12_l1 = self.m2 * self.a2;
+        let t2 = self.a1 * self.m1;
+        let t8 = self.l1 + self.a2;
+        let t10 = t8 * self.m2;
+        let Jxx_theta1 = self.a1 * t2 + self.I1 + self.I2 + t8 * t10;
+        let M_12_l1 = self.a2 * self.m2;
         let Jxx_theta2 = self.I2 + self.a2 * M_12_l1;
-        let t21 = self.m2 * t4;
-        let M_11_l1 = t21 + t21;
-        let M_11_a1 = t10 + t10;
+        let M_theta1_theta2 = Jxx_theta2 + self.l1 * M_12_l1;
+        let M_11_l1 = t10 + t10;
+        let M_11_a1 = t2 + t2;
         let M_11_m1 = self.a1 * self.a1;
-        let M_12_a2 = M_12_l1 + t21;
+        let M_12_a2 = t10 + M_12_l1;
         let Jxx_theta2_a2 = M_12_l1 + M_12_l1;
+        let M_11_m2 = t8 * t8;
+        let M_12_m2 = self.a2 * t8;
         let Jxx_theta2_m2 = self.a2 * self.a2;
-        let K0_11 = -(t10 + t21);
+        let K0_11 = -(t2 + t10);
         let K0_12 = -M_12_l1;
         (
             DoublePendulumMatrices::from_entries([
@@ -544,7 +544,7 @@ impl<T: Number> DoublePendulum<T> {
             DoublePendulumDerivatives {
                 values: [
                     M_11_l1, M_12_l1, self.m2, M_11_a1, self.m1, M_11_m1, self.a1,
-                    self.l1.like(1.0), M_12_a2, Jxx_theta2_a2, M_11_m2, M_12_m2, Jxx_theta2_m2, t4,
+                    self.l1.like(1.0), M_12_a2, Jxx_theta2_a2, M_11_m2, M_12_m2, Jxx_theta2_m2, t8,
                     self.a2,
                 ],
             },

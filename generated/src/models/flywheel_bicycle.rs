@@ -235,52 +235,51 @@ impl<T: Number> FlywheelBicycle<T> {
     #[must_use]
     pub fn matrices(&self) -> FlywheelBicycleMatrices<T> {
         let t2 = self.zB * self.mB;
-        let t7 = self.rF * self.mF;
-        let t11 = self.IHxx + (self.rF * t7 + self.IFxx);
-        let t16 = self.rR * self.mR;
-        let t22 = self.zH * self.mH;
-        let M_11 = self.zB * t2 + t11
-            + (self.IBxx + self.rR * t16 + (self.IRxx + self.zH * t22));
+        let t10 = self.rF * self.mF;
+        let t13 = self.IHxx + (self.IFxx + self.rF * t10);
+        let t19 = self.zH * self.mH;
+        let t23 = self.rR * self.mR;
+        let M_11 = self.zB * t2 + (self.IBxx + (self.IRxx + t13))
+            + (self.zH * t19 + self.rR * t23);
         let (wx_delta2_delta, cos_lam) = self.lam.sin_cos();
-        let t31 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = cos_lam * t31;
+        let t33 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = cos_lam * t33;
         let mu = self.c * yaw_per_v_delta;
         let wz_delta2_delta = cos_lam + mu;
-        let t36 = wz_delta2_delta * self.IHxz;
-        let t39 = t36 + t11 * wx_delta2_delta;
-        let t43 = t2 * self.xB - self.IBxz;
-        let t52 = cos_lam * (self.c + self.w)
-            - (self.xH * wz_delta2_delta - self.zH * wx_delta2_delta);
-        let t56 = self.mB * self.xB;
-        let t61 = mu * (self.IRxx + (self.xB * t56 + self.IBzz));
-        let t64 = self.mH * t52;
-        let t68 = wz_delta2_delta * (self.IFxx + self.IHzz);
-        let M_22 = wx_delta2_delta * (t36 + t39) + mu * t61
-            + (t52 * t64 + wz_delta2_delta * t68);
+        let t39 = t13 * wx_delta2_delta + wz_delta2_delta * self.IHxz;
+        let t42 = self.mB * self.xB;
+        let t44 = self.zB * t42 - self.IBxz;
+        let t52 = self.zH * wx_delta2_delta
+            + (cos_lam * (self.c + self.w) - self.xH * wz_delta2_delta);
+        let t53 = self.mH * t52;
+        let M_12 = t39 + (self.zH * t53 - mu * t44);
+        let t62 = wz_delta2_delta * (self.IFxx + self.IHzz)
+            + wx_delta2_delta * self.IHxz;
+        let ay_delta2_delta = mu * (self.IBzz + (self.IRxx + self.xB * t42));
+        let M_22 = t52 * t53 + wz_delta2_delta * t62
+            + (mu * ay_delta2_delta + wx_delta2_delta * t39);
         let zero = self.w.like(0.0);
-        let ay_delta2_delta = cos_lam * self.hH;
-        let t76 = self.hH + self.hB;
-        let C0_12 = ay_delta2_delta + mu * t76;
-        let t80 = t22 + (t2 - t16);
-        let SR = self.IRyy / self.rR;
+        let t76 = cos_lam * self.hH;
+        let K1_12 = yaw_per_v_delta * (self.hH + self.hB);
+        let C0_12 = t76 + self.c * K1_12;
         let SF = self.IFyy / self.rF;
-        let t92 = mu * SR + wz_delta2_delta * SF;
-        let t96 = t7 * wz_delta2_delta + yaw_per_v_delta * self.IHxz;
-        let t100 = t64 - mu * t56;
-        let C1_22 = (t68 + (t61 - self.xH * t64 - self.c * t100)) * yaw_per_v_delta
-            + wx_delta2_delta * t96;
-        let K0_11 = t80 - t7;
-        let K0_12 = t100 - t7 * wx_delta2_delta;
+        let SR = self.IRyy / self.rR;
+        let K0_11 = t19 + t2 - (t23 + t10);
+        let t91 = SF - (K0_11 - SR);
+        let t98 = t10 + SF - t33 * (t44 + (t19 * self.xH - self.c * t91) - self.IHxz);
+        let C1_12 = cos_lam * t98;
+        let t103 = t10 * wx_delta2_delta;
+        let t106 = t53 - mu * t42;
+        let K0_12 = t106 - t103;
         let K0_22 = wx_delta2_delta * K0_12;
-        let K1_12 = yaw_per_v_delta * t76;
-        let K1_22 = t31 * (wx_delta2_delta * ay_delta2_delta);
-        let vy_all1_delta = SR - K0_11 + SF;
-        let K2_12 = yaw_per_v_delta * vy_all1_delta;
-        let K2_22 = yaw_per_v_delta * (wx_delta2_delta * SF - K0_12);
-        let M_12 = t22 * t52 - (mu * t43 - t39);
+        let K1_22 = wx_delta2_delta * (t33 * t76);
+        let K2_12 = yaw_per_v_delta * t91;
+        let K2_22 = (wx_delta2_delta * SF - K0_12) * yaw_per_v_delta;
         let C0_21 = -C0_12;
-        let C1_12 = t96 - (yaw_per_v_delta * (t43 + self.c * t80 + t22 * self.xH) - t92);
-        let C1_21 = -t92;
+        let C1_21 = -(mu * SR + wz_delta2_delta * SF);
+        let C1_22 = wz_delta2_delta * t103
+            - (self.c * t106 + (self.xH * t53 - t62) - ay_delta2_delta)
+                * yaw_per_v_delta;
         FlywheelBicycleMatrices::from_entries([
             M_11, M_12, M_12, M_22, zero, C0_12, C0_21, zero, zero, C1_12, C1_21, C1_22, K0_11,
             K0_12, K0_12, K0_22, zero, K1_12, zero, K1_22, zero, K2_12, zero, K2_22,
@@ -351,7 +350,7 @@ pub struct FlywheelBicycleDerivatives<T = f64> {
 
 impl<T: Number> FlywheelBicycle<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 102 additions, 191 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 300 operations.
+    /// 100 additions, 189 multiplications, 3 divisions, 6 negations and 2 trigonometric functions: 300 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -359,208 +358,215 @@ impl<T: Number> FlywheelBicycle<T> {
     pub fn matrices_and_derivatives(&self) -> (FlywheelBicycleMatrices<T>, FlywheelBicycleDerivatives<T>) {
         let t4 = self.rF * self.mF;
         let t7 = self.IHxx + self.IFxx + self.rF * t4;
-        let t11 = self.rR * self.mR;
-        let t15 = self.zB * self.mB;
-        let t20 = self.zH * self.mH;
-        let M_11 = t7 + self.IBxx + self.rR * t11 + self.zB * t15 + self.IRxx
-            + self.zH * t20;
+        let t10 = self.zB * self.mB;
+        let M_22_mu = self.zB * t10;
+        let t14 = self.rR * self.mR;
+        let M_11_mH = self.zH * self.zH;
+        let M_11 = t7 + M_22_mu + self.rR * t14 + self.IBxx + self.IRxx
+            + self.mH * M_11_mH;
         let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
-        let t32 = self.w.like(1.0) / self.w;
-        let t33 = self.c * t32;
-        let mu = wx_delta2_delta_lam * t33;
+        let t31 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = wx_delta2_delta_lam * t31;
+        let mu = self.c * yaw_per_v_delta;
+        let ay_delta2_delta = t10 * self.xB;
+        let t37 = self.IBxz - ay_delta2_delta;
         let wz_delta2_delta = wx_delta2_delta_lam + mu;
-        let t39 = self.IHxz * wz_delta2_delta + t7 * wx_delta2_delta;
-        let t42 = self.mB * self.xB;
-        let t44 = self.IBxz - self.zB * t42;
-        let t51 = self.c + self.w - self.xH - t33 * self.xH;
-        let K0_12_mH = self.zH * wx_delta2_delta + wx_delta2_delta_lam * t51;
-        let t54 = self.mH * K0_12_mH;
-        let M_12 = t39 + mu * t44 + self.zH * t54;
-        let K1_22_ay_delta2_delta = t32 * wx_delta2_delta;
-        let t59 = self.c * K1_22_ay_delta2_delta;
-        let t61 = self.IHxz * (wx_delta2_delta + t59);
-        let t63 = self.IFxx + self.IHzz;
-        let t66 = wz_delta2_delta * t63 + self.IHxz * wx_delta2_delta;
-        let t70 = self.IRxx + self.xB * t42 + self.IBzz;
-        let t72 = t66 + mu * t70;
-        let t74 = t66 + t33 * t72;
-        let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
-        let M_22 = wx_delta2_delta_lam * (t61 + t74) + K0_12_mH * t54 + t7 * M_22_IHxx;
+        let t44 = self.IHxz * wz_delta2_delta + t7 * wx_delta2_delta;
+        let t45 = self.zH * wx_delta2_delta;
+        let t47 = self.c * t31;
+        let t51 = self.xH + self.xH * t47 - self.c - self.w;
+        let K0_12_mH = t45 - wx_delta2_delta_lam * t51;
+        let M_12_mH = self.zH * K0_12_mH;
+        let t56 = t44 + self.mH * M_12_mH;
+        let M_12 = mu * t37 + t56;
+        let M_22_mH = K0_12_mH * K0_12_mH;
+        let t62 = self.mB * self.xB;
+        let t66 = yaw_per_v_delta * (self.IRxx + self.IBzz + self.xB * t62);
+        let t67 = self.c * t66;
+        let t69 = self.IHxz * wx_delta2_delta;
+        let t71 = self.IFxx + self.IHzz;
+        let t73 = t69 + wz_delta2_delta * t71;
+        let M_22 = wx_delta2_delta * t44 + self.mH * M_22_mH + mu * t67
+            + wz_delta2_delta * t73;
         let zero = self.w.like(0.0);
-        let t85 = self.hH + self.hB;
-        let t87 = self.hH + t33 * t85;
-        let C0_12 = wx_delta2_delta_lam * t87;
-        let t90 = self.w.like(1.0) / self.rF;
-        let SF = self.IFyy * t90;
-        let t92 = wx_delta2_delta_lam * SF;
-        let yaw_per_v_delta = wx_delta2_delta_lam * t32;
-        let t95 = self.w.like(1.0) / self.rR;
-        let SR = self.IRyy * t95;
-        let t97 = SF + SR;
-        let K0_11 = t15 + t20 - t4 - t11;
-        let vy_all1_delta = t97 - K0_11;
-        let t105 = self.IHxz + t44 - t20 * self.xH;
-        let t106 = self.c * vy_all1_delta + t105;
-        let M_22_wz_delta2_delta = yaw_per_v_delta * t106;
-        let t108 = t4 * wx_delta2_delta_lam;
-        let C1_12 = t92 + M_22_wz_delta2_delta + t108;
-        let t111 = mu * t97;
-        let t113 = mu * self.xB;
-        let t114 = self.mB * t113;
-        let t115 = t54 - t114;
-        let t119 = t32 * (t72 - self.xH * t54);
-        let t122 = wz_delta2_delta * wx_delta2_delta;
-        let C1_22 = t4 * t122 - wx_delta2_delta_lam * (t33 * t115 - t119);
-        let t125 = t4 * wx_delta2_delta;
-        let K0_12 = t115 - t125;
-        let K0_22 = wx_delta2_delta * K0_12;
-        let K1_12 = t85 * yaw_per_v_delta;
-        let K2_22_SF = wx_delta2_delta_lam * K1_22_ay_delta2_delta;
+        let t81 = self.hH + self.hB;
+        let t83 = self.hH + t47 * t81;
+        let C0_12 = wx_delta2_delta_lam * t83;
+        let t86 = self.w.like(1.0) / self.rF;
+        let SF = self.IFyy * t86;
+        let t88 = self.mH * self.zH;
+        let K0_11 = t10 + t88 - t4 - t14;
+        let t93 = self.w.like(1.0) / self.rR;
+        let SR = self.IRyy * t93;
+        let t95 = SF + SR;
+        let t96 = t95 - K0_11;
+        let M_12_mu = t37 + self.IHxz;
+        let t100 = self.xH * t88 - M_12_mu;
+        let t102 = t31 * (self.c * t96 - t100);
+        let t104 = t4 + SF + t102;
+        let C1_12 = wx_delta2_delta_lam * t104;
+        let t106 = wx_delta2_delta_lam * SF;
+        let t109 = t67 + t73;
+        let t110 = self.mH * K0_12_mH;
+        let t111 = self.mB * mu;
+        let t112 = self.xB * t111;
+        let t113 = t112 - t110;
+        let t117 = t109 + self.c * t113 - self.xH * t110;
+        let t119 = self.mF * wx_delta2_delta;
+        let t120 = self.rF * t119;
+        let M_22_wz_delta2_delta = wz_delta2_delta * t120;
+        let C1_22 = yaw_per_v_delta * t117 + M_22_wz_delta2_delta;
+        let t123 = t113 + t120;
+        let K1_12 = yaw_per_v_delta * t81;
+        let t126 = t31 * wx_delta2_delta;
+        let K2_22_SF = wx_delta2_delta_lam * t126;
         let K1_22 = self.hH * K2_22_SF;
-        let K2_12 = yaw_per_v_delta * vy_all1_delta;
-        let t132 = wx_delta2_delta * SF;
-        let ay_delta2_delta = t125 + t132;
-        let t134 = ay_delta2_delta - t115;
-        let t135 = t32 * t134;
-        let K2_22 = wx_delta2_delta_lam * t135;
-        let t137 = self.zH * wx_delta2_delta_lam;
-        let t138 = self.mH * t137;
-        let t139 = yaw_per_v_delta * t105;
-        let M_12_w = t138 - t33 * t139;
-        let t142 = t72 * yaw_per_v_delta;
-        let t143 = t33 * t142;
-        let t144 = self.xH * yaw_per_v_delta;
-        let t146 = wx_delta2_delta_lam + t33 * t144;
-        let t147 = self.mH * t146;
-        let t148 = K0_12_mH + K0_12_mH;
-        let M_22_w = t147 * t148 - t143 - t143;
-        let C0_21_w = t33 * K1_12;
-        let t153 = t32 * M_22_wz_delta2_delta;
-        let C1_21_w = t32 * t111;
-        let t155 = mu + t144;
-        let t156 = self.mH * t155;
-        let t159 = t63 * yaw_per_v_delta;
-        let t162 = t114 + t70 * yaw_per_v_delta + t159 - K0_12;
-        let t164 = t119 + t33 * t162;
-        let t166 = t146 * t156 + yaw_per_v_delta * t164;
-        let K0_12_w = t147 + t32 * t114;
+        let K2_12 = yaw_per_v_delta * t96;
+        let t130 = wx_delta2_delta * SF;
+        let K2_22_yaw_per_v_delta = t123 + t130;
+        let K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
+        let t133 = wx_delta2_delta_lam * t88;
+        let t134 = yaw_per_v_delta * t100;
+        let M_12_w = t133 + t47 * t134;
+        let t137 = yaw_per_v_delta * self.xH;
+        let t139 = wx_delta2_delta_lam + t47 * t137;
+        let t140 = t110 + t110;
+        let t142 = yaw_per_v_delta * t109;
+        let t143 = t142 + t142;
+        let M_22_w = t139 * t140 - t47 * t143;
+        let C0_21_w = t47 * K1_12;
+        let t147 = yaw_per_v_delta * t102;
+        let t148 = yaw_per_v_delta * t95;
+        let C1_21_w = t47 * t148;
+        let t151 = t120 + yaw_per_v_delta * t71;
+        let C1_22_mu = t66 + t112 + t151;
+        let ay_delta2_delta_mu = t117 + self.c * C1_22_mu;
+        let t156 = t31 * ay_delta2_delta_mu;
+        let t157 = self.c + self.xH;
+        let t158 = self.mH * t139;
+        let t161 = yaw_per_v_delta * (t156 + t157 * t158);
+        let K0_12_w = t158 + t31 * t112;
         let K0_22_w = wx_delta2_delta * K0_12_w;
-        let t170 = t32 * K1_12;
-        let t171 = t32 * K1_22;
-        let t172 = t32 * K2_12;
-        let t174 = yaw_per_v_delta * (t135 + K0_12_w);
-        let M_12_c = t138 + t139;
-        let t176 = wx_delta2_delta_lam - t144;
-        let t177 = self.mH * t176;
-        let C1_12_mu = t142 + K0_12_mH * t177;
-        let M_22_c = C1_12_mu + C1_12_mu;
-        let t181 = yaw_per_v_delta * t97;
-        let C1_22_c = yaw_per_v_delta * t162 - t156 * t176;
-        let t185 = t42 * yaw_per_v_delta;
-        let K0_12_c = t177 - t185;
-        let K0_22_c = wx_delta2_delta * K0_12_c;
-        let t188 = yaw_per_v_delta * K0_12_c;
-        let t192 = t137 - wx_delta2_delta * t51;
-        let t193 = self.mH * t192;
-        let M_12_lam = t7 * wx_delta2_delta_lam + self.zH * t193 - t61 - t44 * t59;
-        let t202 = K0_12_mH * t193 + wx_delta2_delta_lam * t39 - wx_delta2_delta * t74;
-        let M_22_lam = t202 + t202;
-        let C0_21_lam = wx_delta2_delta * t87;
-        let t206 = ay_delta2_delta + K1_22_ay_delta2_delta * t106;
-        let C1_21_lam = t132 + t59 * t97;
-        let t213 = wx_delta2_delta_lam * yaw_per_v_delta;
-        let C1_22_lam = wz_delta2_delta * t108 + self.IHxz * t213
-            - wx_delta2_delta * (t125 + t159 + t164) - t156 * t192;
-        let K0_12_lam = t193 + t42 * t59 - t108;
-        let K0_22_lam = wx_delta2_delta * K0_12_lam + wx_delta2_delta_lam * K0_12;
-        let t225 = K1_22_ay_delta2_delta * t85;
-        let t228 = self.hH * (wx_delta2_delta * K1_22_ay_delta2_delta - t213);
-        let t229 = K1_22_ay_delta2_delta * vy_all1_delta;
-        let K2_22_lam = yaw_per_v_delta * (t92 - K0_12_lam)
-            - K1_22_ay_delta2_delta * t134;
-        let M_11_rR = t11 + t11;
-        let t235 = t95 * SR;
-        let K2_12_rR = yaw_per_v_delta * (self.mR - t235);
-        let C1_12_rR = self.c * K2_12_rR;
-        let C1_21_rR = mu * t235;
-        let M_11_mR = self.rR * self.rR;
-        let K2_12_mR = self.rR * yaw_per_v_delta;
-        let C1_12_mR = self.c * K2_12_mR;
-        let M_22_IRxx = mu * mu;
-        let C1_22_IRxx = t33 * t213;
-        let K2_12_IRyy = yaw_per_v_delta * t95;
-        let C1_12_IRyy = self.c * K2_12_IRyy;
-        let t248 = t15 * mu;
-        let M_22_xB = t114 * (mu + mu);
-        let t251 = self.zB * yaw_per_v_delta;
-        let t252 = self.mB * t251;
-        let t253 = self.mB * yaw_per_v_delta;
-        let t254 = self.c * t253;
-        let t255 = t185 + t254;
-        let C1_22_xB = mu * (t185 + t255);
-        let t258 = wx_delta2_delta * t254;
-        let K2_22_xB = yaw_per_v_delta * t254;
-        let M_11_zB = t15 + t15;
-        let M_11_mB = self.zB * self.zB;
-        let t262 = self.zB * t113;
-        let M_22_mB = t113 * t113;
-        let t265 = mu + self.xB * yaw_per_v_delta;
-        let t266 = self.zB * t265;
-        let C1_22_mB = t113 * t265;
-        let t268 = wx_delta2_delta * t113;
-        let K2_22_mB = self.xB * C1_22_IRxx;
-        let t270 = t20 * wz_delta2_delta;
-        let t271 = self.mH * wz_delta2_delta;
-        let t272 = t148 * t271;
-        let t273 = t20 * yaw_per_v_delta;
-        let t275 = K0_12_mH * yaw_per_v_delta;
-        let C1_22_xH = self.mH * (wz_delta2_delta * t155 - t275);
-        let t278 = self.mH * t122;
-        let K2_22_xH = yaw_per_v_delta * t271;
-        let M_11_zH = t20 + t20;
+        let t165 = t31 * K1_12;
+        let t166 = t31 * K1_22;
+        let t167 = t31 * K2_12;
+        let t170 = t31 * (K2_22 + wx_delta2_delta_lam * K0_12_w);
+        let M_12_c = t133 - t134;
+        let t172 = wx_delta2_delta_lam - t137;
+        let M_22_c = t143 + t140 * t172;
+        let t175 = self.mH * t172;
+        let C1_22_c = yaw_per_v_delta * (t113 + C1_22_mu - t157 * t175);
+        let t180 = yaw_per_v_delta * t62;
+        let K0_12_c = t175 - t180;
+        let t184 = wx_delta2_delta * t47;
         let K0_12_zH = self.mH * wx_delta2_delta;
-        let M_12_zH = t54 + self.zH * K0_12_zH;
-        let M_22_zH = wx_delta2_delta * (t54 + t54);
-        let t286 = wx_delta2_delta * t156;
+        let t189 = t133 + t51 * K0_12_zH;
+        let t193 = t69 + M_12_mu * t184 - t7 * wx_delta2_delta_lam - self.zH * t189;
+        let t200 = wx_delta2_delta * (t73 + t47 * t109 - t51 * t110)
+            - wx_delta2_delta_lam * t56;
+        let t201 = t200 + t200;
+        let C0_21_lam = wx_delta2_delta * t83;
+        let t203 = wx_delta2_delta * t104;
+        let C1_21_lam = t130 + t95 * t184;
+        let t206 = t4 * wx_delta2_delta_lam;
+        let ay_delta2_delta_xB = wx_delta2_delta_lam * yaw_per_v_delta;
+        let t212 = mu + t137;
+        let C1_22_lam = wz_delta2_delta * t206 + self.IHxz * ay_delta2_delta_xB
+            - wx_delta2_delta * (t151 + t156) - t189 * t212;
+        let K0_12_lam = t189 + t62 * t184 - t206;
+        let K0_22_lam = wx_delta2_delta * K0_12_lam - wx_delta2_delta_lam * t123;
+        let t223 = t81 * t126;
+        let t226 = self.hH * (wx_delta2_delta * t126 - ay_delta2_delta_xB);
+        let t227 = t96 * t126;
+        let K2_22_lam = yaw_per_v_delta * (t106 - K0_12_lam)
+            - t126 * K2_22_yaw_per_v_delta;
+        let M_11_rR = t14 + t14;
+        let K2_12_IRyy = yaw_per_v_delta * t93;
+        let K2_12_rR = self.mR * yaw_per_v_delta - SR * K2_12_IRyy;
+        let C1_12_rR = self.c * K2_12_rR;
+        let C1_12_IRyy = self.c * K2_12_IRyy;
+        let C1_21_rR = SR * C1_12_IRyy;
+        let M_11_mR = self.rR * self.rR;
+        let C1_12_mR = self.rR * mu;
+        let K2_12_mR = self.rR * yaw_per_v_delta;
+        let C1_22_IRxx = yaw_per_v_delta * mu;
+        let M_22_IRxx = self.c * C1_22_IRxx;
+        let t246 = t10 * mu;
+        let t247 = t62 * M_22_IRxx;
+        let M_22_xB = t247 + t247;
+        let t249 = t10 * yaw_per_v_delta;
+        let K2_22_xB = yaw_per_v_delta * t111;
+        let t251 = self.c + self.xB;
+        let C1_22_xB = K2_22_xB * (self.xB + t251);
+        let t254 = wx_delta2_delta * t111;
+        let M_11_zB = t10 + t10;
+        let t256 = t111 + t180;
+        let t257 = self.mB * yaw_per_v_delta;
+        let M_11_mB = self.zB * self.zB;
+        let t259 = mu * self.xB;
+        let t260 = self.zB * t259;
+        let M_22_mB = t259 * t259;
+        let t262 = self.zB * yaw_per_v_delta;
+        let t263 = t251 * t262;
+        let K2_22_mB = self.xB * C1_22_IRxx;
+        let C1_22_mB = t251 * K2_22_mB;
+        let t266 = wx_delta2_delta * t259;
+        let t267 = self.mH * wz_delta2_delta;
+        let t268 = self.zH * t267;
+        let t269 = wz_delta2_delta * t110;
+        let t270 = t269 + t269;
+        let t271 = self.zH * yaw_per_v_delta;
+        let t272 = self.mH * t271;
+        let C1_22_IHzz = ay_delta2_delta_xB + C1_22_IRxx;
+        let t275 = yaw_per_v_delta * K0_12_mH;
+        let C1_22_xH = self.mH * (t157 * C1_22_IHzz - t275);
+        let t278 = wx_delta2_delta * t267;
+        let K2_22_xH = self.mH * C1_22_IHzz;
+        let M_11_zH = t88 + t88;
+        let M_12_zH = t110 + self.mH * t45;
+        let M_22_zH = wx_delta2_delta * t140;
+        let t284 = self.mH * t212;
+        let t285 = K0_12_zH * t212;
+        let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
         let K0_22_zH = self.mH * M_22_IHxx;
         let t288 = self.mH * yaw_per_v_delta;
-        let t289 = self.mH * K2_22_SF;
-        let M_11_mH = self.zH * self.zH;
-        let M_12_mH = self.zH * K0_12_mH;
-        let M_22_mH = K0_12_mH * K0_12_mH;
-        let t293 = self.zH * t155;
-        let t294 = K0_12_mH * t155;
+        let t289 = wx_delta2_delta * t288;
+        let t290 = t157 * t271;
+        let t291 = K0_12_mH * t212;
         let K0_22_mH = wx_delta2_delta * K0_12_mH;
-        let t296 = self.zH * yaw_per_v_delta;
         let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-        let C1_22_IHzz = t213 + C1_22_IRxx;
-        let M_22_IHxz = t122 + t122;
+        let t294 = wz_delta2_delta * wx_delta2_delta;
+        let M_22_IHxz = t294 + t294;
         let M_11_rF = t4 + t4;
-        let M_12_rF = t125 + t125;
-        let M_22_rF = M_22_IHxx * M_11_rF;
-        let t304 = self.mF - t90 * SF;
-        let C1_12_rF = wz_delta2_delta * t304;
-        let C1_12_IFyy = wz_delta2_delta * t90;
+        let M_12_rF = t120 + t120;
+        let t298 = wx_delta2_delta * t120;
+        let M_22_rF = t298 + t298;
+        let t301 = self.mF - t86 * SF;
+        let C1_12_rF = wz_delta2_delta * t301;
+        let C1_12_IFyy = wz_delta2_delta * t86;
         let C1_21_rF = SF * C1_12_IFyy;
-        let t308 = self.mF * wx_delta2_delta;
-        let C1_22_rF = wz_delta2_delta * t308;
-        let t310 = wx_delta2_delta * t308;
-        let K2_12_rF = yaw_per_v_delta * t304;
-        let K2_22_rF = K2_22_SF * t304;
+        let C1_22_rF = wz_delta2_delta * t119;
+        let t306 = wx_delta2_delta * t119;
+        let K2_12_rF = yaw_per_v_delta * t301;
+        let K2_22_rF = K2_22_SF * t301;
         let M_11_mF = self.rF * self.rF;
-        let t314 = self.rF * wx_delta2_delta;
-        let M_12_mF = self.rF * t314;
-        let t316 = self.rF * M_22_IHxx;
-        let M_22_mF = self.rF * t316;
+        let M_12_mF = wx_delta2_delta * M_11_mF;
+        let M_22_mF = M_22_IHxx * M_11_mF;
         let C1_12_mF = self.rF * wz_delta2_delta;
-        let C1_22_mF = wx_delta2_delta * C1_12_mF;
+        let C1_22_mF = self.rF * t294;
+        let t314 = self.rF * wx_delta2_delta;
+        let t315 = wx_delta2_delta * t314;
         let K2_12_mF = self.rF * yaw_per_v_delta;
-        let K2_22_mF = yaw_per_v_delta * t314;
+        let K2_22_mF = self.rF * K2_22_SF;
         let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let K2_12_IFyy = t90 * yaw_per_v_delta;
-        let K2_22_IFyy = t90 * K2_22_SF;
+        let K2_12_IFyy = yaw_per_v_delta * t86;
+        let K2_22_IFyy = t86 * K2_22_SF;
         let C0_21 = -C0_12;
-        let C1_21 = -(t92 + t111);
+        let C1_21 = -(t106 + mu * t95);
+        let K0_12 = -t123;
+        let K0_22 = -(wx_delta2_delta * t123);
+        let t325 = -(wx_delta2_delta * K0_12_c);
+        let K2_22_c = -(yaw_per_v_delta * K0_12_c);
         (
             FlywheelBicycleMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, C0_12, C0_21, zero, zero, C1_12, C1_21, C1_22, K0_11,
@@ -568,20 +574,20 @@ impl<T: Number> FlywheelBicycle<T> {
             ]),
             FlywheelBicycleDerivatives {
                 values: [
-                    M_12_w, M_22_w, C0_21_w, t153, C1_21_w, t166, K0_12_w, K0_22_w, t170, t171,
-                    t172, t174, M_12_c, M_22_c, K1_12, K2_12, t181, C1_22_c, K0_12_c, K0_22_c, t188,
-                    M_12_lam, M_22_lam, C0_21_lam, t206, C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam,
-                    t225, t228, t229, K2_22_lam, M_11_rR, C1_12_rR, C1_21_rR, self.mR, K2_12_rR,
-                    M_11_mR, C1_12_mR, self.rR, K2_12_mR, self.w.like(1.0), M_22_IRxx, C1_22_IRxx,
-                    C1_12_IRyy, K2_12_IRyy, t248, M_22_xB, t252, C1_22_xB, t254, t258, K2_22_xB,
-                    M_11_zB, t114, t255, self.mB, t253, M_11_mB, t262, M_22_mB, t266, C1_22_mB,
-                    self.zB, t113, t268, t251, K2_22_mB, mu, yaw_per_v_delta, t270, t272, t273,
-                    C1_22_xH, t271, t278, K2_22_xH, M_11_zH, M_12_zH, M_22_zH, t156, t286, self.mH,
-                    K0_12_zH, K0_22_zH, t288, t289, M_11_mH, M_12_mH, M_22_mH, t293, t294, self.zH,
-                    K0_12_mH, K0_22_mH, t296, t275, wx_delta2_delta, M_22_IHxx, M_22_IHzz,
+                    M_12_w, M_22_w, C0_21_w, t147, C1_21_w, t161, K0_12_w, K0_22_w, t165, t166,
+                    t167, t170, M_12_c, M_22_c, K1_12, K2_12, t148, C1_22_c, K0_12_c, t325, K2_22_c,
+                    t193, t201, C0_21_lam, t203, C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t223,
+                    t226, t227, K2_22_lam, M_11_rR, C1_12_rR, C1_21_rR, self.mR, K2_12_rR, M_11_mR,
+                    C1_12_mR, self.rR, K2_12_mR, self.w.like(1.0), M_22_IRxx, C1_22_IRxx,
+                    C1_12_IRyy, K2_12_IRyy, t246, M_22_xB, t249, C1_22_xB, t111, t254, K2_22_xB,
+                    M_11_zB, t112, t256, self.mB, t257, M_11_mB, t260, M_22_mB, t263, C1_22_mB,
+                    self.zB, t259, t266, t262, K2_22_mB, mu, yaw_per_v_delta, t268, t270, t272,
+                    C1_22_xH, t267, t278, K2_22_xH, M_11_zH, M_12_zH, M_22_zH, t284, t285, self.mH,
+                    K0_12_zH, K0_22_zH, t288, t289, M_11_mH, M_12_mH, M_22_mH, t290, t291, self.zH,
+                    K0_12_mH, K0_22_mH, t271, t275, wx_delta2_delta, M_22_IHxx, M_22_IHzz,
                     C1_22_IHzz, wz_delta2_delta, M_22_IHxz, K2_22_SF, M_11_rF, M_12_rF, M_22_rF,
-                    C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t308, t310, K2_12_rF, K2_22_rF, M_11_mF,
-                    M_12_mF, M_22_mF, C1_12_mF, C1_22_mF, self.rF, t314, t316, K2_12_mF, K2_22_mF,
+                    C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t119, t306, K2_12_rF, K2_22_rF, M_11_mF,
+                    M_12_mF, M_22_mF, C1_12_mF, C1_22_mF, self.rF, t314, t315, K2_12_mF, K2_22_mF,
                     M_22_IFxx, C1_12_IFyy, K2_12_IFyy, K2_22_IFyy,
                 ],
             },
@@ -1093,12 +1099,14 @@ impl FlywheelBicycleDerivatives {
         Partial::new(MatrixName::C0, 1, 0, 1, 14).negative(),
         Partial::new(MatrixName::C1, 0, 1, 1, 15),
         Partial::new(MatrixName::C1, 1, 0, 1, 16).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 17), Partial::new(MatrixName::K0, 0, 1, 1, 18),
-        Partial::new(MatrixName::K0, 1, 0, 1, 18), Partial::new(MatrixName::K0, 1, 1, 1, 19),
-        Partial::new(MatrixName::K2, 1, 1, 1, 20).negative(),
-        Partial::new(MatrixName::M, 0, 1, 2, 21),
-        Partial::new(MatrixName::M, 1, 0, 2, 21),
-        Partial::new(MatrixName::M, 1, 1, 2, 22),
+        Partial::new(MatrixName::C1, 1, 1, 1, 17),
+        Partial::new(MatrixName::K0, 0, 1, 1, 18),
+        Partial::new(MatrixName::K0, 1, 0, 1, 18),
+        Partial::new(MatrixName::K0, 1, 1, 1, 19).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 1, 20),
+        Partial::new(MatrixName::M, 0, 1, 2, 21).negative(),
+        Partial::new(MatrixName::M, 1, 0, 2, 21).negative(),
+        Partial::new(MatrixName::M, 1, 1, 2, 22).negative(),
         Partial::new(MatrixName::C0, 0, 1, 2, 23).negative(),
         Partial::new(MatrixName::C0, 1, 0, 2, 23),
         Partial::new(MatrixName::C1, 0, 1, 2, 24).negative(),

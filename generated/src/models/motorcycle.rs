@@ -269,41 +269,41 @@ impl<T: Number> Motorcycle<T> {
         let t26 = self.Mf * t25;
         let zero = self.Mf.like(0.0);
         let t34 = self.Ifz * t22;
-        let M_22 = self.Irz + (t12 * M_12 + self.Ifx * t21 + t34);
-        let t43 = t21 * self.Ifz;
-        let t44 = t34 + t43;
-        let M_24 = cos_eps * t44 - t12 * t26;
-        let M_33 = self.h * t15 + t43 + (j * t19 + (self.Irx + self.Ifx * t22));
-        let M_34 = s * t44 - t19 * t25;
+        let M_22 = self.Irz + self.Ifx * t21 + (t12 * M_12 + t34);
+        let t44 = t21 * self.Ifz;
+        let t45 = t34 + t44;
+        let M_24 = cos_eps * t45 - M_12 * t25;
+        let M_33 = t44 + (self.Ifx * t22 + (self.h * t15 + (self.Irx + j * t19)));
         let M_44 = self.Ifz + t25 * t26;
-        let t64 = self.Mf.like(1.0) / self.sigma;
-        let C0_55 = self.Cr1 * t64;
+        let t63 = self.Mf.like(1.0) / self.sigma;
+        let C0_55 = self.Cr1 * t63;
         let C0_52 = C0_55 * self.b;
-        let C0_66 = t64 * self.Cf1;
-        let Kc_26 = (self.a - self.t) * C0_66 / cos_eps;
+        let C0_66 = t63 * self.Cf1;
         let C0_64 = C0_66 * self.t;
+        let Kc_26 = (self.a * C0_66 - C0_64) / cos_eps;
         let h_spin_R = self.iry / self.Rr;
         let h_spin_F = self.ify / self.Rf;
         let h_wheels_all = h_spin_R + h_spin_F;
-        let t82 = s * h_spin_F;
+        let t81 = s * h_spin_F;
         let C1_32 = M_13 + h_wheels_all;
         let C1_34 = cos_eps * h_spin_F;
         let K0_34 = (t26 * self.g - self.t * self.Zf) / self.g;
         let K0_44 = s * K0_34;
-        let K1_53 = t64 * self.Cr2;
-        let t95 = self.Mf.like(1.0) / (self.sigma * self.sigma);
-        let K1_55 = self.Cr1 * t95;
-        let K1_63 = t64 * self.Cf2;
+        let K1_53 = t63 * self.Cr2;
+        let t94 = self.Mf.like(1.0) / (self.sigma * self.sigma);
+        let K1_55 = self.Cr1 * t94;
+        let K1_63 = t63 * self.Cf2;
         let K1_64 = s * K1_63 + cos_eps * C0_66;
-        let K1_66 = self.Cf1 * t95;
+        let K1_66 = self.Cf1 * t94;
         let M_14 = -t26;
-        let M_23 = t12 * t19 - self.Crxz - cos_eps * (s * (self.Ifx - self.Ifz));
+        let M_23 = t12 * t19 - (self.Crxz + cos_eps * (s * (self.Ifx - self.Ifz)));
+        let M_34 = s * t45 - j * t26;
         let C0_51 = -C0_55;
         let C0_61 = -C0_66;
         let C0_62 = -Kc_26;
         let C1_23 = -h_wheels_all;
-        let C1_24 = -t82;
-        let C1_42 = t82 - t26;
+        let C1_24 = -t81;
+        let C1_42 = t81 - t26;
         let C1_43 = -C1_34;
         let Kc_25 = -C0_52;
         let Kc_46 = -C0_64;
@@ -381,7 +381,7 @@ pub struct MotorcycleDerivatives<T = f64> {
 
 impl<T: Number> Motorcycle<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 48 additions, 106 multiplications, 7 divisions, 11 negations and 2 trigonometric functions: 174 operations.
+    /// 49 additions, 107 multiplications, 7 divisions, 11 negations and 2 trigonometric functions: 176 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -389,7 +389,7 @@ impl<T: Number> Motorcycle<T> {
     pub fn matrices_and_derivatives(&self) -> (MotorcycleMatrices<T>, MotorcycleDerivatives<T>) {
         let M_11 = self.Mf + self.Mr;
         let (s, s_eps) = self.eps.sin_cos();
-        let t6 = self.f * s;
+        let t6 = s * self.f;
         let t10 = self.a + self.e;
         let t11 = s_eps * t10;
         let t12 = t6 - t11;
@@ -406,117 +406,121 @@ impl<T: Number> Motorcycle<T> {
         let t26 = self.Mf * t25;
         let zero = self.Mf.like(0.0);
         let M_22_Mf = t12 * t12;
-        let t36 = M_33_Ifx * self.Ifz + M_22_Ifx * self.Ifx + self.Mf * M_22_Mf;
-        let M_22 = self.Irz + t36;
+        let t34 = self.Mf * M_22_Mf;
+        let M_22 = self.Irz + M_22_Ifx * self.Ifx + M_33_Ifx * self.Ifz + t34;
         let M_23_Ifz = s * s_eps;
+        let t40 = self.Ifz - self.Ifx;
         let t42 = t12 * j;
-        let t44 = M_23_Ifz * (self.Ifz - self.Ifx) - self.Mf * t42;
+        let t44 = M_23_Ifz * t40 - self.Mf * t42;
         let M_23 = t44 - self.Crxz;
+        let M_24_Mf = t12 * t25;
         let M_24_Ifz = s_eps * t23;
-        let M_24 = t12 * t26 + self.Ifz * M_24_Ifz;
-        let t55 = M_22_Ifx * self.Ifz + M_33_Ifx * self.Ifx + j * t19;
-        let M_33 = self.Irx + t55 + self.h * t15;
+        let M_24 = self.Mf * M_24_Mf + self.Ifz * M_24_Ifz;
+        let M_33_Mf = j * j;
+        let t52 = self.Mf * M_33_Mf;
+        let M_33 = t52 + self.Irx + self.h * t15 + M_22_Ifx * self.Ifz
+            + M_33_Ifx * self.Ifx;
+        let t61 = j * t25;
+        let t62 = self.Mf * t61;
         let M_34_Ifz = s * t23;
-        let t60 = self.Ifz * M_34_Ifz;
-        let t61 = j * t26;
-        let M_34 = t60 - t61;
-        let M_44_Mf = t25 * t25;
-        let M_44 = self.Ifz + self.Mf * M_44_Mf;
+        let t64 = self.Ifz * M_34_Ifz;
+        let M_24_eps = t62 - t64;
+        let M_33_j = t25 * t26;
+        let M_44 = self.Ifz + M_33_j;
         let C0_66_Cf1 = self.Mf.like(1.0) / self.sigma;
         let C0_55 = self.Cr1 * C0_66_Cf1;
         let C0_52 = C0_55 * self.b;
         let C0_66 = C0_66_Cf1 * self.Cf1;
-        let t76 = self.a - self.t;
         let t77 = self.Mf.like(1.0) / s_eps;
-        let t78 = C0_66_Cf1 * t77;
-        let Kc_26_a = self.Cf1 * t78;
-        let Kc_26 = t76 * Kc_26_a;
-        let C0_64_Cf1 = C0_66_Cf1 * self.t;
-        let C0_64 = self.Cf1 * C0_64_Cf1;
+        let t80 = t77 * (self.a - self.t);
+        let Kc_26 = C0_66 * t80;
+        let C0_64 = C0_66 * self.t;
         let C1_32_ify = self.Mf.like(1.0) / self.Rf;
         let h_spin_F = self.ify * C1_32_ify;
         let C1_32_iry = self.Mf.like(1.0) / self.Rr;
         let t90 = self.iry * C1_32_iry;
         let h_wheels_all = h_spin_F + t90;
-        let C1_43_eps = s * h_spin_F;
+        let C1_42_ify = s * C1_32_ify;
+        let C1_43_eps = self.ify * C1_42_ify;
         let C1_32 = M_13 + h_wheels_all;
-        let C1_34_ify = s_eps * C1_32_ify;
-        let C1_34 = self.ify * C1_34_ify;
+        let C1_34 = s_eps * h_spin_F;
         let C1_42 = C1_43_eps - t26;
         let t98 = self.Mf.like(1.0) / self.g;
         let t99 = self.g * t98;
         let K0_34_Mf = t25 * t99;
-        let t103 = t98 * self.Zf;
-        let K0_34 = self.Mf * K0_34_Mf - self.t * t103;
+        let t103 = self.t * t98;
+        let K0_34 = self.Mf * K0_34_Mf - self.Zf * t103;
         let K0_44 = s * K0_34;
         let K1_53 = C0_66_Cf1 * self.Cr2;
         let t109 = self.sigma * self.sigma;
         let K1_66_Cf1 = self.Mf.like(1.0) / t109;
         let K1_55 = self.Cr1 * K1_66_Cf1;
         let K1_63 = C0_66_Cf1 * self.Cf2;
-        let K1_64_Cf2 = s * C0_66_Cf1;
         let K1_64_Cf1 = s_eps * C0_66_Cf1;
-        let K1_64 = self.Cf2 * K1_64_Cf2 + self.Cf1 * K1_64_Cf1;
+        let K1_64 = s * K1_63 + self.Cf1 * K1_64_Cf1;
         let K1_66 = self.Cf1 * K1_66_Cf1;
-        let M_24_Mf = t12 * t25;
-        let M_33_Mf = j * j;
-        let t123 = j * t25;
+        let M_44_Mf = t25 * t25;
         let K0_44_Mf = s * K0_34_Mf;
         let M_33_Mr = self.h * self.h;
-        let C1_42_ify = s * C1_32_ify;
+        let C1_34_ify = s_eps * C1_32_ify;
         let M_12_a = self.Mf * s_eps;
         let M_13_a = self.Mf * s;
-        let t129 = s_eps * K0_33_eps;
-        let t130 = t129 + t129;
-        let t131 = s_eps * t19;
-        let t132 = t12 * M_13_a;
-        let M_23_a = t131 - t132;
-        let t135 = s_eps * t26;
-        let t136 = K0_33_eps * t23 + t135;
-        let M_24_a = K0_33_eps - t136;
-        let t138 = s * t19;
-        let M_33_a = t138 + t138;
-        let M_24_f = t25 * M_13_a;
+        let t126 = s_eps * K0_33_eps;
+        let t127 = t126 + t126;
+        let t128 = s * K0_33_eps;
+        let t129 = j * M_12_a;
+        let M_23_a = t129 - t128;
+        let t131 = t25 * M_12_a;
+        let t133 = t131 + K0_33_eps * t23;
+        let M_24_a = K0_33_eps - t133;
+        let t135 = s * t19;
+        let M_33_a = t135 + t135;
+        let M_24_f = s * t26;
         let M_14_e = self.Mf * t23;
-        let t142 = j * M_14_e;
-        let t144 = t19 + (M_24_f - t142);
-        let t146 = M_14_e * (t25 + t25);
-        let t147 = t99 * M_14_e;
-        let t148 = s * t147;
-        let M_22_f = t132 + t132;
-        let t150 = t129 + t138;
-        let M_33_f = t131 + t131;
+        let t139 = j * M_14_e;
+        let t141 = t19 + (M_24_f - t139);
+        let Kc_26_a = C0_66 * t77;
+        let t144 = t25 * (M_14_e + M_14_e);
+        let t145 = t99 * M_14_e;
+        let t146 = s * t145;
+        let M_22_f = t128 + t128;
+        let t148 = t126 + t135;
+        let M_33_f = t129 + t129;
         let M_33_h = t15 + t15;
         let C1_23_Rf = C1_32_ify * h_spin_F;
-        let C1_24_Rf = h_spin_F * C1_42_ify;
-        let C1_43_Rf = h_spin_F * C1_34_ify;
+        let C1_24_Rf = C1_32_ify * C1_43_eps;
+        let C1_43_Rf = s_eps * C1_23_Rf;
         let C1_23_Rr = C1_32_iry * t90;
-        let t157 = s * t103;
+        let t155 = t98 * self.Zf;
+        let t156 = s * t155;
         let M_33_eps = t44 + t44;
-        let M_23_eps = t36 - t55;
-        let Kc_26_eps = s * t77 * Kc_26;
+        let M_23_eps = t34 - t52 - t40 * (M_22_Ifx - M_33_Ifx);
+        let t162 = s * C0_66;
+        let Kc_26_eps = t77 * t80 * t162;
         let K0_44_eps = s_eps * K0_34;
-        let K1_64_eps = self.Cf2 * K1_64_Cf1 - s * C0_66;
-        let Kc_26_Cf1 = t76 * t78;
+        let K1_64_eps = s_eps * K1_63 - t162;
+        let Kc_26_Cf1 = C0_66_Cf1 * t80;
+        let C0_64_Cf1 = C0_66_Cf1 * self.t;
+        let K1_64_Cf2 = s * C0_66_Cf1;
         let C0_52_Cr1 = C0_66_Cf1 * self.b;
         let C0_51_sigma = C0_66_Cf1 * C0_55;
-        let Kc_25_sigma = C0_66_Cf1 * C0_52;
+        let Kc_25_sigma = C0_55 * C0_52_Cr1;
         let C0_61_sigma = C0_66_Cf1 * C0_66;
         let C0_62_sigma = C0_66 * Kc_26_Cf1;
-        let Kc_46_sigma = self.t * C0_61_sigma;
-        let t173 = C0_66_Cf1 * K1_53;
-        let t175 = self.Mf.like(1.0) / (self.sigma * t109);
-        let t176 = self.Cr1 * t175;
-        let t177 = t176 + t176;
-        let t178 = C0_66_Cf1 * K1_63;
-        let t179 = C0_66_Cf1 * K1_64;
-        let t181 = t175 * (self.Cf1 + self.Cf1);
-        let t182 = self.t * t98;
-        let t183 = s * t182;
+        let Kc_46_sigma = C0_66_Cf1 * C0_64;
+        let t177 = C0_66_Cf1 * K1_53;
+        let t179 = self.Mf.like(1.0) / (self.sigma * t109);
+        let t180 = t179 + t179;
+        let t181 = self.Cr1 * t180;
+        let t182 = C0_66_Cf1 * K1_63;
+        let t183 = C0_66_Cf1 * K1_64;
+        let t184 = self.Cf1 * t180;
+        let t185 = s * t103;
         let K0_34_g = t98 * (t26 - K0_34);
         let K0_44_g = s * K0_34_g;
         let M_12 = -K0_33_eps;
         let M_14 = -t26;
+        let M_34 = t64 - t62;
         let C0_51 = -C0_55;
         let C0_61 = -C0_66;
         let C0_62 = -Kc_26;
@@ -528,8 +532,7 @@ impl<T: Number> Motorcycle<T> {
         let K0_33 = -M_13;
         let M_12_Mf = t11 - t6;
         let M_14_Mf = t24 - self.a;
-        let M_34_e = t142 - M_24_f;
-        let M_24_eps = t61 - t60;
+        let M_34_e = t139 - M_24_f;
         (
             MotorcycleMatrices::from_entries([
                 M_11, M_12, M_13, M_14, zero, zero, M_12, M_22, M_23, M_24, zero, zero, M_13, M_23,
@@ -551,16 +554,16 @@ impl<T: Number> Motorcycle<T> {
             ]),
             MotorcycleDerivatives {
                 values: [
-                    self.Mf.like(1.0), M_12_Mf, j, M_14_Mf, M_22_Mf, t42, M_24_Mf, M_33_Mf, t123,
+                    self.Mf.like(1.0), M_12_Mf, j, M_14_Mf, M_22_Mf, t42, M_24_Mf, M_33_Mf, t61,
                     M_44_Mf, K0_34_Mf, K0_44_Mf, self.h, M_33_Mr, self.Mf.like(-1.0), M_22_Ifx,
                     M_23_Ifz, M_33_Ifx, M_24_Ifz, M_34_Ifz, C1_32_ify, C1_42_ify, C1_34_ify,
-                    C1_32_iry, M_12_a, M_13_a, t130, M_23_a, M_24_a, M_33_a, t144, Kc_26_a, C0_55,
-                    M_14_e, t136, M_34_e, t146, t147, t148, M_22_f, t150, M_24_f, M_33_f, t135,
-                    self.Mr, M_33_h, C1_23_Rf, C1_24_Rf, C1_43_Rf, C1_23_Rr, C0_66, t103, t157, t19,
+                    C1_32_iry, M_12_a, M_13_a, t127, M_23_a, M_24_a, M_33_a, t141, Kc_26_a, C0_55,
+                    M_14_e, t133, M_34_e, t144, t145, t146, M_22_f, t148, M_24_f, M_33_f, t131,
+                    self.Mr, M_33_h, C1_23_Rf, C1_24_Rf, C1_43_Rf, C1_23_Rr, C0_66, t155, t156, t19,
                     K0_33_eps, M_33_eps, M_23_eps, M_24_eps, M_24, Kc_26_eps, C1_34, C1_43_eps,
                     K0_44_eps, K1_64_eps, C0_66_Cf1, Kc_26_Cf1, C0_64_Cf1, K1_64_Cf1, K1_66_Cf1,
                     K1_64_Cf2, C0_52_Cr1, C0_51_sigma, Kc_25_sigma, C0_61_sigma, C0_62_sigma,
-                    Kc_46_sigma, t173, t177, t178, t179, t181, t182, t183, K0_34_g, K0_44_g,
+                    Kc_46_sigma, t177, t181, t182, t183, t184, t103, t185, K0_34_g, K0_44_g,
                 ],
             },
         )

@@ -208,53 +208,53 @@ pub struct RearSteeredMatrices<T = f64> {
 
 impl<T: Number> RearSteered<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 41 additions, 44 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 91 operations.
+    /// 42 additions, 44 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 92 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> RearSteeredMatrices<T> {
-        let t2 = self.zH * self.mH;
-        let t7 = self.rF * self.mF;
-        let t11 = self.IHxx + (self.rF * t7 + self.IFxx);
-        let t14 = self.rR * self.mR;
-        let t18 = self.zB * self.mB;
-        let M_11 = self.zH * t2
-            + (t11 + (self.rR * t14 + (self.zB * t18 + self.IRxx + self.IBxx)));
+        let t2 = self.rR * self.mR;
+        let t6 = self.rF * self.mF;
+        let ay_all1_delta = self.rF * t6 + (self.IHxx + self.IFxx);
+        let t15 = self.zB * self.mB;
+        let t19 = self.zH * self.mH;
+        let M_11 = self.rR * t2 + ay_all1_delta
+            + (self.zB * t15 + (self.zH * t19 + (self.IRxx + self.IBxx)));
         let (sin_lam, cos_lam) = self.lam.sin_cos();
         let t31 = self.w.like(1.0) / self.w;
         let t32 = cos_lam * t31;
         let yaw_by_delta = self.c * t32;
+        let t39 = t15 * self.xB - (self.IBxz + self.IHxz);
         let wz_delta2_delta = cos_lam + yaw_by_delta;
-        let t39 = wz_delta2_delta * self.IHxz + t11 * sin_lam;
-        let t43 = t18 * self.xB - self.IBxz;
-        let t52 = self.zH * sin_lam + cos_lam * (self.c + self.w)
-            - wz_delta2_delta * self.xH;
-        let t53 = self.mH * t52;
-        let M_12 = yaw_by_delta * t43 - t39 - self.zH * t53;
-        let t59 = self.mB * self.xB;
-        let t62 = yaw_by_delta * (self.IRxx + self.IBzz + t59 * self.xB);
-        let t69 = self.IHxz * sin_lam + wz_delta2_delta * (self.IFxx + self.IHzz);
-        let M_22 = t53 * t52 + yaw_by_delta * t62
-            + (wz_delta2_delta * t69 + sin_lam * t39);
+        let t50 = cos_lam * (self.c + self.w) - self.xH * wz_delta2_delta;
+        let t51 = self.zH * sin_lam + t50;
+        let t54 = t19 * t51 + sin_lam * ay_all1_delta;
+        let t55 = sin_lam * self.IHxz;
+        let t59 = t55 + wz_delta2_delta * (self.IFxx + self.IHzz);
+        let t63 = self.mB * self.xB;
+        let t68 = yaw_by_delta * (self.xB * t63 + (self.IRxx + self.IBzz));
+        let t71 = self.mH * t51;
+        let M_22 = wz_delta2_delta * (t55 + t59)
+            + (sin_lam * t54 + yaw_by_delta * t68 + t71 * t50);
         let zero = self.w.like(0.0);
+        let K0_11 = t15 - (t2 + (t6 - t19));
+        let t85 = cos_lam * (t31 * (t19 * self.xH + (self.c * K0_11 + t39)) - t6);
         let h_spin_R = self.IFyy / self.rF;
-        let K0_11 = t18 + t2 - (t7 + t14);
-        let t84 = self.IRyy / self.rR;
-        let t85 = K0_11 - h_spin_R - t84;
-        let t91 = t7 + h_spin_R
-            - t31 * (t2 * self.xH + (self.c * t85 + t43) - self.IHxz);
-        let C1_12 = t91 * cos_lam;
-        let t96 = t7 * sin_lam;
-        let t101 = t96 + yaw_by_delta * t59;
-        let t102 = t53 - t101;
-        let C1_22 = cos_lam
-            * (t31 * (self.xH * t53 - (t62 + t69) + self.c * t102) - t96);
-        let K0_22 = sin_lam * t102;
-        let K2_12 = t32 * t85;
-        let K2_22 = t32 * (sin_lam * h_spin_R - t102);
-        let C1_21 = -(yaw_by_delta * t84 + wz_delta2_delta * h_spin_R);
-        let K0_12 = t101 - t53;
+        let t90 = self.IRyy / self.rR;
+        let t92 = wz_delta2_delta * h_spin_R + yaw_by_delta * t90;
+        let C1_12 = t92 - t85;
+        let t94 = t6 * sin_lam;
+        let t96 = yaw_by_delta * t63 + t94;
+        let t97 = t71 - t96;
+        let t104 = t31 * (self.c * t97 + (self.xH * t71 - t68) - t59) - t94;
+        let C1_22 = cos_lam * t104;
+        let K0_22 = sin_lam * t97;
+        let K2_12 = t32 * (K0_11 - t90 - h_spin_R);
+        let K2_22 = t32 * (sin_lam * h_spin_R - t97);
+        let M_12 = yaw_by_delta * t39 - cos_lam * self.IHxz - t54;
+        let C1_21 = -t92;
+        let K0_12 = t96 - t71;
         RearSteeredMatrices::from_entries([
             M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
             K2_12, zero, K2_22,
@@ -326,202 +326,209 @@ pub struct RearSteeredDerivatives<T = f64> {
 
 impl<T: Number> RearSteered<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 98 additions, 184 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 292 operations.
+    /// 103 additions, 184 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 297 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (RearSteeredMatrices<T>, RearSteeredDerivatives<T>) {
-        let t2 = self.zH * self.mH;
-        let M_11_mB = self.zB * self.zB;
-        let t11 = self.rR * self.mR;
-        let t18 = self.rF * self.mF;
-        let t21 = self.IFxx + self.IHxx + self.rF * t18;
-        let M_11 = self.zH * t2 + self.IRxx + self.mB * M_11_mB + self.rR * t11
-            + self.IBxx + t21;
+        let t3 = self.zH * self.mH;
+        let t8 = self.rF * self.mF;
+        let t12 = self.IFxx + self.zH * t3 + self.IHxx + self.rF * t8;
+        let t17 = self.rR * self.mR;
+        let t21 = self.zB * self.mB;
+        let M_11 = t12 + self.IRxx + self.IBxx + self.rR * t17 + self.zB * t21;
         let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t29 = self.zH * sin_lam;
-        let t35 = self.xH - self.c - self.w;
-        let t37 = t29 - cos_lam * t35;
-        let t38 = self.w.like(1.0) / self.w;
-        let C1_12_IBxz = cos_lam * t38;
+        let t31 = self.w.like(1.0) / self.w;
+        let C1_12_IBxz = cos_lam * t31;
         let yaw_by_delta = self.c * C1_12_IBxz;
-        let t41 = self.xH * yaw_by_delta;
-        let t42 = t37 - t41;
+        let t39 = t21 * self.xB - self.IHxz - self.IBxz;
+        let t43 = self.c + self.w - self.xH;
+        let t45 = yaw_by_delta * self.xH;
+        let t46 = t45 - cos_lam * t43;
+        let t49 = t12 * sin_lam;
+        let t50 = t3 * t46 - t49;
+        let t51 = cos_lam * self.IHxz;
+        let M_12 = yaw_by_delta * t39 + t50 - t51;
         let wz_delta2_delta = cos_lam + yaw_by_delta;
-        let t48 = t21 * sin_lam + wz_delta2_delta * self.IHxz;
-        let t51 = self.mB * self.xB;
-        let t53 = self.IBxz - self.zB * t51;
-        let t58 = sin_lam * self.IHxz;
-        let t60 = self.IFxx + self.IHzz;
-        let t62 = t58 + wz_delta2_delta * t60;
-        let t67 = self.IRxx + self.xB * t51 + self.IBzz;
-        let t68 = C1_12_IBxz * yaw_by_delta;
-        let M_22_IRxx = self.c * t68;
-        let t71 = self.mH * t42;
-        let M_22 = sin_lam * t48 + wz_delta2_delta * t62 + t67 * M_22_IRxx + t42 * t71;
+        let t55 = self.IHxz * sin_lam;
+        let t57 = self.IFxx + self.IHzz;
+        let t59 = t55 + wz_delta2_delta * t57;
+        let t63 = self.mB * self.xB;
+        let t66 = self.IRxx + self.IBzz + self.xB * t63;
+        let t67 = yaw_by_delta * t66;
+        let t69 = self.zH * sin_lam;
+        let K0_12_mH = t46 - t69;
+        let t71 = t69 - K0_12_mH;
+        let t72 = self.mH * t71;
+        let M_22 = wz_delta2_delta * (t55 + t59) + yaw_by_delta * t67 + sin_lam * t49
+            - t46 * t72;
         let zero = self.w.like(0.0);
-        let t78 = self.w.like(1.0) / self.rF;
-        let h_spin_R = self.IFyy * t78;
-        let t80 = self.IHxz + t53;
-        let t82 = self.w.like(1.0) / self.rR;
-        let t83 = self.IRyy * t82;
-        let t84 = h_spin_R + t83;
-        let t85 = self.mB * self.zB;
-        let t87 = t2 + t85 - t18;
-        let t89 = t84 + (t11 - t87);
-        let t94 = t38 * (t80 + self.c * t89 - t2 * self.xH);
-        let t96 = t18 + h_spin_R + t94;
-        let C1_12 = cos_lam * t96;
-        let t98 = yaw_by_delta * t84;
-        let t99 = cos_lam * h_spin_R;
-        let K0_12_rF = self.mF * sin_lam;
-        let t102 = self.rF * K0_12_rF;
-        let K0_12_mB = yaw_by_delta * self.xB;
-        let M_12_zB = self.mB * K0_12_mB;
-        let K0_12 = t102 + M_12_zB - t71;
-        let t110 = t62 + yaw_by_delta * t67;
-        let t113 = t38 * (self.c * K0_12 + t110 - self.xH * t71);
-        let t114 = t102 + t113;
-        let C1_12_c = C1_12_IBxz * t89;
+        let K0_11 = t3 + t21 - t8 - t17;
+        let t85 = t39 + self.c * K0_11 + t3 * self.xH;
+        let t86 = C1_12_IBxz * t85;
+        let t88 = self.w.like(1.0) / self.rF;
+        let h_spin_R = self.IFyy * t88;
+        let t91 = self.w.like(1.0) / self.rR;
+        let t92 = self.IRyy * t91;
+        let t93 = h_spin_R + t92;
+        let t94 = yaw_by_delta * t93;
+        let t95 = cos_lam * h_spin_R;
+        let t96 = t94 + t95;
+        let t97 = t8 * cos_lam;
+        let C1_12 = t96 + t97 - t86;
+        let K0_12_mF = self.rF * sin_lam;
+        let t101 = self.mF * K0_12_mF;
+        let t102 = self.mH * K0_12_mH;
+        let M_22_wz_delta2_delta = self.xH * t102;
+        let t104 = C1_12_IBxz * t63;
+        let M_12_zB = self.c * t104;
+        let K0_12 = t101 + t102 + M_12_zB;
+        let t109 = t59 + t67;
+        let t112 = t31 * (M_22_wz_delta2_delta + self.c * K0_12 + t109);
+        let t113 = t101 + t112;
+        let t116 = K0_11 - t93;
+        let K2_12 = C1_12_IBxz * t116;
         let t118 = sin_lam * h_spin_R;
         let t119 = K0_12 + t118;
         let K2_22 = C1_12_IBxz * t119;
-        let t122 = cos_lam + t38 * t41;
-        let t124 = t38 * yaw_by_delta;
-        let M_12_w = t80 * t124 - t2 * t122;
-        let t129 = t110 * t124 - t71 * t122;
-        let t130 = t129 + t129;
-        let t131 = C1_12_IBxz * t94;
-        let C1_21_w = t38 * t98;
-        let t135 = M_12_zB + C1_12_IBxz * (t60 + t67);
-        let t138 = self.mH * t122;
-        let t139 = self.xH * C1_12_IBxz;
-        let t140 = yaw_by_delta + t139;
-        let C1_22_w = t124 * t135 + C1_12_IBxz * t113 + t138 * t140;
-        let t145 = t138 + t51 * t124;
-        let K0_22_w = sin_lam * t145;
-        let K2_12_w = t38 * C1_12_c;
-        let t151 = C1_12_IBxz * (t138 + t38 * (M_12_zB + t119));
-        let t152 = cos_lam - t139;
-        let t153 = self.mH * t152;
-        let t156 = self.zH * t153 + C1_12_IBxz * t80;
-        let t159 = t71 * t152 + C1_12_IBxz * t110;
-        let M_22_c = t159 + t159;
-        let t161 = C1_12_IBxz * t84;
-        let C1_22_c = t140 * t153 - C1_12_IBxz * (K0_12 + t135);
-        let K2_12_zB = self.mB * C1_12_IBxz;
-        let K2_22_yaw_by_delta = self.xB * K2_12_zB;
-        let t168 = t153 - K2_22_yaw_by_delta;
-        let K0_22_c = sin_lam * t168;
-        let t170 = C1_12_IBxz * t168;
-        let t172 = sin_lam * t38;
-        let t173 = self.c * t172;
-        let t177 = self.zH * cos_lam;
-        let t179 = sin_lam * t35 + self.xH * t173 + t177;
-        let t183 = t21 * cos_lam + t2 * t179 - t58 - t80 * t173;
-        let t185 = self.mH * t179;
-        let t191 = sin_lam * t62 + t110 * t173 - t42 * t185 - cos_lam * t48;
-        let t192 = t191 + t191;
-        let t193 = sin_lam * t96;
-        let C1_21_lam = t118 + t84 * t173;
-        let C1_12_mF = self.rF * wz_delta2_delta;
-        let t205 = self.mH * t140;
-        let C1_22_lam = sin_lam * t114 + t135 * t173 + t179 * t205
-            - cos_lam * (C1_12_IBxz * self.IHxz + self.mF * C1_12_mF - t60 * t172);
-        let K0_12_lam = t18 * cos_lam - t185 - t51 * t173;
-        let t216 = cos_lam * K0_12 + sin_lam * K0_12_lam;
-        let K2_12_lam = t89 * t172;
-        let K2_22_lam = C1_12_IBxz * (t99 + K0_12_lam) - t119 * t172;
-        let M_11_rR = t11 + t11;
-        let t223 = t82 * t83;
-        let t225 = C1_12_IBxz * (self.mR - t223);
-        let C1_12_rR = self.c * t225;
-        let C1_21_rR = yaw_by_delta * t223;
+        let t122 = cos_lam + t31 * t45;
+        let t124 = t31 * yaw_by_delta;
+        let t126 = t3 * t122 + t39 * t124;
+        let M_22_yaw_by_delta = t109 + t109;
+        let t129 = t102 + t102;
+        let t131 = t124 * M_22_yaw_by_delta + t122 * t129;
+        let C1_21_w = t31 * t94;
+        let C1_12_w = t31 * t86 - C1_21_w;
+        let t135 = self.mH * t122;
+        let t136 = C1_12_IBxz * self.xH;
+        let t137 = yaw_by_delta + t136;
+        let t139 = t57 + t66;
+        let t141 = M_12_zB + C1_12_IBxz * t139;
+        let C1_22_w = t135 * t137 + t124 * t141 + C1_12_IBxz * t112;
+        let t147 = t135 + t31 * M_12_zB;
+        let K0_22_w = sin_lam * t147;
+        let t149 = t31 * K2_12;
+        let t152 = C1_12_IBxz * (t147 + t31 * t119);
+        let t154 = cos_lam - t136;
+        let M_12_c = C1_12_IBxz * t39 - t3 * t154;
+        let M_22_c = C1_12_IBxz * M_22_yaw_by_delta - t129 * t154;
+        let t160 = C1_12_IBxz * t93;
+        let t161 = self.mH * t154;
+        let t162 = self.c + self.xH;
+        let t166 = C1_12_IBxz * (K0_12 + t141 - t161 * t162);
+        let K0_12_c = t104 - t161;
+        let t171 = t31 * sin_lam;
+        let t172 = self.c * t171;
+        let t174 = self.xH * t172 - t43 * sin_lam;
+        let t177 = t12 * cos_lam;
+        let M_12_lam = t55 - t3 * t174 - t39 * t172 - t177;
+        let t181 = wz_delta2_delta + wz_delta2_delta;
+        let t185 = self.mH * t174;
+        let t188 = t185 + t3 * cos_lam;
+        let t196 = t71 * t185 - cos_lam * (t50 - self.IHxz * t181) - t46 * t188
+            - sin_lam * (t59 + t59 - t177);
+        let M_22_lam = t196 - M_22_yaw_by_delta * t172;
+        let C1_21_lam = t118 + t93 * t172;
+        let t202 = t101 + C1_21_lam - t85 * t171;
+        let ay_all1_delta = t139 * t171;
+        let K0_12_lam = t97 - t188 - t63 * t172;
+        let t215 = t97
+            + t31
+                * (t51 - self.xH * t188 - self.c * (ay_all1_delta - K0_12_lam)
+                    - sin_lam * t57);
+        let C1_22_lam = sin_lam * t113 - cos_lam * t215;
+        let t221 = sin_lam * K0_12_lam + cos_lam * K0_12;
+        let t222 = t116 * t171;
+        let K2_22_lam = C1_12_IBxz * (t95 + K0_12_lam) - t119 * t171;
+        let M_11_rR = t17 + t17;
+        let t230 = C1_12_IBxz * (self.mR - t91 * t92);
+        let C1_12_rR = self.c * t230;
+        let C1_12_IRyy = yaw_by_delta * t91;
+        let C1_21_rR = t92 * C1_12_IRyy;
         let M_11_mR = self.rR * self.rR;
-        let t229 = self.rR * C1_12_IBxz;
-        let C1_12_mR = self.c * t229;
-        let t232 = C1_12_IBxz * t82;
-        let C1_12_IRyy = self.c * t232;
-        let t234 = C1_12_IBxz * t85;
-        let M_12_xB = self.c * t234;
-        let t236 = yaw_by_delta * M_12_zB;
-        let M_22_xB = t236 + t236;
-        let t238 = self.c + self.xB;
-        let t239 = K2_12_zB * t238;
-        let t241 = yaw_by_delta * (K2_22_yaw_by_delta + t239);
-        let K0_12_xB = self.mB * yaw_by_delta;
-        let t243 = sin_lam * K0_12_xB;
-        let K2_22_xB = C1_12_IBxz * K0_12_xB;
-        let M_11_zB = t85 + t85;
+        let C1_12_mR = self.rR * yaw_by_delta;
+        let t236 = self.rR * C1_12_IBxz;
+        let M_22_IRxx = yaw_by_delta * yaw_by_delta;
+        let t239 = cos_lam * t124;
+        let t240 = C1_12_IBxz * t91;
+        let K2_12_mB = self.zB * C1_12_IBxz;
+        let t242 = self.mB * K2_12_mB;
+        let M_12_xB = self.c * t242;
+        let M_22_xB = yaw_by_delta * (M_12_zB + M_12_zB);
+        let t246 = self.c + self.xB;
+        let K2_22_xB = self.mB * t239;
+        let t249 = (self.xB + t246) * K2_22_xB;
+        let K2_12_zB = self.mB * C1_12_IBxz;
+        let K0_12_xB = self.c * K2_12_zB;
+        let t252 = sin_lam * K0_12_xB;
+        let M_11_zB = t21 + t21;
+        let t254 = t104 + K0_12_xB;
+        let M_11_mB = self.zB * self.zB;
+        let K0_12_mB = yaw_by_delta * self.xB;
         let M_12_mB = self.zB * K0_12_mB;
         let M_22_mB = K0_12_mB * K0_12_mB;
-        let K2_12_mB = self.zB * C1_12_IBxz;
-        let t249 = t238 * K2_12_mB;
+        let t259 = K2_12_mB * t246;
         let K2_22_mB = C1_12_IBxz * K0_12_mB;
-        let t251 = t238 * K2_22_mB;
-        let t252 = sin_lam * K0_12_mB;
-        let K0_12_xH = self.mH * wz_delta2_delta;
-        let M_12_xH = self.zH * K0_12_xH;
-        let t255 = t71 + t71;
-        let t256 = wz_delta2_delta * t255;
+        let t261 = t246 * K2_22_mB;
+        let t262 = sin_lam * K0_12_mB;
+        let M_12_xH = t3 * wz_delta2_delta;
+        let M_22_xH = t102 * t181;
         let K2_12_zH = self.mH * C1_12_IBxz;
-        let t258 = self.zH * K2_12_zH;
-        let C1_22_xH = t42 * K2_12_zH - wz_delta2_delta * t205;
-        let t262 = sin_lam * wz_delta2_delta;
-        let t263 = self.mH * t262;
-        let t264 = C1_12_IBxz * wz_delta2_delta;
-        let K2_22_xH = self.mH * t264;
-        let M_11_zH = t2 + t2;
-        let t268 = self.mH * (t29 + t42);
-        let M_22_zH = sin_lam * t255;
-        let C1_22_zH = sin_lam * t205;
-        let t271 = self.mH * sin_lam;
-        let K0_22_zH = sin_lam * t271;
-        let t273 = C1_12_IBxz * t271;
+        let t266 = self.zH * K2_12_zH;
+        let K0_12_xH = self.mH * wz_delta2_delta;
+        let t270 = t137 * K0_12_xH + K0_12_mH * K2_12_zH;
+        let t271 = sin_lam * K0_12_xH;
+        let K2_22_xH = wz_delta2_delta * K2_12_zH;
+        let M_11_zH = t3 + t3;
+        let t274 = sin_lam * t129;
+        let t275 = self.mH * t137;
+        let C1_22_zH = sin_lam * t275;
+        let t277 = self.mH * sin_lam;
+        let K0_22_zH = sin_lam * t277;
+        let t279 = sin_lam * K2_12_zH;
         let M_11_mH = self.zH * self.zH;
-        let t275 = self.zH * t42;
-        let M_22_mH = t42 * t42;
-        let t277 = self.zH * t140;
-        let C1_22_mH = t42 * t140;
-        let K0_22_mH = sin_lam * t42;
-        let K2_12_mH = t38 * t177;
-        let t281 = C1_12_IBxz * t42;
-        let M_22_IHxx = sin_lam * sin_lam;
+        let M_12_mH = self.zH * K0_12_mH;
+        let M_22_mH = K0_12_mH * K0_12_mH;
+        let t283 = self.zH * t137;
+        let K2_22_mH = C1_12_IBxz * K0_12_mH;
+        let t285 = t162 * K2_22_mH;
+        let t286 = sin_lam * K0_12_mH;
+        let K2_12_mH = self.zH * C1_12_IBxz;
+        let M_22_ay_all1_delta = sin_lam * sin_lam;
         let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-        let M_22_IHxz = t262 + t262;
-        let K2_22_h_spin_R = cos_lam * t172;
-        let M_11_rF = t18 + t18;
-        let t287 = t102 + t102;
-        let M_22_rF = sin_lam * t287;
-        let t289 = t78 * h_spin_R;
-        let t290 = self.mF - t289;
-        let C1_12_rF = wz_delta2_delta * t290;
-        let C1_21_rF = wz_delta2_delta * t289;
-        let t293 = self.mF * t262;
-        let t294 = sin_lam * K0_12_rF;
-        let t295 = C1_12_IBxz * t290;
-        let K2_22_rF = K2_22_h_spin_R * t290;
-        let M_11_mF = self.rF * self.rF;
-        let K0_12_mF = self.rF * sin_lam;
-        let t299 = self.rF * K0_12_mF;
-        let M_22_mF = sin_lam * t299;
-        let t301 = wz_delta2_delta * K0_12_mF;
-        let t302 = sin_lam * K0_12_mF;
-        let t303 = self.rF * C1_12_IBxz;
-        let K2_22_mF = self.rF * K2_22_h_spin_R;
-        let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let C1_12_IFyy = wz_delta2_delta * t78;
-        let t307 = C1_12_IBxz * t78;
-        let K2_22_IFyy = t78 * K2_22_h_spin_R;
-        let M_12 = -(t2 * t42 + t48 + yaw_by_delta * t53);
-        let C1_21 = -(t98 + t99);
-        let C1_22 = -(cos_lam * t114);
-        let K0_11 = t87 - t11;
+        let t290 = C1_12_IBxz * wz_delta2_delta;
+        let M_22_IHxz = sin_lam * t181;
+        let K2_22_h_spin_R = C1_12_IBxz * sin_lam;
+        let ay_all1_delta_rF = t8 + t8;
+        let t294 = t101 + t101;
+        let M_22_rF = sin_lam * t294;
+        let t296 = t88 * h_spin_R;
+        let t297 = self.mF - t296;
+        let C1_12_rF = wz_delta2_delta * t297;
+        let C1_21_rF = wz_delta2_delta * t296;
+        let K0_12_rF = self.mF * sin_lam;
+        let t301 = wz_delta2_delta * K0_12_rF;
+        let t302 = sin_lam * K0_12_rF;
+        let t303 = C1_12_IBxz * t297;
+        let K2_22_rF = K2_22_h_spin_R * t297;
+        let ay_all1_delta_mF = self.rF * self.rF;
+        let t306 = sin_lam * ay_all1_delta_mF;
+        let t307 = sin_lam * K0_12_mF;
+        let M_22_mF = self.rF * t307;
+        let C1_12_mF = self.rF * wz_delta2_delta;
+        let t310 = wz_delta2_delta * K0_12_mF;
+        let t311 = self.rF * C1_12_IBxz;
+        let K2_22_mF = C1_12_IBxz * K0_12_mF;
+        let M_22_IFxx = M_22_ay_all1_delta + M_22_IHzz;
+        let C1_12_IFyy = wz_delta2_delta * t88;
+        let t315 = C1_12_IBxz * t88;
+        let K2_22_IFyy = sin_lam * t315;
+        let C1_21 = -t96;
+        let C1_22 = -(cos_lam * t113);
         let K0_22 = -(sin_lam * K0_12);
-        let K2_12 = -C1_12_c;
-        let K0_12_c = K2_22_yaw_by_delta - t153;
-        let K0_12_mH = t41 - t37;
+        let K0_22_c = -(sin_lam * K0_12_c);
+        let t321 = -(C1_12_IBxz * K0_12_c);
         (
             RearSteeredMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
@@ -529,20 +536,21 @@ impl<T: Number> RearSteered<T> {
             ]),
             RearSteeredDerivatives {
                 values: [
-                    M_12_w, t130, t131, C1_21_w, C1_22_w, t145, K0_22_w, K2_12_w, t151, t156,
-                    M_22_c, C1_12_c, t161, C1_22_c, K0_12_c, K0_22_c, t170, t183, t192, t193,
-                    C1_21_lam, C1_22_lam, K0_12_lam, t216, K2_12_lam, K2_22_lam, M_11_rR, C1_12_rR,
-                    C1_21_rR, self.mR, t225, M_11_mR, C1_12_mR, self.rR, t229, self.w.like(1.0),
-                    M_22_IRxx, t68, C1_12_IRyy, t232, M_12_xB, M_22_xB, t234, t241, K0_12_xB, t243,
-                    K2_22_xB, M_11_zB, M_12_zB, t239, self.mB, K2_12_zB, M_11_mB, M_12_mB, M_22_mB,
-                    t249, t251, self.zB, K0_12_mB, t252, K2_12_mB, K2_22_mB, yaw_by_delta,
-                    C1_12_IBxz, M_12_xH, t256, t258, C1_22_xH, K0_12_xH, t263, K2_22_xH, M_11_zH,
-                    t268, M_22_zH, t205, C1_22_zH, self.mH, t271, K0_22_zH, K2_12_zH, t273, M_11_mH,
-                    t275, M_22_mH, t277, C1_22_mH, self.zH, K0_12_mH, K0_22_mH, K2_12_mH, t281,
-                    sin_lam, M_22_IHxx, M_22_IHzz, t264, wz_delta2_delta, M_22_IHxz, K2_22_h_spin_R,
-                    M_11_rF, t287, M_22_rF, C1_12_rF, C1_21_rF, t293, self.mF, K0_12_rF, t294, t295,
-                    K2_22_rF, M_11_mF, t299, M_22_mF, C1_12_mF, t301, self.rF, K0_12_mF, t302, t303,
-                    K2_22_mF, M_22_IFxx, C1_12_IFyy, t307, K2_22_IFyy,
+                    t126, t131, C1_12_w, C1_21_w, C1_22_w, t147, K0_22_w, t149, t152, M_12_c,
+                    M_22_c, K2_12, t160, t166, K0_12_c, K0_22_c, t321, M_12_lam, M_22_lam, t202,
+                    C1_21_lam, C1_22_lam, K0_12_lam, t221, t222, K2_22_lam, M_11_rR, C1_12_rR,
+                    C1_21_rR, self.mR, t230, M_11_mR, C1_12_mR, self.rR, t236, self.w.like(1.0),
+                    M_22_IRxx, t239, C1_12_IRyy, t240, M_12_xB, M_22_xB, t242, t249, K0_12_xB, t252,
+                    K2_22_xB, M_11_zB, M_12_zB, t254, self.mB, K2_12_zB, M_11_mB, M_12_mB, M_22_mB,
+                    t259, t261, self.zB, K0_12_mB, t262, K2_12_mB, K2_22_mB, yaw_by_delta,
+                    C1_12_IBxz, M_12_xH, M_22_xH, t266, t270, K0_12_xH, t271, K2_22_xH, M_11_zH,
+                    t72, t274, t275, C1_22_zH, self.mH, t277, K0_22_zH, K2_12_zH, t279, M_11_mH,
+                    M_12_mH, M_22_mH, t283, t285, self.zH, K0_12_mH, t286, K2_12_mH, K2_22_mH,
+                    sin_lam, M_22_ay_all1_delta, M_22_IHzz, t290, wz_delta2_delta, M_22_IHxz,
+                    K2_22_h_spin_R, ay_all1_delta_rF, t294, M_22_rF, C1_12_rF, C1_21_rF, t301,
+                    self.mF, K0_12_rF, t302, t303, K2_22_rF, ay_all1_delta_mF, t306, M_22_mF,
+                    C1_12_mF, t310, self.rF, K0_12_mF, t307, t311, K2_22_mF, M_22_IFxx, C1_12_IFyy,
+                    t315, K2_22_IFyy,
                 ],
             },
         )
@@ -1002,31 +1010,35 @@ impl<T: Number> EvaluatorWithDerivatives<T, 2> for RearSteered<T> {
 impl RearSteeredDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 158] = &[
-        Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
+        Partial::new(MatrixName::M, 0, 1, 0, 0).negative(),
+        Partial::new(MatrixName::M, 1, 0, 0, 0).negative(),
         Partial::new(MatrixName::M, 1, 1, 0, 1).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 0, 2).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
+        Partial::new(MatrixName::C1, 0, 1, 0, 2), Partial::new(MatrixName::C1, 1, 0, 0, 3),
+        Partial::new(MatrixName::C1, 1, 1, 0, 4),
         Partial::new(MatrixName::K0, 0, 1, 0, 5).negative(),
         Partial::new(MatrixName::K0, 1, 0, 0, 5).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 0, 6), Partial::new(MatrixName::K2, 0, 1, 0, 7),
+        Partial::new(MatrixName::K0, 1, 1, 0, 6),
+        Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
         Partial::new(MatrixName::K2, 1, 1, 0, 8).negative(),
-        Partial::new(MatrixName::M, 0, 1, 1, 9).negative(),
-        Partial::new(MatrixName::M, 1, 0, 1, 9).negative(),
-        Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
+        Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
+        Partial::new(MatrixName::M, 1, 1, 1, 10),
+        Partial::new(MatrixName::C1, 0, 1, 1, 11).negative(),
         Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 13), Partial::new(MatrixName::K0, 0, 1, 1, 14),
-        Partial::new(MatrixName::K0, 1, 0, 1, 14), Partial::new(MatrixName::K0, 1, 1, 1, 15),
+        Partial::new(MatrixName::C1, 1, 1, 1, 13).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 1, 14),
+        Partial::new(MatrixName::K0, 1, 0, 1, 14),
+        Partial::new(MatrixName::K0, 1, 1, 1, 15),
         Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
-        Partial::new(MatrixName::M, 0, 1, 2, 17).negative(),
-        Partial::new(MatrixName::M, 1, 0, 2, 17).negative(),
-        Partial::new(MatrixName::M, 1, 1, 2, 18).negative(),
+        Partial::new(MatrixName::M, 0, 1, 2, 17),
+        Partial::new(MatrixName::M, 1, 0, 2, 17),
+        Partial::new(MatrixName::M, 1, 1, 2, 18),
         Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
         Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
         Partial::new(MatrixName::K0, 0, 1, 2, 22), Partial::new(MatrixName::K0, 1, 0, 2, 22),
         Partial::new(MatrixName::K0, 1, 1, 2, 23).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 2, 24), Partial::new(MatrixName::K2, 1, 1, 2, 25),
-        Partial::new(MatrixName::M, 0, 0, 4, 26), Partial::new(MatrixName::C1, 0, 1, 4, 27),
-        Partial::new(MatrixName::C1, 1, 0, 4, 28),
+        Partial::new(MatrixName::K2, 0, 1, 2, 24).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 2, 25), Partial::new(MatrixName::M, 0, 0, 4, 26),
+        Partial::new(MatrixName::C1, 0, 1, 4, 27), Partial::new(MatrixName::C1, 1, 0, 4, 28),
         Partial::new(MatrixName::K0, 0, 0, 4, 29).negative(),
         Partial::new(MatrixName::K2, 0, 1, 4, 30).negative(),
         Partial::new(MatrixName::M, 0, 0, 5, 31),
@@ -1064,12 +1076,10 @@ impl RearSteeredDerivatives {
         Partial::new(MatrixName::C1, 1, 1, 13, 37).negative(),
         Partial::new(MatrixName::M, 0, 1, 14, 62).negative(),
         Partial::new(MatrixName::M, 1, 0, 14, 62).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 14, 63),
-        Partial::new(MatrixName::M, 0, 1, 15, 64),
-        Partial::new(MatrixName::M, 1, 0, 15, 64),
-        Partial::new(MatrixName::M, 1, 1, 15, 65).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 14, 63), Partial::new(MatrixName::M, 0, 1, 15, 64),
+        Partial::new(MatrixName::M, 1, 0, 15, 64), Partial::new(MatrixName::M, 1, 1, 15, 65),
         Partial::new(MatrixName::C1, 0, 1, 15, 66).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 15, 67),
+        Partial::new(MatrixName::C1, 1, 1, 15, 67).negative(),
         Partial::new(MatrixName::K0, 0, 1, 15, 68),
         Partial::new(MatrixName::K0, 1, 0, 15, 68),
         Partial::new(MatrixName::K0, 1, 1, 15, 69).negative(),
@@ -1077,7 +1087,7 @@ impl RearSteeredDerivatives {
         Partial::new(MatrixName::M, 0, 0, 16, 71),
         Partial::new(MatrixName::M, 0, 1, 16, 72).negative(),
         Partial::new(MatrixName::M, 1, 0, 16, 72).negative(),
-        Partial::new(MatrixName::M, 1, 1, 16, 73),
+        Partial::new(MatrixName::M, 1, 1, 16, 73).negative(),
         Partial::new(MatrixName::C1, 0, 1, 16, 74).negative(),
         Partial::new(MatrixName::C1, 1, 1, 16, 75),
         Partial::new(MatrixName::K0, 0, 0, 16, 76),
@@ -1086,15 +1096,16 @@ impl RearSteeredDerivatives {
         Partial::new(MatrixName::K0, 1, 1, 16, 78),
         Partial::new(MatrixName::K2, 0, 1, 16, 79),
         Partial::new(MatrixName::K2, 1, 1, 16, 80).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 81),
-        Partial::new(MatrixName::M, 0, 1, 17, 82).negative(),
-        Partial::new(MatrixName::M, 1, 0, 17, 82).negative(),
-        Partial::new(MatrixName::M, 1, 1, 17, 83),
+        Partial::new(MatrixName::M, 0, 0, 17, 81), Partial::new(MatrixName::M, 0, 1, 17, 82),
+        Partial::new(MatrixName::M, 1, 0, 17, 82), Partial::new(MatrixName::M, 1, 1, 17, 83),
         Partial::new(MatrixName::C1, 0, 1, 17, 84).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 17, 85), Partial::new(MatrixName::K0, 0, 0, 17, 86),
-        Partial::new(MatrixName::K0, 0, 1, 17, 87), Partial::new(MatrixName::K0, 1, 0, 17, 87),
-        Partial::new(MatrixName::K0, 1, 1, 17, 88), Partial::new(MatrixName::K2, 0, 1, 17, 89),
-        Partial::new(MatrixName::K2, 1, 1, 17, 90).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 85).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 17, 86),
+        Partial::new(MatrixName::K0, 0, 1, 17, 87),
+        Partial::new(MatrixName::K0, 1, 0, 17, 87),
+        Partial::new(MatrixName::K0, 1, 1, 17, 88).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 17, 89),
+        Partial::new(MatrixName::K2, 1, 1, 17, 90),
         Partial::new(MatrixName::M, 0, 0, 18, 35),
         Partial::new(MatrixName::M, 0, 1, 18, 91).negative(),
         Partial::new(MatrixName::M, 1, 0, 18, 91).negative(),

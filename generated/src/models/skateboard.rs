@@ -280,46 +280,45 @@ impl<T: Number> Skateboard<T> {
         let (lateral_per_v_deltaR, cos_lamR) = self.lamR.sin_cos();
         let t8 = self.L.like(1.0) / cos_lamR;
         let t10 = t8 * lateral_per_v_deltaR;
-        let P_gamma_lateral = self.m * self.h;
-        let P_gamma_yaw = self.Ixz + P_gamma_lateral * self.x;
-        let t17 = self.L.like(1.0) / self.L;
-        let t18 = P_gamma_yaw * t17;
-        let t19 = t18 - P_gamma_lateral;
+        let t13 = self.L.like(1.0) / self.L;
         let (sin_lamF, cos_lamF) = self.lamF.sin_cos();
-        let t23 = self.L.like(1.0) / cos_lamF;
-        let t25 = t23 * sin_lamF;
-        let C1_11 = t10 * t19 + t18 * t25;
-        let Kc_11_kF = t23 * t23;
+        let t16 = self.L.like(1.0) / cos_lamF;
+        let t18 = t16 * sin_lamF;
+        let C1_11_Ixz = t13 * (t10 + t18);
+        let t22 = self.x * C1_11_Ixz - t10;
+        let C1_11_m = self.h * t22;
+        let C1_11 = self.m * C1_11_m + C1_11_Ixz * self.Ixz;
+        let Kc_11_kF = t16 * t16;
         let t30 = self.kF * Kc_11_kF;
         let Kc_11_kR = t8 * t8;
         let t33 = self.kR * Kc_11_kR;
         let Kc_11 = t30 + t33;
-        let C1_11_Ixz = t17 * (t10 + t25);
-        let K2_11 = P_gamma_lateral * C1_11_Ixz;
-        let t38 = t18 * C1_11_Ixz;
-        let t39 = P_gamma_lateral * t17;
-        let t40 = C1_11_Ixz * t39;
-        let t43 = t23 * (cos_lamF + sin_lamF * t25);
-        let C1_11_lamF = t18 * t43;
-        let Kc_11_lamF = t25 * (t30 + t30);
-        let K2_11_lamF = t39 * t43;
-        let t50 = self.L.like(1.0) + t10 * t10;
-        let C1_11_lamR = t19 * t50;
-        let t52 = t10 * t33;
-        let Kc_11_lamR = t52 + t52;
-        let K2_11_lamR = t39 * t50;
-        let t56 = self.x * C1_11_Ixz - t10;
-        let C1_11_m = self.h * t56;
+        let P_gamma_lateral = self.m * self.h;
+        let K2_11_h = self.m * C1_11_Ixz;
+        let K2_11 = self.h * K2_11_h;
+        let t40 = t13 * (self.Ixz + self.x * P_gamma_lateral);
+        let t41 = C1_11_Ixz * t40;
+        let t42 = t13 * K2_11;
+        let t45 = t16 * (cos_lamF + sin_lamF * t18);
+        let C1_11_lamF = t40 * t45;
+        let t47 = t18 * t30;
+        let Kc_11_lamF = t47 + t47;
+        let t49 = t13 * P_gamma_lateral;
+        let K2_11_lamF = t45 * t49;
+        let t53 = self.L.like(1.0) + t10 * t10;
+        let C1_11_lamR = t53 * (t40 - P_gamma_lateral);
+        let t56 = t10 * t33;
+        let Kc_11_lamR = t56 + t56;
+        let K2_11_lamR = t49 * t53;
         let K2_11_m = self.h * C1_11_Ixz;
         let M_11_h = P_gamma_lateral + P_gamma_lateral;
-        let C1_11_h = self.m * t56;
-        let K2_11_h = self.m * C1_11_Ixz;
+        let C1_11_h = self.m * t22;
         let K0_11 = -P_gamma_lateral;
         (
             SkateboardMatrices::from_entries([M_11, C1_11, Kc_11, K0_11, K2_11]),
             SkateboardDerivatives {
                 values: [
-                    t38, t40, C1_11_lamF, Kc_11_lamF, K2_11_lamF, C1_11_lamR, Kc_11_lamR,
+                    t41, t42, C1_11_lamF, Kc_11_lamF, K2_11_lamF, C1_11_lamR, Kc_11_lamR,
                     K2_11_lamR, Kc_11_kF, Kc_11_kR, M_11_m, C1_11_m, self.h, K2_11_m, K2_11, M_11_h,
                     C1_11_h, self.m, K2_11_h, self.L.like(1.0), C1_11_Ixz,
                 ],

@@ -146,20 +146,20 @@ impl<T: Number> TypicalSection<T> {
         let imbalance = self.b * M_12_b;
         let zero = self.m.like(0.0);
         let t14 = self.m.like(3.141592653589793) + self.m.like(3.141592653589793);
-        let lift_b = self.rho * self.s * t14;
-        let lift = self.b * lift_b;
+        let t15 = self.s * t14;
+        let lift_rho = self.b * t15;
+        let lift = self.rho * lift_rho;
         let t19 = self.a + self.m.like(0.5);
         let t20 = self.b * lift;
         let M_12_m = self.b * t4;
-        let t24 = lift * t19;
-        let t25 = t24 + t24;
-        let t26 = self.b * t14;
-        let lift_s = self.rho * t26;
+        let lift_b = self.rho * t15;
         let arm = self.b * t19;
-        let t29 = lift_s * arm;
+        let t26 = lift_b * arm;
+        let t27 = t26 + t26;
+        let lift_s = self.b * self.rho * t14;
+        let t30 = arm * lift_s;
         let M_12_e = self.m * self.b;
-        let lift_rho = self.s * t26;
-        let t32 = arm * lift_rho;
+        let t32 = lift_rho * arm;
         let K2_22 = -(t19 * t20);
         (
             TypicalSectionMatrices::from_entries([
@@ -168,7 +168,7 @@ impl<T: Number> TypicalSection<T> {
             ]),
             TypicalSectionDerivatives {
                 values: [
-                    self.m.like(1.0), M_12_m, M_12_b, lift_b, t25, lift_s, t29, M_12_e, t20,
+                    self.m.like(1.0), M_12_m, M_12_b, lift_b, t27, lift_s, t30, M_12_e, t20,
                     lift_rho, t32,
                 ],
             },

@@ -117,26 +117,27 @@ pub struct WheeledPendulumMatrices<T = f64> {
 
 impl<T: Number> WheeledPendulum<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 15 additions, 8 multiplications, 1 division and 2 negations: 26 operations.
+    /// 13 additions, 9 multiplications, 1 division and 2 negations: 25 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WheeledPendulumMatrices<T> {
-        let t1 = self.m.like(1.0) / self.r;
-        let t4 = self.Ia * (t1 + t1);
-        let t5 = t1 * t4;
-        let t8 = self.mW + self.mW;
-        let t9 = self.m + t8;
-        let M_11 = t5 + t9;
-        let t12 = self.m * self.l;
-        let t14 = t12 + self.r * t9;
+        let t2 = self.mW + self.mW;
+        let t4 = self.m.like(1.0) / self.r;
+        let t6 = self.Ia + self.Ia;
+        let t7 = t4 * t6;
+        let t9 = t2 + t4 * t7;
+        let M_11 = self.m + t9;
+        let t11 = t2 * self.r;
+        let t13 = self.r + self.l;
+        let t14 = self.m * t13;
         let zero = self.m.like(0.0);
-        let M_22 = self.Ia + t12 * (self.r + self.l)
-            + (self.Ia + self.Iyy + self.r * t14);
-        let M_33 = self.Izz + self.Ir + (self.b * ((t8 + t5) * self.b) + self.Ir);
-        let M_12 = -(t4 + t14);
-        let K0_22 = -t12;
+        let m_all = t6 + t13 * t14;
+        let M_22 = self.r * t11 + (m_all + self.Iyy);
+        let M_33 = self.Izz + (self.b * t9 * self.b + self.Ir) + self.Ir;
+        let M_12 = -(t11 + (t7 + t14));
+        let K0_22 = -(self.m * self.l);
         WheeledPendulumMatrices::from_entries([
             M_11, M_12, zero, M_12, M_22, zero, zero, zero, M_33, zero, zero, zero, zero, K0_22,
             zero, zero, zero, zero,
@@ -1440,36 +1441,37 @@ impl<T: Number> WheeledPendulum<T> {
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WheeledPendulumMatrices<T>, WheeledPendulumDerivatives<T>) {
-        let t3 = self.m.like(1.0) / self.r;
-        let t4 = t3 + t3;
-        let M_11_Ia = t3 * t4;
-        let t6 = self.Ia * M_11_Ia;
-        let t8 = self.mW + self.mW;
-        let t9 = t6 + t8;
+        let t2 = self.mW + self.mW;
+        let t5 = self.m.like(1.0) / self.r;
+        let t6 = t5 + t5;
+        let M_11_Ia = t5 * t6;
+        let t8 = self.Ia * M_11_Ia;
+        let t9 = t2 + t8;
         let M_11 = self.m + t9;
-        let t11 = self.Ia + self.Ia;
-        let t12 = t3 * t11;
-        let t14 = self.r + self.l;
-        let t15 = self.m * t14;
-        let t16 = self.r * t8;
-        let t17 = t15 + t16;
+        let t12 = self.m * self.l;
+        let t13 = self.m + t2;
+        let t15 = t12 + self.r * t13;
+        let t16 = self.Ia * t6;
         let zero = self.m.like(0.0);
-        let M_22 = t11 + self.Iyy + self.r * t16 + t14 * t15;
-        let t28 = self.b * self.b;
-        let M_33 = self.Izz + t9 * t28 + self.Ir + self.Ir;
-        let M_22_m = t14 * t14;
-        let M_22_l = t15 + t15;
-        let t39 = self.r + self.r;
-        let M_22_mW = self.r * t39;
-        let M_33_mW = t28 + t28;
-        let M_33_Ia = M_11_Ia * t28;
-        let t43 = M_11_Ia * t12;
-        let M_12_r = t6 - self.m - t8;
-        let M_22_r = t17 + t17;
-        let t47 = t12 * M_33_Ia;
-        let M_33_b = t9 * (self.b + self.b);
-        let M_12 = -(t12 + t17);
-        let K0_22 = -(self.m * self.l);
+        let t19 = self.r + self.l;
+        let M_22 = self.Ia + self.Ia + t12 * t19 + self.r * t15 + self.Iyy;
+        let t29 = t9 * self.b;
+        let M_33 = self.Ir + self.Ir + self.b * t29 + self.Izz;
+        let M_22_m = t19 * t19;
+        let t37 = self.m * t19;
+        let M_22_l = t37 + t37;
+        let t40 = self.r + self.r;
+        let M_22_mW = self.r * t40;
+        let t42 = self.b * self.b;
+        let M_33_mW = t42 + t42;
+        let M_33_Ia = M_11_Ia * t42;
+        let t45 = M_11_Ia * t16;
+        let M_12_r = t8 - t13;
+        let M_22_r = t15 + t15;
+        let t48 = t42 * t45;
+        let M_33_b = t29 + t29;
+        let M_12 = -(t15 + t16);
+        let K0_22 = -t12;
         (
             WheeledPendulumMatrices::from_entries([
                 M_11, M_12, zero, M_12, M_22, zero, zero, zero, M_33, zero, zero, zero, zero, K0_22,
@@ -1477,8 +1479,8 @@ impl<T: Number> WheeledPendulum<T> {
             ]),
             WheeledPendulumDerivatives {
                 values: [
-                    self.m.like(1.0), t14, M_22_m, self.l, self.m, M_22_l, self.m.like(2.0), t39,
-                    M_22_mW, M_33_mW, M_11_Ia, t4, M_33_Ia, t43, M_12_r, M_22_r, t47, M_33_b,
+                    self.m.like(1.0), t19, M_22_m, self.l, self.m, M_22_l, self.m.like(2.0), t40,
+                    M_22_mW, M_33_mW, M_11_Ia, t6, M_33_Ia, t45, M_12_r, M_22_r, t48, M_33_b,
                 ],
             },
         )

@@ -151,7 +151,7 @@ impl<T: Number> Wheelset<T> {
         let t22 = self.f11 * t14;
         let Kc_21_b = t22 + t22;
         let Kc_21_lam = t13 * t20;
-        let t25 = t13 * Kc_21;
+        let t25 = t14 * Kc_21_lam;
         let Kc_12 = -Cm1_11;
         (
             WheelsetMatrices::from_entries([

@@ -265,221 +265,220 @@ pub struct WhippleDerivatives<T = f64> {
 
 impl<T: Number> Whipple<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 110 additions, 195 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 312 operations.
+    /// 113 additions, 196 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 317 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleMatrices<T>, WhippleDerivatives<T>) {
+        let t5 = self.rF * self.mF;
+        let M_11_mH = self.zH * self.zH;
+        let t13 = self.IFxx + self.IHxx + self.rF * t5 + self.mH * M_11_mH;
         let M_11_mB = self.zB * self.zB;
-        let t8 = self.rF * self.mF;
-        let t12 = self.zH * self.mH;
-        let t18 = self.rF * t8 + self.zH * t12 + self.IHxx + self.IFxx;
         let t21 = self.rR * self.mR;
-        let M_11 = self.IRxx + self.IBxx + self.mB * M_11_mB + t18 + self.rR * t21;
+        let M_11 = self.IRxx + t13 + self.mB * M_11_mB + self.IBxx + self.rR * t21;
+        let t31 = self.mH * self.xH;
+        let t33 = self.IHxz - self.zH * t31;
+        let t34 = t5 * self.w + t33;
+        let t36 = self.mB * self.zB;
+        let t40 = t34 + self.IBxz - t36 * self.xB;
         let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t32 = self.c + self.w;
-        let t33 = self.xH - t32;
-        let t34 = self.mH * t33;
-        let t39 = self.IHxz - self.zH * t34 - t8 * self.c;
-        let t43 = cos_lam * t39 + t18 * sin_lam;
-        let t44 = self.mH * self.xH;
-        let t46 = self.mF * self.w;
-        let t49 = self.IHxz + self.rF * t46 - self.zH * t44;
-        let t52 = self.mB * self.xB;
-        let t55 = t49 + self.IBxz - self.zB * t52;
-        let t56 = self.w.like(1.0) / self.w;
-        let C1_12_IBxz = cos_lam * t56;
+        let t44 = self.w.like(1.0) / self.w;
+        let C1_12_IBxz = cos_lam * t44;
         let mu = self.c * C1_12_IBxz;
-        let M_12 = t43 + t55 * mu;
-        let t62 = sin_lam * t56;
-        let t65 = self.IFxx + self.IHzz;
-        let t69 = t65 + self.xH * t34 - self.c * t46;
-        let t71 = t49 * t62 + C1_12_IBxz * t69;
-        let t73 = t39 * sin_lam;
-        let t86 = C1_12_IBxz
-            * (self.IRxx + t65 + self.xH * t44 + self.xB * t52 + self.w * t46
-                + self.IBzz);
-        let t87 = self.c * t56;
-        let t88 = t86 * t87;
-        let t89 = t71 + t88;
-        let t90 = self.mF * self.c;
-        let t91 = cos_lam * t90;
-        let t95 = t73 + cos_lam * (t65 + t33 * t34) + self.c * (t89 + t91);
-        let M_22 = sin_lam * t43 + cos_lam * (self.c * t71 + t95);
+        let t48 = self.mH * self.zH;
+        let t49 = t48 - t5;
+        let t53 = t33 + self.c * t49 + self.w * t48;
+        let t57 = cos_lam * t53 + t13 * sin_lam;
+        let M_12 = t40 * mu + t57;
+        let t63 = self.IFxx + self.IHzz;
+        let t64 = self.w + self.c;
+        let t65 = self.xH - t64;
+        let t66 = self.mH * t65;
+        let t71 = t53 * sin_lam;
+        let t72 = cos_lam * (self.mF * self.c * self.c + t63 + t65 * t66) + t71;
+        let t76 = self.mF * self.w;
+        let t80 = cos_lam * (t63 + t31 * t65 - self.c * t76);
+        let t81 = t34 * sin_lam + t80;
+        let t82 = self.c * cos_lam;
+        let t86 = self.mB * self.xB;
+        let t93 = t44
+            * (self.IRxx + t63 + self.IBzz + self.w * t76 + self.xH * t31
+                + self.xB * t86);
+        let t94 = t82 * t93;
+        let t95 = t81 + t94;
+        let M_22 = sin_lam * t57 + cos_lam * t72 + mu * (t81 + t95);
         let zero = self.w.like(0.0);
-        let t101 = self.w.like(1.0) / self.rF;
-        let SF = self.IFyy * t101;
-        let t104 = self.w.like(1.0) / self.rR;
-        let t105 = self.IRyy * t104;
-        let ST = SF + t105;
-        let t107 = self.mB * self.zB;
-        let t108 = t8 - t107;
-        let t109 = t12 - t21;
-        let t111 = ST + (t108 - t109);
-        let t115 = t55 + self.c * t111 + self.w * SF;
-        let C1_12 = C1_12_IBxz * t115;
-        let t117 = t87 * ST;
-        let t118 = SF + t117;
-        let t120 = t44 + t46;
-        let ITzz_mB = t56 * (t52 + t120);
-        let t123 = self.mF - ITzz_mB;
-        let t125 = self.c * t123 - t34;
-        let t127 = self.mF * sin_lam;
-        let t128 = self.rF * t127;
-        let K0_12 = cos_lam * t125 + t12 * sin_lam - t128;
-        let t133 = t89 - t87 * K0_12;
-        let C1_22 = cos_lam * t133;
+        let t102 = self.w.like(1.0) / self.rF;
+        let SF = self.IFyy * t102;
+        let t105 = self.w.like(1.0) / self.rR;
+        let t106 = self.IRyy * t105;
+        let ST = SF + t106;
+        let t108 = t36 + t49;
+        let t110 = ST + (t21 - t108);
+        let t114 = t40 + self.c * t110 + self.w * SF;
+        let C1_12 = C1_12_IBxz * t114;
+        let t116 = cos_lam * SF;
+        let t117 = C1_12_IBxz * ST;
+        let t118 = self.c * t117;
+        let t120 = t49 * sin_lam;
+        let t124 = self.mF - t44 * (t31 + t76 + t86);
+        let t125 = self.c * t124;
+        let t126 = t125 - t66;
+        let K0_12 = t120 + cos_lam * t126;
+        let t130 = t95 - self.c * K0_12;
+        let C1_22 = C1_12_IBxz * t130;
         let K0_22 = sin_lam * K0_12;
-        let K2_12 = C1_12_IBxz * t111;
-        let t138 = sin_lam * SF - K0_12;
-        let K2_22 = C1_12_IBxz * t138;
-        let t140 = t12 * cos_lam;
-        let t141 = t55 * t56;
-        let M_12_w = t140 + mu * (t8 - t141);
-        let t145 = self.mH * cos_lam;
+        let K2_12 = C1_12_IBxz * t110;
+        let t134 = sin_lam * SF;
+        let t135 = K0_12 - t134;
+        let t136 = C1_12_IBxz * t135;
+        let t138 = t5 * cos_lam;
+        let t139 = t40 * C1_12_IBxz - t138;
+        let t142 = cos_lam * t48;
+        let M_12_w = t142 - self.c * t44 * t139;
+        let t144 = self.rF * sin_lam;
+        let K0_12_mF = t82 - t144 - self.w * mu;
+        let t148 = self.mF * K0_12_mF;
+        let t149 = t44 * t95;
+        let t150 = t148 + t149;
+        let t151 = t150 + t150;
         let M_12_IHxz = cos_lam + mu;
-        let t149 = cos_lam * t32 - self.xH * M_12_IHxz;
-        let t150 = self.zH * sin_lam;
-        let K0_12_mH = t149 + t150;
-        let t152 = t150 + K0_12_mH;
-        let t153 = t149 + t152;
-        let t154 = t145 * t153;
-        let t155 = self.w * C1_12_IBxz;
-        let t156 = t90 * t155;
-        let t158 = t128 + t156 - t91;
-        let t159 = t89 - t158;
-        let t160 = mu + mu;
-        let M_22_w = t154 - t159 * t160;
-        let t163 = cos_lam * SF;
-        let t164 = t8 * cos_lam;
-        let t167 = t56 * (C1_12 - t163 - t164);
-        let C1_21_w = C1_12_IBxz * t117;
-        let t169 = cos_lam * C1_12_IBxz;
-        let t170 = t44 * t169;
-        let t171 = t88 + t133;
-        let K0_12_w = t145 - mu * t123;
-        let C1_22_w = C1_12_IBxz * (t156 + t158 - t171 - self.c * K0_12_w) - t170;
-        let K0_22_w = sin_lam * K0_12_w;
-        let t181 = t56 * K2_12;
-        let t182 = t56 * t138;
-        let t184 = C1_12_IBxz * (K0_12_w + t182);
-        let t186 = t140 - t164;
-        let M_12_c = cos_lam * t141 + t186;
-        let t188 = cos_lam * t159;
-        let M_22_c = t154 + t188 + t188;
-        let t191 = C1_12_IBxz * ST;
-        let K0_12_c = t145 + cos_lam * t123;
-        let t199 = C1_12_IBxz * (K0_12 + cos_lam * t120 + self.c * K0_12_c - t86);
+        let t154 = self.xH * M_12_IHxz;
+        let t155 = cos_lam * t64;
+        let t156 = self.zH * sin_lam;
+        let t157 = t155 + t156;
+        let t158 = t154 - t157;
+        let t159 = t158 + t158;
+        let t160 = self.mH * t159;
+        let t161 = cos_lam * t160;
+        let t162 = mu * t151 + t161;
+        let t163 = t116 + t138;
+        let t165 = t44 * (C1_12 - t163);
+        let C1_21_w = t44 * t118;
+        let t168 = t44 * (t94 + t130);
+        let t169 = self.mH * cos_lam;
+        let t170 = self.xH + self.c;
+        let t172 = t76 + t125;
+        let C1_22_w = C1_12_IBxz * (mu * t172 - t148 - t168 - t169 * t170);
+        let K0_12_w = t169 - C1_12_IBxz * t125;
+        let t181 = t44 * K2_12;
+        let K2_22_w = t44 * (t136 - cos_lam * K0_12_w);
+        let M_12_c = t139 + t142;
+        let t187 = cos_lam * (t160 - t151);
+        let t188 = cos_lam * C1_12_IBxz;
+        let t189 = self.mH * t170;
+        let C1_22_c = t188 * (t93 - t126 - t172 - t189) - C1_12_IBxz * t120;
+        let K0_12_c = t169 + cos_lam * t124;
         let K0_22_c = sin_lam * K0_12_c;
-        let t201 = C1_12_IBxz * K0_12_c;
-        let M_12_lam = t18 * cos_lam - t73 - self.c * t55 * t62;
-        let K2_22_SF = sin_lam * C1_12_IBxz;
-        let ITzz_xB = t69 * K2_22_SF;
-        let t211 = ITzz_xB - t49 * t169;
-        let t215 = cos_lam * t43 - self.c * t211 - sin_lam * t95;
+        let t199 = C1_12_IBxz * K0_12_c;
+        let t200 = t44 * sin_lam;
+        let t201 = self.c * t200;
+        let t205 = t71 + t40 * t201 - t13 * cos_lam;
+        let t210 = t34 * t188 - t80 * t200;
+        let t215 = cos_lam * t57 - self.c * (sin_lam * t149 - t210) - sin_lam * t72;
         let M_22_lam = t215 + t215;
-        let t217 = t62 * t115;
-        let C1_21_lam = sin_lam * t118;
-        let K0_12_lam = t186 - sin_lam * t125;
-        let K0_22_lam = sin_lam * K0_12_lam + cos_lam * K0_12;
-        let t228 = t62 * t111;
-        let K2_22_lam = C1_12_IBxz * (t163 - K0_12_lam) - sin_lam * t182;
+        let t217 = t114 * t200;
+        let C1_21_lam = t134 + ST * t201;
+        let t222 = t142 - sin_lam * t126;
+        let t223 = t138 - t222;
+        let C1_22_lam = t210 + mu * t223 - sin_lam * t168;
+        let K0_22_lam = cos_lam * K0_12 - sin_lam * t223;
+        let t230 = t110 * t200;
+        let K2_22_lam = C1_12_IBxz * (t163 - t222) + t135 * t200;
         let M_11_rR = t21 + t21;
-        let t234 = t104 * t105;
-        let t235 = self.mR - t234;
-        let C1_12_rR = mu * t235;
-        let C1_21_rR = mu * t234;
-        let K2_12_rR = C1_12_IBxz * t235;
+        let K2_12_rR = C1_12_IBxz * (self.mR - t105 * t106);
+        let C1_12_rR = self.c * K2_12_rR;
+        let C1_12_IRyy = mu * t105;
+        let C1_21_rR = t106 * C1_12_IRyy;
         let M_11_mR = self.rR * self.rR;
         let C1_12_mR = self.rR * mu;
         let K2_12_mR = self.rR * C1_12_IBxz;
-        let M_22_ITzz = mu * mu;
         let C1_22_ITzz = C1_12_IBxz * mu;
-        let K2_12_IRyy = C1_12_IBxz * t104;
-        let C1_12_IRyy = self.c * K2_12_IRyy;
-        let t247 = mu * t107;
-        let t248 = self.xB * mu;
-        let t249 = self.mB * t248;
-        let M_22_xB = t160 * t249;
-        let t251 = self.mB * C1_12_IBxz;
-        let t252 = self.zB * t251;
-        let t253 = self.c * t251;
-        let t254 = self.xB * C1_12_IBxz;
-        let t255 = mu + t254;
-        let C1_22_xB = t253 * (t254 + t255);
-        let t258 = sin_lam * t253;
+        let M_22_ITzz = self.c * C1_22_ITzz;
+        let K2_12_IRyy = C1_12_IBxz * t105;
+        let t249 = self.mB * C1_12_IBxz;
+        let t250 = self.c * t249;
+        let t251 = self.zB * t250;
+        let t252 = self.xB * mu;
+        let t253 = t250 * t252;
+        let M_22_xB = t253 + t253;
+        let t255 = self.zB * t249;
+        let t256 = self.mB * t252;
+        let t257 = self.xB + self.c;
+        let C1_22_xB = C1_12_IBxz * (t256 + t250 * t257);
+        let t261 = sin_lam * t250;
         let K2_22_xB = self.mB * C1_22_ITzz;
-        let M_11_zB = t107 + t107;
-        let t261 = self.mB * t255;
-        let t262 = self.zB * t248;
-        let M_22_mB = t248 * t248;
-        let t264 = self.zB * t255;
-        let C1_22_mB = t248 * t255;
-        let t266 = sin_lam * t248;
+        let M_11_zB = t36 + t36;
+        let t264 = t249 * t257;
+        let t265 = self.zB * t252;
+        let M_22_mB = t252 * t252;
         let t267 = self.zB * C1_12_IBxz;
-        let K2_22_mB = mu * t254;
-        let t269 = self.mH * M_12_IHxz;
-        let t270 = self.zH * t269;
-        let t271 = t153 * t269;
-        let t272 = t12 * C1_12_IBxz;
-        let t274 = C1_12_IBxz * (self.xH + self.c);
-        let t277 = C1_12_IBxz * K0_12_mH;
-        let C1_22_xH = t170 + self.mH * (mu * (cos_lam + t274) - t277);
-        let K0_12_zH = self.mH * sin_lam;
-        let t282 = M_12_IHxz * K0_12_zH;
-        let C1_22_IHzz = t169 + C1_22_ITzz;
+        let t268 = t257 * t267;
+        let K2_22_mB = self.xB * C1_22_ITzz;
+        let C1_22_mB = t257 * K2_22_mB;
+        let t271 = sin_lam * t252;
+        let t272 = t48 * M_12_IHxz;
+        let t273 = self.mH * C1_12_IBxz;
+        let t274 = self.c * t273;
+        let M_22_xH = t161 + t158 * (t274 + t274);
+        let t278 = self.zH * C1_12_IBxz;
+        let t279 = self.mH * t278;
+        let C1_22_IHzz = C1_12_IBxz * M_12_IHxz;
+        let C1_22_xH = t158 * t273 + t189 * C1_22_IHzz;
+        let t284 = t169 + t274;
+        let t285 = sin_lam * t284;
         let K2_22_xH = self.mH * C1_22_IHzz;
-        let M_11_zH = t12 + t12;
-        let M_12_zH = self.mH * t152;
-        let M_22_zH = t153 * K0_12_zH;
-        let t288 = self.mH * t274;
-        let t289 = sin_lam * t288;
+        let M_11_zH = t48 + t48;
+        let M_12_zH = self.mH * (t156 - t158);
+        let K0_12_zH = self.mH * sin_lam;
+        let t291 = t159 * K0_12_zH;
+        let t292 = t170 * t273;
+        let t293 = t169 * t200;
+        let t294 = t170 * t293;
         let K0_22_zH = sin_lam * K0_12_zH;
-        let t291 = self.mH * C1_12_IBxz;
-        let t292 = sin_lam * t291;
-        let M_11_mH = self.zH * self.zH;
-        let M_12_mH = self.zH * K0_12_mH;
-        let M_22_mH = K0_12_mH * K0_12_mH;
-        let t296 = self.zH * t274;
-        let t297 = K0_12_mH * t274;
-        let K0_22_mH = sin_lam * K0_12_mH;
-        let t299 = self.zH * C1_12_IBxz;
+        let t296 = self.zH * t158;
+        let M_22_mH = t158 * t158;
+        let t298 = t170 * t278;
+        let K2_22_mH = C1_12_IBxz * t158;
+        let C1_22_mH = t170 * K2_22_mH;
+        let t301 = sin_lam * t158;
         let M_22_IHxx = sin_lam * sin_lam;
-        let M_22_IHzz = M_12_IHxz * M_12_IHxz;
-        let t302 = sin_lam + sin_lam;
-        let M_22_IHxz = M_12_IHxz * t302;
-        let M_11_rF = t8 + t8;
-        let M_12_rF = t128 + t158;
-        let M_22_rF = t158 * t302;
-        let C1_12_SF = t32 * C1_12_IBxz;
-        let t309 = self.mF - t101 * SF;
-        let C1_12_rF = C1_12_SF * t309;
-        let t311 = t101 * M_12_IHxz;
-        let C1_21_rF = SF * t311;
-        let C1_22_rF = t127 * C1_12_SF;
-        let t314 = sin_lam * t127;
-        let K2_12_rF = C1_12_IBxz * t309;
-        let K2_22_rF = K2_22_SF * t309;
+        let M_22_IHzz = M_22_ITzz + cos_lam * (mu + M_12_IHxz);
+        let t306 = sin_lam + sin_lam;
+        let M_22_IHxz = M_12_IHxz * t306;
+        let K2_22_SF = C1_12_IBxz * sin_lam;
+        let M_11_rF = t5 + t5;
+        let M_12_rF = self.mF * (t144 - K0_12_mF);
+        let t312 = t148 * t306;
+        let ITzz_w = self.mF - t102 * SF;
+        let C1_12_SF = t44 * t155;
+        let C1_12_rF = ITzz_w * C1_12_SF;
+        let t317 = t102 * M_12_IHxz;
+        let C1_21_rF = SF * t317;
+        let t319 = self.mF * sin_lam;
+        let C1_22_rF = C1_12_SF * t319;
+        let t321 = sin_lam * t319;
+        let K2_12_rF = C1_12_IBxz * ITzz_w;
+        let K2_22_rF = sin_lam * K2_12_rF;
         let M_11_mF = self.rF * self.rF;
-        let t318 = self.rF * sin_lam;
-        let t320 = self.c * (cos_lam - t155);
-        let t321 = t318 - t320;
-        let M_12_mF = self.rF * t321;
-        let M_22_mF = t321 * t321;
+        let t325 = self.rF * K0_12_mF;
+        let M_22_mF = K0_12_mF * K0_12_mF;
         let C1_12_mF = self.rF * C1_12_SF;
-        let K2_22_mF = C1_12_IBxz * t321;
-        let C1_22_mF = t32 * K2_22_mF;
-        let t327 = sin_lam * t321;
+        let t328 = K0_12_mF * C1_12_SF;
+        let K0_22_mF = sin_lam * K0_12_mF;
         let K2_12_mF = self.rF * C1_12_IBxz;
+        let t331 = C1_12_IBxz * K0_12_mF;
         let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let C1_12_IFyy = t101 * C1_12_SF;
-        let K2_12_IFyy = C1_12_IBxz * t101;
-        let K2_22_IFyy = sin_lam * K2_12_IFyy;
-        let C1_21 = -(cos_lam * t118);
-        let K0_11 = t109 - t108;
-        let C1_22_lam = -(t211 + sin_lam * t171 + mu * K0_12_lam);
-        let K0_12_mF = t320 - t318;
+        let C1_12_IFyy = t102 * C1_12_SF;
+        let K2_12_IFyy = C1_12_IBxz * t102;
+        let K2_22_IFyy = t102 * K2_22_SF;
+        let C1_21 = -(t116 + t118);
+        let K0_11 = t108 - t21;
+        let K2_22 = -t136;
+        let t339 = -(sin_lam * K0_12_w);
+        let K0_12_lam = t222 - t138;
+        let K0_12_mH = t157 - t154;
         (
             WhippleMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
@@ -487,20 +486,20 @@ impl<T: Number> Whipple<T> {
             ]),
             WhippleDerivatives {
                 values: [
-                    M_12_w, M_22_w, t167, C1_21_w, C1_22_w, K0_12_w, K0_22_w, t181, t184, M_12_c,
-                    M_22_c, K2_12, t191, t199, K0_12_c, K0_22_c, t201, M_12_lam, M_22_lam, t217,
-                    C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t228, K2_22_lam, M_11_rR, C1_12_rR,
+                    M_12_w, t162, t165, C1_21_w, C1_22_w, K0_12_w, t339, t181, K2_22_w, M_12_c,
+                    t187, K2_12, t117, C1_22_c, K0_12_c, K0_22_c, t199, t205, M_22_lam, t217,
+                    C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t230, K2_22_lam, M_11_rR, C1_12_rR,
                     C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
-                    self.w.like(1.0), M_22_ITzz, C1_22_ITzz, C1_12_IRyy, K2_12_IRyy, t247, M_22_xB,
-                    t252, C1_22_xB, t253, t258, K2_22_xB, M_11_zB, t249, t261, self.mB, t251,
-                    M_11_mB, t262, M_22_mB, t264, C1_22_mB, self.zB, t248, t266, t267, K2_22_mB, mu,
-                    C1_12_IBxz, t270, t271, t272, C1_22_xH, t269, t282, K2_22_xH, M_11_zH, M_12_zH,
-                    M_22_zH, t288, t289, self.mH, K0_12_zH, K0_22_zH, t291, t292, M_11_mH, M_12_mH,
-                    M_22_mH, t296, t297, self.zH, K0_12_mH, K0_22_mH, t299, t277, sin_lam,
+                    self.w.like(1.0), M_22_ITzz, C1_22_ITzz, C1_12_IRyy, K2_12_IRyy, t251, M_22_xB,
+                    t255, C1_22_xB, t250, t261, K2_22_xB, M_11_zB, t256, t264, self.mB, t249,
+                    M_11_mB, t265, M_22_mB, t268, C1_22_mB, self.zB, t252, t271, t267, K2_22_mB, mu,
+                    C1_12_IBxz, t272, M_22_xH, t279, C1_22_xH, t284, t285, K2_22_xH, M_11_zH,
+                    M_12_zH, t291, t292, t294, self.mH, K0_12_zH, K0_22_zH, t273, t293, M_11_mH,
+                    t296, M_22_mH, t298, C1_22_mH, self.zH, K0_12_mH, t301, t278, K2_22_mH, sin_lam,
                     M_22_IHxx, M_22_IHzz, C1_22_IHzz, M_12_IHxz, M_22_IHxz, K2_22_SF, M_11_rF,
-                    M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t127, t314, K2_12_rF,
-                    K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF, C1_22_mF, self.rF, K0_12_mF,
-                    t327, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy, t311, K2_12_IFyy, K2_22_IFyy,
+                    M_12_rF, t312, C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t319, t321, K2_12_rF,
+                    K2_22_rF, M_11_mF, t325, M_22_mF, C1_12_mF, t328, self.rF, K0_12_mF, K0_22_mF,
+                    K2_12_mF, t331, M_22_IFxx, C1_12_IFyy, t317, K2_12_IFyy, K2_22_IFyy,
                 ],
             },
         )
@@ -1007,23 +1006,22 @@ impl WhippleDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 158] = &[
         Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1),
+        Partial::new(MatrixName::M, 1, 1, 0, 1).negative(),
         Partial::new(MatrixName::C1, 0, 1, 0, 2).negative(),
         Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
         Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
-        Partial::new(MatrixName::K0, 1, 1, 0, 6),
+        Partial::new(MatrixName::K0, 1, 1, 0, 6).negative(),
         Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 0, 8).negative(),
-        Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
-        Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
+        Partial::new(MatrixName::K2, 1, 1, 0, 8), Partial::new(MatrixName::M, 0, 1, 1, 9),
+        Partial::new(MatrixName::M, 1, 0, 1, 9),
+        Partial::new(MatrixName::M, 1, 1, 1, 10).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 1, 11),
         Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 13).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 1, 14),
-        Partial::new(MatrixName::K0, 1, 0, 1, 14),
-        Partial::new(MatrixName::K0, 1, 1, 1, 15),
+        Partial::new(MatrixName::C1, 1, 1, 1, 13), Partial::new(MatrixName::K0, 0, 1, 1, 14),
+        Partial::new(MatrixName::K0, 1, 0, 1, 14), Partial::new(MatrixName::K0, 1, 1, 1, 15),
         Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
-        Partial::new(MatrixName::M, 0, 1, 2, 17),
-        Partial::new(MatrixName::M, 1, 0, 2, 17),
+        Partial::new(MatrixName::M, 0, 1, 2, 17).negative(),
+        Partial::new(MatrixName::M, 1, 0, 2, 17).negative(),
         Partial::new(MatrixName::M, 1, 1, 2, 18),
         Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
         Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
@@ -1073,7 +1071,7 @@ impl WhippleDerivatives {
         Partial::new(MatrixName::C1, 0, 1, 14, 63),
         Partial::new(MatrixName::M, 0, 1, 15, 64).negative(),
         Partial::new(MatrixName::M, 1, 0, 15, 64).negative(),
-        Partial::new(MatrixName::M, 1, 1, 15, 65).negative(),
+        Partial::new(MatrixName::M, 1, 1, 15, 65),
         Partial::new(MatrixName::C1, 0, 1, 15, 66).negative(),
         Partial::new(MatrixName::C1, 1, 1, 15, 67),
         Partial::new(MatrixName::K0, 0, 1, 15, 68).negative(),
@@ -1081,43 +1079,50 @@ impl WhippleDerivatives {
         Partial::new(MatrixName::K0, 1, 1, 15, 69).negative(),
         Partial::new(MatrixName::K2, 1, 1, 15, 70), Partial::new(MatrixName::M, 0, 0, 16, 71),
         Partial::new(MatrixName::M, 0, 1, 16, 72), Partial::new(MatrixName::M, 1, 0, 16, 72),
-        Partial::new(MatrixName::M, 1, 1, 16, 73),
+        Partial::new(MatrixName::M, 1, 1, 16, 73).negative(),
         Partial::new(MatrixName::C1, 0, 1, 16, 74).negative(),
         Partial::new(MatrixName::C1, 1, 1, 16, 75).negative(),
         Partial::new(MatrixName::K0, 0, 0, 16, 76), Partial::new(MatrixName::K0, 0, 1, 16, 77),
         Partial::new(MatrixName::K0, 1, 0, 16, 77), Partial::new(MatrixName::K0, 1, 1, 16, 78),
         Partial::new(MatrixName::K2, 0, 1, 16, 79).negative(),
         Partial::new(MatrixName::K2, 1, 1, 16, 80).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 81), Partial::new(MatrixName::M, 0, 1, 17, 82),
-        Partial::new(MatrixName::M, 1, 0, 17, 82), Partial::new(MatrixName::M, 1, 1, 17, 83),
+        Partial::new(MatrixName::M, 0, 0, 17, 81),
+        Partial::new(MatrixName::M, 0, 1, 17, 82).negative(),
+        Partial::new(MatrixName::M, 1, 0, 17, 82).negative(),
+        Partial::new(MatrixName::M, 1, 1, 17, 83),
         Partial::new(MatrixName::C1, 0, 1, 17, 84).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 17, 85).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 17, 86), Partial::new(MatrixName::K0, 0, 1, 17, 87),
-        Partial::new(MatrixName::K0, 1, 0, 17, 87), Partial::new(MatrixName::K0, 1, 1, 17, 88),
+        Partial::new(MatrixName::C1, 1, 1, 17, 85), Partial::new(MatrixName::K0, 0, 0, 17, 86),
+        Partial::new(MatrixName::K0, 0, 1, 17, 87), Partial::new(MatrixName::K0, 1, 0, 17, 87),
+        Partial::new(MatrixName::K0, 1, 1, 17, 88).negative(),
         Partial::new(MatrixName::K2, 0, 1, 17, 89).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 17, 90).negative(),
-        Partial::new(MatrixName::M, 0, 0, 18, 35), Partial::new(MatrixName::M, 0, 1, 18, 91),
-        Partial::new(MatrixName::M, 1, 0, 18, 91), Partial::new(MatrixName::M, 1, 1, 18, 92),
-        Partial::new(MatrixName::M, 1, 1, 20, 93), Partial::new(MatrixName::C1, 1, 1, 20, 94),
-        Partial::new(MatrixName::M, 0, 1, 21, 95), Partial::new(MatrixName::M, 1, 0, 21, 95),
-        Partial::new(MatrixName::M, 1, 1, 21, 96), Partial::new(MatrixName::C1, 0, 1, 21, 63),
-        Partial::new(MatrixName::C1, 1, 1, 21, 97), Partial::new(MatrixName::M, 0, 0, 22, 98),
-        Partial::new(MatrixName::M, 0, 1, 22, 99), Partial::new(MatrixName::M, 1, 0, 22, 99),
-        Partial::new(MatrixName::M, 1, 1, 22, 100), Partial::new(MatrixName::C1, 0, 1, 22, 101),
-        Partial::new(MatrixName::C1, 1, 0, 22, 102), Partial::new(MatrixName::C1, 1, 1, 22, 103),
+        Partial::new(MatrixName::K2, 1, 1, 17, 90), Partial::new(MatrixName::M, 0, 0, 18, 35),
+        Partial::new(MatrixName::M, 0, 1, 18, 91), Partial::new(MatrixName::M, 1, 0, 18, 91),
+        Partial::new(MatrixName::M, 1, 1, 18, 92), Partial::new(MatrixName::M, 1, 1, 20, 93),
+        Partial::new(MatrixName::C1, 1, 1, 20, 94), Partial::new(MatrixName::M, 0, 1, 21, 95),
+        Partial::new(MatrixName::M, 1, 0, 21, 95), Partial::new(MatrixName::M, 1, 1, 21, 96),
+        Partial::new(MatrixName::C1, 0, 1, 21, 63), Partial::new(MatrixName::C1, 1, 1, 21, 97),
+        Partial::new(MatrixName::M, 0, 0, 22, 98), Partial::new(MatrixName::M, 0, 1, 22, 99),
+        Partial::new(MatrixName::M, 1, 0, 22, 99),
+        Partial::new(MatrixName::M, 1, 1, 22, 100).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 22, 101),
+        Partial::new(MatrixName::C1, 1, 0, 22, 102),
+        Partial::new(MatrixName::C1, 1, 1, 22, 103),
         Partial::new(MatrixName::K0, 0, 0, 22, 104).negative(),
         Partial::new(MatrixName::K0, 0, 1, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 0, 22, 105).negative(),
         Partial::new(MatrixName::K0, 1, 1, 22, 106).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 107), Partial::new(MatrixName::K2, 1, 1, 22, 108),
-        Partial::new(MatrixName::M, 0, 0, 23, 109), Partial::new(MatrixName::M, 0, 1, 23, 110),
-        Partial::new(MatrixName::M, 1, 0, 23, 110), Partial::new(MatrixName::M, 1, 1, 23, 111),
-        Partial::new(MatrixName::C1, 0, 1, 23, 112), Partial::new(MatrixName::C1, 1, 1, 23, 113),
+        Partial::new(MatrixName::K2, 0, 1, 22, 107),
+        Partial::new(MatrixName::K2, 1, 1, 22, 108),
+        Partial::new(MatrixName::M, 0, 0, 23, 109),
+        Partial::new(MatrixName::M, 0, 1, 23, 110).negative(),
+        Partial::new(MatrixName::M, 1, 0, 23, 110).negative(),
+        Partial::new(MatrixName::M, 1, 1, 23, 111),
+        Partial::new(MatrixName::C1, 0, 1, 23, 112),
+        Partial::new(MatrixName::C1, 1, 1, 23, 113).negative(),
         Partial::new(MatrixName::K0, 0, 0, 23, 114).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 23, 115),
-        Partial::new(MatrixName::K0, 1, 0, 23, 115),
-        Partial::new(MatrixName::K0, 1, 1, 23, 116).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 23, 117), Partial::new(MatrixName::K2, 1, 1, 23, 118),
+        Partial::new(MatrixName::K0, 0, 1, 23, 115), Partial::new(MatrixName::K0, 1, 0, 23, 115),
+        Partial::new(MatrixName::K0, 1, 1, 23, 116), Partial::new(MatrixName::K2, 0, 1, 23, 117),
+        Partial::new(MatrixName::K2, 1, 1, 23, 118).negative(),
         Partial::new(MatrixName::M, 0, 0, 24, 35), Partial::new(MatrixName::M, 0, 1, 24, 91),
         Partial::new(MatrixName::M, 1, 0, 24, 91), Partial::new(MatrixName::M, 1, 1, 24, 119),
         Partial::new(MatrixName::C1, 1, 1, 24, 94), Partial::new(MatrixName::C1, 0, 1, 25, 120),

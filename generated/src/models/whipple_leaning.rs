@@ -267,69 +267,68 @@ pub struct WhippleLeaningMatrices<T = f64> {
 
 impl<T: Number> WhippleLeaning<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 54 additions, 55 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 116 operations.
+    /// 53 additions, 55 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 115 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleLeaningMatrices<T> {
-        let t3 = self.rF * self.mF;
-        let t7 = self.IFxx + (self.rF * t3 + self.IHxx);
-        let t10 = self.zB * self.mB;
-        let t15 = self.zU * self.mU;
-        let t20 = self.zH * self.mH;
-        let t28 = self.rR * self.mR;
-        let ay_spin_F5_delta = self.IRxx + self.rR * t28;
-        let t32 = self.zB * t10
-            + (self.IBxx + (self.zU * t15 + (self.IUxx + self.zH * t20))
-                + ay_spin_F5_delta);
-        let M_11 = t7 + t32;
+        let t2 = self.zB * self.mB;
+        let t7 = self.zH * self.mH;
+        let t15 = self.rR * self.mR;
+        let ay_theta3_delta = self.IUxx + self.rR * t15;
+        let t21 = self.rF * self.mF;
+        let t25 = self.IFxx + (self.rF * t21 + self.IHxx);
+        let t28 = self.zU * self.mU;
+        let M_11 = self.zB * t2 + (self.IRxx + self.zH * t7)
+            + (self.IBxx + (ay_theta3_delta + (t25 + self.zU * t28)));
         let (wx_delta2_delta, cos_lam) = self.lam.sin_cos();
         let yaw_per_v_delta = cos_lam / self.w;
         let yaw_by_delta = self.c * yaw_per_v_delta;
-        let t46 = self.mU * self.xU;
-        let t49 = t10 * self.xB + self.zU * t46 - (self.IUxz + self.IBxz);
+        let t48 = t28 * self.xU - (self.IUxz + self.IBxz - t2 * self.xB);
         let wz_delta2_delta = cos_lam + yaw_by_delta;
-        let t54 = self.c + self.w;
-        let t55 = cos_lam * t54;
-        let t59 = t55 + self.zH * wx_delta2_delta - wz_delta2_delta * self.xH;
-        let t63 = self.IHxz * wz_delta2_delta;
-        let t65 = t20 * t59 + (t7 * wx_delta2_delta + t63);
-        let M_12 = t65 - yaw_by_delta * t49;
-        let t68 = self.zP - self.zU;
-        let M_13 = self.IUxx - t15 * t68;
-        let t73 = self.mH * t59;
-        let t81 = self.mB * self.xB;
-        let ay_theta3_delta = self.xB * t81;
-        let t85 = yaw_by_delta
-            * (self.IUzz + (self.xU * t46 + self.IBzz) + (self.IRxx + ay_theta3_delta));
-        let t91 = self.xH * t73 - wz_delta2_delta * (self.IFxx + self.IHzz);
-        let t95 = self.mU * t68;
-        let K2_32 = yaw_per_v_delta * t95;
-        let t98 = yaw_per_v_delta * self.IUxz + self.xU * K2_32;
-        let M_23 = self.c * t98;
-        let M_33 = M_13 + self.zP * t95;
+        let t58 = self.zH * wx_delta2_delta + cos_lam * (self.c + self.w)
+            - self.xH * wz_delta2_delta;
+        let t59 = self.mH * t58;
+        let t63 = wz_delta2_delta * self.IHxz;
+        let t65 = t63 + t25 * wx_delta2_delta;
+        let t67 = self.zP - self.zU;
+        let M_13 = self.IUxx - t28 * t67;
+        let t72 = wz_delta2_delta * (self.IFxx + self.IHzz);
+        let h_wheels_all = self.mU * self.xU;
+        let t83 = self.mB * self.xB;
+        let vy_theta3_delta = t83 * self.xB;
+        let t88 = yaw_by_delta
+            * (self.xU * h_wheels_all + self.IUzz
+                + (self.IBzz + (self.IRxx + vy_theta3_delta)));
+        let M_22 = wz_delta2_delta * t72 + wx_delta2_delta * (t63 + t65)
+            + (t58 * t59 + yaw_by_delta * t88);
+        let t93 = self.IUxz + h_wheels_all * t67;
+        let M_23 = t93 * yaw_by_delta;
+        let t95 = self.mU * t67;
+        let M_33 = self.IUxx + t95 * t67;
         let zero = self.w.like(0.0);
+        let t101 = self.IHxz + t21 * self.w;
+        let t105 = self.IRyy / self.rR;
+        let K0_11 = t2 + t28 + (t7 - t21) - t15;
+        let t110 = t105 - K0_11;
+        let vy_spin_F5_delta = self.c * t110;
         let h_spin_F = self.IFyy / self.rF;
-        let h_wheels_all = h_spin_F + self.IRyy / self.rR;
-        let t111 = t10 - (t28 - t15 - t20);
-        let t112 = t111 - h_wheels_all;
-        let t115 = self.IHxz + t3 * t54;
-        let t121 = cos_lam * h_spin_F;
-        let C1_12 = yaw_per_v_delta * (t115 - self.c * t112 - t49 - t20 * self.xH)
-            + t121;
-        let t129 = t73 - yaw_by_delta * (t81 + t46);
+        let t117 = wz_delta2_delta * h_spin_F;
+        let C1_12 = (t101 - t7 * self.xH - (t48 - vy_spin_F5_delta)) * yaw_per_v_delta
+            + t117;
+        let ay_all1_delta = t83 + h_wheels_all;
+        let K0_12 = t59 - yaw_by_delta * ay_all1_delta - t21 * wx_delta2_delta;
         let C1_22 = yaw_per_v_delta
-            * (t85 + wx_delta2_delta * t115 - (self.c * t129 + t91));
-        let C1_32 = self.c * K2_32 + t98;
-        let K0_11 = t111 - t3;
-        let K0_12 = t129 - t3 * wx_delta2_delta;
+            * (t101 * wx_delta2_delta - self.xH * t59 + (t72 + (t88 - self.c * K0_12)));
+        let C1_32 = (t93 + self.c * t95) * yaw_per_v_delta;
         let K0_22 = wx_delta2_delta * K0_12;
-        let K2_12 = (t3 - t112) * yaw_per_v_delta;
-        let K2_22 = yaw_per_v_delta * (wx_delta2_delta * h_spin_F - K0_12);
-        let M_22 = wx_delta2_delta * (t63 + t65) + t55 * t73
-            - (wz_delta2_delta * t91 - t85 * yaw_by_delta);
-        let C1_21 = -(t121 + yaw_by_delta * h_wheels_all);
+        let K2_12 = yaw_per_v_delta * (h_spin_F + t110);
+        let ay_delta2_delta = wx_delta2_delta * h_spin_F - K0_12;
+        let K2_22 = yaw_per_v_delta * ay_delta2_delta;
+        let K2_32 = yaw_per_v_delta * t95;
+        let M_12 = t65 - (yaw_by_delta * t48 - self.zH * t59);
+        let C1_21 = -(t117 + yaw_by_delta * t105);
         let K0_13 = -t95;
         WhippleLeaningMatrices::from_entries([
             M_11, M_12, M_13, M_12, M_22, M_23, M_13, M_23, M_33, zero, zero, zero, zero, zero,
@@ -6939,259 +6938,298 @@ pub struct WhippleLeaningDerivatives<T = f64> {
 
 impl<T: Number> WhippleLeaning<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 118 additions, 227 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 354 operations.
+    /// 123 additions, 235 multiplications, 3 divisions, 6 negations and 2 trigonometric functions: 369 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleLeaningMatrices<T>, WhippleLeaningDerivatives<T>) {
-        let t2 = self.zH * self.mH;
-        let t6 = self.rF * self.mF;
-        let t11 = self.rF * t6 + self.IHxx + self.IFxx;
-        let t15 = self.rR * self.mR;
-        let t19 = self.zU * self.mU;
-        let t23 = self.zB * self.mB;
-        let t31 = self.zH * t2 + t11 + self.IRxx + self.rR * t15 + self.zU * t19
-            + self.zB * t23;
-        let M_11 = t31 + self.IBxx + self.IUxx;
-        let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
-        let t40 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = wx_delta2_delta_lam * t40;
-        let yaw_by_delta = self.c * yaw_per_v_delta;
-        let wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
-        let t45 = wz_delta2_delta * self.xH;
-        let t46 = self.zH * wx_delta2_delta;
-        let t47 = self.c + self.w;
-        let t48 = wx_delta2_delta_lam * t47;
-        let t49 = t46 + t48;
-        let t50 = t45 - t49;
-        let t51 = self.zH * t50;
-        let t56 = t11 * wx_delta2_delta + wz_delta2_delta * self.IHxz - self.mH * t51;
-        let t62 = self.mB * self.xB;
-        let t66 = self.IUxz + self.IBxz - t19 * self.xU - self.zB * t62;
-        let M_12 = t56 + yaw_by_delta * t66;
-        let K0_13_mU = self.zU - self.zP;
-        let M_13_mU = self.zU * K0_13_mU;
-        let M_13 = self.IUxx + self.mU * M_13_mU;
-        let t74 = self.mH * self.xH;
-        let t77 = self.IFxx + self.IHzz;
-        let t79 = wx_delta2_delta * self.IHxz;
-        let t81 = t50 * t74 + wz_delta2_delta * t77 + t79;
-        let t83 = self.mU * self.xU;
-        let t90 = self.IRxx + self.IBzz + self.xU * t83 + self.xB * t62 + self.IUzz;
-        let t92 = t81 + yaw_by_delta * t90;
-        let t93 = yaw_by_delta * t92;
-        let t95 = self.mH * t50;
-        let t97 = t81 - t47 * t95;
-        let M_22 = t93 + wx_delta2_delta * t56 + wx_delta2_delta_lam * t97;
-        let K0_13 = self.mU * K0_13_mU;
-        let t103 = self.IUxz - self.xU * K0_13;
-        let M_23 = yaw_by_delta * t103;
-        let M_33 = self.IUxx + K0_13_mU * K0_13;
-        let zero = self.w.like(0.0);
-        let t110 = self.w.like(1.0) / self.rF;
-        let h_spin_F = self.IFyy * t110;
-        let t112 = wx_delta2_delta_lam * h_spin_F;
-        let t115 = self.w.like(1.0) / self.rR;
-        let t116 = self.IRyy * t115;
-        let h_wheels_all = h_spin_F + t116;
-        let K0_11 = t2 + t19 + t23 - t6 - t15;
-        let K2_12_yaw_per_v_delta = h_wheels_all - K0_11;
-        let t126 = self.IHxz + t66 - t2 * self.xH;
-        let C1_12_yaw_per_v_delta = t6 * self.w + self.c * K2_12_yaw_per_v_delta + t126;
-        let t129 = yaw_per_v_delta * C1_12_yaw_per_v_delta;
-        let C1_12 = t112 + t129;
-        let t133 = self.mF * wx_delta2_delta;
-        let t134 = self.rF * t133;
-        let t136 = yaw_by_delta * t62;
-        let t137 = self.mU * yaw_by_delta;
-        let M_23_zP = self.xU * t137;
-        let t139 = t136 + M_23_zP;
-        let t140 = t95 + t139;
-        let t141 = t134 + t140;
-        let t144 = t92 + self.w * t134 + self.c * t141;
-        let C1_22 = yaw_per_v_delta * t144;
-        let M_23_c = yaw_per_v_delta * t103;
-        let K2_32_zP = self.mU * yaw_per_v_delta;
-        let t148 = K0_13_mU * K2_32_zP;
-        let t149 = self.c * t148;
-        let C1_32 = M_23_c - t149;
-        let K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
-        let t154 = wx_delta2_delta * h_spin_F;
-        let t155 = t141 + t154;
-        let K2_22 = yaw_per_v_delta * t155;
-        let t157 = t40 * yaw_per_v_delta;
-        let t158 = self.c * t157;
-        let t160 = self.mH * wx_delta2_delta_lam;
-        let t161 = self.zH * t160;
-        let M_12_w = t161 - t126 * t158;
-        let t163 = t40 * t93;
-        let t165 = t50 * (t160 + t160);
-        let t167 = t163 + t163 + t165;
-        let t168 = t103 * t158;
-        let t169 = t6 * wx_delta2_delta_lam;
-        let t171 = t40 * (t129 - t169);
-        let C1_21_w = h_wheels_all * t158;
-        let t173 = wx_delta2_delta * t40;
-        let t175 = self.c + self.xH;
-        let t176 = self.mH * yaw_per_v_delta;
-        let t177 = t175 * t176;
-        let t179 = t169 * t173 - wx_delta2_delta_lam * t177;
-        let t181 = t77 + t74 * t175;
-        let C1_22_yaw_by_delta = t139 + yaw_per_v_delta * (t90 + t181);
-        let t186 = t144 + self.c * C1_22_yaw_by_delta;
-        let C1_22_w = t179 - t157 * t186;
-        let C1_32_yaw_per_v_delta = t103 - self.c * K0_13;
-        let t191 = t157 * C1_32_yaw_per_v_delta;
-        let t193 = t62 + t74 + t83;
-        let K0_12_w = t160 + t158 * t193;
-        let K0_22_w = wx_delta2_delta * K0_12_w;
-        let t197 = t40 * K2_12;
-        let t200 = yaw_per_v_delta * (K0_12_w + t40 * t155);
-        let K2_32_w = K0_13 * t157;
-        let M_12_c = t161 + yaw_per_v_delta * t126;
-        let t204 = yaw_per_v_delta + yaw_per_v_delta;
-        let M_22_c = t92 * t204 - t165;
-        let t207 = yaw_per_v_delta * h_wheels_all;
-        let C1_22_c = t179 + yaw_per_v_delta * (t140 + C1_22_yaw_by_delta);
-        let K0_12_c = t160 - yaw_per_v_delta * t193;
-        let K0_22_c = wx_delta2_delta * K0_12_c;
-        let t214 = yaw_per_v_delta * K0_12_c;
-        let K0_12_zH = self.mH * wx_delta2_delta;
-        let t219 = wx_delta2_delta * t47 - self.zH * wx_delta2_delta_lam;
-        let t221 = self.xH * K0_12_zH - self.mH * t219;
-        let t223 = self.c * t173;
-        let t228 = t79 + t126 * t223 - self.zH * t221 - t11 * wx_delta2_delta_lam;
-        let t233 = wx_delta2_delta * t97 + t92 * t223 - wx_delta2_delta_lam * t56;
-        let t234 = t233 + t233;
-        let t235 = t103 * t223;
-        let t237 = t154 + C1_12_yaw_per_v_delta * t173;
-        let C1_21_lam = t154 + h_wheels_all * t223;
-        let t240 = wx_delta2_delta_lam * yaw_per_v_delta;
-        let K2_22_h_spin_F = wx_delta2_delta * yaw_per_v_delta;
-        let t245 = t40 * t48;
-        let ay_theta3_delta = t169 * t245;
-        let C1_22_lam = self.IHxz * t240 + ay_theta3_delta + t177 * t219
-            - t181 * K2_22_h_spin_F - t173 * t186;
-        let t252 = t173 * C1_32_yaw_per_v_delta;
-        let K0_12_lam = t221 + t193 * t223 - t169;
-        let t258 = wx_delta2_delta_lam * t141 - wx_delta2_delta * K0_12_lam;
-        let t259 = K2_12_yaw_per_v_delta * t173;
-        let K2_22_lam = yaw_per_v_delta * (t112 - K0_12_lam) - t155 * t173;
-        let K2_32_lam = K0_13 * t173;
-        let M_11_rR = t15 + t15;
-        let t266 = t115 * t116;
-        let t267 = self.mR - t266;
-        let C1_12_rR = yaw_by_delta * t267;
-        let C1_21_rR = yaw_by_delta * t266;
-        let K2_12_rR = yaw_per_v_delta * t267;
-        let M_11_mR = self.rR * self.rR;
-        let K2_12_mR = self.rR * yaw_per_v_delta;
-        let C1_12_mR = self.c * K2_12_mR;
-        let C1_22_ay_theta3_delta = wx_delta2_delta_lam * t158;
-        let M_22_ay_theta3_delta = self.c * C1_22_ay_theta3_delta;
-        let C1_12_IRyy = yaw_by_delta * t115;
-        let K2_12_IRyy = yaw_per_v_delta * t115;
-        let t279 = t23 * yaw_by_delta;
-        let t280 = yaw_by_delta * t136;
-        let M_22_xB = t280 + t280;
-        let t282 = t23 * yaw_per_v_delta;
-        let t283 = self.mB * yaw_by_delta;
-        let t284 = yaw_per_v_delta * self.xB;
-        let t285 = yaw_by_delta + t284;
-        let C1_22_xB = t283 * (t284 + t285);
-        let t288 = wx_delta2_delta * t283;
-        let K2_22_xB = yaw_per_v_delta * t283;
-        let M_11_zB = t23 + t23;
-        let t291 = self.mB * t285;
-        let t292 = self.mB * yaw_per_v_delta;
-        let M_11_mB = self.zB * self.zB;
-        let t294 = yaw_by_delta * self.xB;
-        let t295 = self.zB * t294;
-        let M_22_mB = t294 * t294;
-        let t297 = self.zB * t285;
-        let C1_22_mB = t285 * t294;
-        let t299 = wx_delta2_delta * t294;
-        let t300 = self.zB * yaw_per_v_delta;
-        let K2_22_mB = yaw_per_v_delta * t294;
-        let t302 = self.mH * wz_delta2_delta;
-        let t303 = self.zH * t302;
-        let M_22_xH = t50 * (t302 + t302);
-        let t306 = t2 * yaw_per_v_delta;
-        let C1_22_xH = yaw_per_v_delta * (t95 + t175 * t302);
-        let t310 = wx_delta2_delta * t302;
-        let K2_22_xH = yaw_per_v_delta * t302;
-        let M_11_zH = t2 + t2;
-        let M_12_zH = self.mH * (t46 - t50);
-        let t316 = wx_delta2_delta * (t95 + t95);
-        let t317 = wx_delta2_delta * t177;
-        let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
-        let K0_22_zH = self.mH * M_22_IHxx;
-        let t320 = t160 * t173;
-        let M_11_mH = self.zH * self.zH;
-        let M_22_mH = t50 * t50;
-        let t323 = self.zH * yaw_per_v_delta;
-        let t324 = t175 * t323;
-        let K2_22_mH = yaw_per_v_delta * t50;
-        let C1_22_mH = t175 * K2_22_mH;
-        let t327 = wx_delta2_delta * t50;
-        let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-        let C1_22_IHzz = t240 + C1_22_ay_theta3_delta;
-        let t330 = wx_delta2_delta * wz_delta2_delta;
-        let M_22_IHxz = t330 + t330;
-        let M_11_rF = t6 + t6;
-        let M_12_rF = wx_delta2_delta * M_11_rF;
-        let M_22_rF = M_22_IHxx * M_11_rF;
-        let t335 = self.mF * t245;
-        let C1_12_IFyy = wz_delta2_delta * t110;
-        let C1_21_rF = h_spin_F * C1_12_IFyy;
-        let C1_12_rF = t335 - C1_21_rF;
-        let C1_22_rF = wx_delta2_delta * t335;
-        let t340 = self.mF * M_22_IHxx;
-        let K2_12_IFyy = yaw_per_v_delta * t110;
-        let K2_12_rF = self.mF * yaw_per_v_delta - h_spin_F * K2_12_IFyy;
-        let K2_22_rF = wx_delta2_delta * K2_12_rF;
-        let M_11_mF = self.rF * self.rF;
-        let t347 = self.rF * wx_delta2_delta;
-        let M_12_mF = self.rF * t347;
-        let t349 = wx_delta2_delta * t347;
-        let M_22_mF = self.rF * t349;
-        let C1_12_mF = self.rF * t245;
-        let C1_22_mF = t245 * t347;
-        let K2_12_mF = self.rF * yaw_per_v_delta;
-        let K2_22_mF = yaw_per_v_delta * t347;
-        let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let K2_22_IFyy = wx_delta2_delta * K2_12_IFyy;
-        let M_33_zU = K0_13 + K0_13;
-        let t358 = self.c + self.xU;
-        let C1_32_zP = K2_32_zP * t358;
-        let M_11_mU = self.zU * self.zU;
-        let t361 = yaw_by_delta * self.xU;
-        let t362 = self.zU * t361;
-        let M_22_mU = t361 * t361;
-        let t364 = K0_13_mU * t361;
-        let M_33_mU = K0_13_mU * K0_13_mU;
-        let t366 = self.zU * yaw_per_v_delta;
-        let t367 = t358 * t366;
-        let K2_22_mU = self.xU * C1_22_ay_theta3_delta;
-        let C1_22_mU = t358 * K2_22_mU;
-        let t370 = yaw_per_v_delta * K0_13_mU;
-        let t371 = t358 * t370;
-        let t372 = wx_delta2_delta * t361;
-        let t373 = self.zU * K2_32_zP;
-        let t374 = self.c * t373;
-        let t375 = M_23_zP * t204;
-        let M_22_xU = self.c * t375;
-        let C1_22_xU = t375 + self.mU * M_22_ay_theta3_delta;
-        let t379 = wx_delta2_delta * t137;
-        let K2_22_xU = self.mU * C1_22_ay_theta3_delta;
-        let M_11_zU = t19 + t19;
-        let M_13_zU = t19 + K0_13;
-        let C1_21 = -(t112 + yaw_by_delta * h_wheels_all);
-        let K0_12 = -t141;
-        let K0_22 = -(wx_delta2_delta * t141);
-        let K2_32 = -t148;
-        let K0_12_mH = t49 - t45;
+        let (
+            t5, t7, t12, t15, t18, M_11_mB, t26, M_11, wx_delta2_delta, wx_delta2_delta_lam, t39,
+            yaw_per_v_delta, yaw_by_delta, wz_delta2_delta, t43, t46, h_wheels_all, t52, t57, t60,
+            t61, t62, t63, t64, t65, t66, M_12, K0_13, C1_22_wz_delta2_delta, M_13, M_22_mH, t77,
+            t86, t87, t92, M_22_IHzz, M_22_yaw_per_v_delta, M_22, t99, M_23, M_13_zU, M_33, zero,
+            t107, h_spin_F, t109, t110, t112, t113, t114, t116, t117, K0_11, vy_spin_F5_delta, t125,
+            C1_12, K2_12_IRyy, C1_12_IRyy, t133, t136, t139, t140, t141, t142, M_23_zP, t144, t145,
+            t148, t152, C1_22, M_23_c, t155, C1_32, t159, t160, t161, t162, t164, K2_22, t166, t167,
+            t168, M_12_w, t171, t172, t173, t176, t177, t179, t181, t183, t184, C1_21_w, t186, t187,
+            t189, t191, M_23_yaw_per_v_delta, t194, K0_12_w, ay_all1_delta, t200, t201, C1_22_w,
+            t203, K0_22_w, K2_12_w, t207, K2_32_w, M_12_c, M_22_c, K0_12_c, C1_22_c, K0_22_c, t221,
+            t222, t225, t226, M_12_lam, t232, t239, M_22_lam, t241, t242, t244, C1_21_lam, t249,
+            t250, t253, C1_32_yaw_per_v_delta, C1_22_lam, t263, t266, K2_12_lam, K2_22_lam,
+            K2_32_lam, M_11_rR, t275, K2_12_rR, C1_12_rR, C1_21_rR, M_11_mR, C1_12_mR, K2_12_mR,
+            M_22_vy_theta3_delta, C1_22_vy_theta3_delta, t286, t287, t289, t290, M_22_xB, t292,
+            t293, K2_22_xB, C1_22_xB, t297, M_11_zB, t299, t300, t301, M_22_mB, t303, K2_22_mB,
+            C1_22_mB, t306, t307, t308, t309, M_22_xH, t311, t312, t313, t314, K2_22_mH, C1_22_xH,
+            t319, K2_22_xH, M_11_zH, M_12_zH, K0_12_zH, t325, t326, t327, K0_22_zH, t329, M_11_mH,
+            t331, t332, C1_22_mH, t334, t335, M_22_IHxx, C1_22_IHzz, M_22_IHxz, K2_22_h_spin_F,
+            M_11_rF, M_12_rF, M_22_rF, t343, C1_21_rF, C1_12_rF, C1_22_rF, t348, K2_12_IFyy,
+            K2_12_rF, M_11_mF, t354, M_12_mF, M_22_mF, K2_12_mF, C1_12_mF, C1_22_mF, t360, K2_22_mF,
+            M_22_IFxx, C1_12_IFyy, K2_22_IFyy, M_33_zU, t366, t367, C1_32_zP, K2_32_zP, M_11_mU,
+            t371, t372, K0_13_mU, M_13_mU, M_22_mU, t376, M_33_mU, t378, C1_22_mU, t380, t381, t382,
+            K2_22_mU, t384, t385, t386, M_22_xU, t389, C1_22_xU, t392, K2_22_xU, M_11_zU, C1_21,
+            K0_12, K0_22, K2_12, K2_32, K0_12_lam,
+        );
+        t5 = self.zU * self.mU;
+        t7 = self.IUxx + self.zU * t5;
+        t12 = self.rF * self.mF;
+        t15 = self.IHxx + self.IFxx + self.rF * t12;
+        t18 = self.rR * self.mR;
+        M_11_mB = self.zB * self.zB;
+        t26 = self.zH * self.mH;
+        M_11 = self.IRxx + self.IBxx + t7 + t15 + self.rR * t18 + self.mB * M_11_mB
+            + self.zH * t26;
+        (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
+        t39 = self.w.like(1.0) / self.w;
+        yaw_per_v_delta = wx_delta2_delta_lam * t39;
+        yaw_by_delta = self.c * yaw_per_v_delta;
+        wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
+        t43 = self.IHxz * wz_delta2_delta;
+        t46 = t43 + t15 * wx_delta2_delta;
+        h_wheels_all = self.mU * self.xU;
+        t52 = self.mB * self.zB;
+        t57 = self.IBxz + self.IUxz - self.zU * h_wheels_all - t52 * self.xB;
+        t60 = wz_delta2_delta * self.xH;
+        t61 = self.zH * wx_delta2_delta;
+        t62 = self.c + self.w;
+        t63 = wx_delta2_delta_lam * t62;
+        t64 = t61 + t63;
+        t65 = t60 - t64;
+        t66 = self.mH * t65;
+        M_12 = t46 + yaw_by_delta * t57 - self.zH * t66;
+        K0_13 = t5 - self.mU * self.zP;
+        C1_22_wz_delta2_delta = self.zU * K0_13;
+        M_13 = self.IUxx + C1_22_wz_delta2_delta;
+        M_22_mH = t65 * t65;
+        t77 = self.mB * self.xB;
+        t86 = yaw_per_v_delta
+            * (self.IRxx + self.xB * t77 + self.IBzz + self.xU * h_wheels_all
+                + self.IUzz);
+        t87 = self.c * t86;
+        t92 = self.IFxx + self.IHzz;
+        M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+        M_22_yaw_per_v_delta = t92 * M_22_IHzz;
+        M_22 = self.mH * M_22_mH + yaw_by_delta * t87 + wx_delta2_delta * (t43 + t46)
+            + M_22_yaw_per_v_delta;
+        t99 = self.IUxz - self.xU * K0_13;
+        M_23 = yaw_by_delta * t99;
+        M_13_zU = t5 + K0_13;
+        M_33 = t7 - self.zP * M_13_zU;
+        zero = self.w.like(0.0);
+        t107 = self.w.like(1.0) / self.rF;
+        h_spin_F = self.IFyy * t107;
+        t109 = wz_delta2_delta * h_spin_F;
+        t110 = self.mH * self.xH;
+        t112 = self.IHxz - self.zH * t110;
+        t113 = t57 + t112;
+        t114 = t12 * self.w;
+        t116 = self.w.like(1.0) / self.rR;
+        t117 = self.IRyy * t116;
+        K0_11 = t5 + t26 + t52 - t12 - t18;
+        vy_spin_F5_delta = self.c * (t117 - K0_11);
+        t125 = t113 + t114 + vy_spin_F5_delta;
+        C1_12 = t109 + yaw_per_v_delta * t125;
+        K2_12_IRyy = yaw_per_v_delta * t116;
+        C1_12_IRyy = self.c * K2_12_IRyy;
+        t133 = wx_delta2_delta * t112;
+        t136 = t92 + self.xH * t110;
+        t139 = t133 + wz_delta2_delta * t136 - t63 * t110;
+        t140 = t87 + t139;
+        t141 = self.mF * wx_delta2_delta;
+        t142 = self.rF * t141;
+        M_23_zP = yaw_by_delta * h_wheels_all;
+        t144 = self.mB * yaw_by_delta;
+        t145 = self.xB * t144;
+        t148 = t66 + t142 + M_23_zP + t145;
+        t152 = t39 * (wx_delta2_delta * t114 + t140 + self.c * t148);
+        C1_22 = wx_delta2_delta_lam * t152;
+        M_23_c = yaw_per_v_delta * t99;
+        t155 = yaw_by_delta * K0_13;
+        C1_32 = M_23_c - t155;
+        t159 = h_spin_F + t117;
+        t160 = K0_11 - t159;
+        t161 = yaw_per_v_delta * t160;
+        t162 = wx_delta2_delta * h_spin_F;
+        t164 = t39 * (t148 + t162);
+        K2_22 = wx_delta2_delta_lam * t164;
+        t166 = yaw_per_v_delta * K0_13;
+        t167 = t26 * wx_delta2_delta_lam;
+        t168 = t39 * t113;
+        M_12_w = t167 - yaw_by_delta * t168;
+        t171 = wx_delta2_delta_lam + wx_delta2_delta_lam;
+        t172 = t39 * t140;
+        t173 = self.c * t39;
+        t176 = t171 * (t66 + t172 * t173);
+        t177 = t39 * M_23;
+        t179 = t125 + self.c * h_spin_F;
+        t181 = t12 * wx_delta2_delta_lam;
+        t183 = t39 * (yaw_per_v_delta * t179 - t181);
+        t184 = yaw_per_v_delta * t159;
+        C1_21_w = t173 * t184;
+        t186 = yaw_per_v_delta * t136;
+        t187 = t86 + t186;
+        t189 = t152 + t173 * t187;
+        t191 = h_wheels_all + t77 + t110;
+        M_23_yaw_per_v_delta = t173 * t191;
+        t194 = self.mH * wx_delta2_delta_lam;
+        K0_12_w = yaw_per_v_delta * M_23_yaw_per_v_delta + t194;
+        ay_all1_delta = yaw_per_v_delta * (t142 - t189 - self.c * K0_12_w);
+        t200 = yaw_per_v_delta * self.xH;
+        t201 = t194 * t200;
+        C1_22_w = ay_all1_delta - t201;
+        t203 = t39 * C1_32;
+        K0_22_w = wx_delta2_delta * K0_12_w;
+        K2_12_w = t39 * t161;
+        t207 = yaw_per_v_delta * (t164 + K0_12_w);
+        K2_32_w = t39 * t166;
+        M_12_c = t167 + wx_delta2_delta_lam * t168;
+        M_22_c = t171 * (t172 - t66);
+        K0_12_c = t194 - yaw_per_v_delta * t191;
+        C1_22_c = yaw_per_v_delta * (t148 + t187 - self.c * K0_12_c) - t201;
+        K0_22_c = wx_delta2_delta * K0_12_c;
+        t221 = yaw_per_v_delta * K0_12_c;
+        t222 = wx_delta2_delta * t173;
+        t225 = wx_delta2_delta * t62;
+        t226 = self.zH * wx_delta2_delta_lam - t225;
+        M_12_lam = t26 * t226 + t15 * wx_delta2_delta_lam - t133 - t113 * t222;
+        t232 = self.mH * t226;
+        t239 = wx_delta2_delta_lam * t46 - t65 * t232
+            - wx_delta2_delta * (t139 + t140 * t173);
+        M_22_lam = t239 + t239;
+        t241 = t99 * t222;
+        t242 = t39 * wx_delta2_delta;
+        t244 = t162 + t179 * t242;
+        C1_21_lam = t162 + t159 * t222;
+        t249 = t232 + wx_delta2_delta * (t110 + M_23_yaw_per_v_delta);
+        t250 = t181 - t249;
+        t253 = wx_delta2_delta_lam * yaw_per_v_delta;
+        C1_32_yaw_per_v_delta = t200 * t232;
+        C1_22_lam = yaw_by_delta * t250 + (self.IHxz + t114) * t253
+            - C1_32_yaw_per_v_delta - wx_delta2_delta * (t186 + t189);
+        t263 = t242 * (t99 - self.c * K0_13);
+        t266 = wx_delta2_delta * t250 + wx_delta2_delta_lam * t148;
+        K2_12_lam = t160 * t242;
+        K2_22_lam = yaw_per_v_delta * (t250 + wx_delta2_delta_lam * h_spin_F)
+            - wx_delta2_delta * t164;
+        K2_32_lam = K0_13 * t242;
+        M_11_rR = t18 + t18;
+        t275 = t116 * t117;
+        K2_12_rR = yaw_per_v_delta * (self.mR - t275);
+        C1_12_rR = self.c * K2_12_rR;
+        C1_21_rR = yaw_by_delta * t275;
+        M_11_mR = self.rR * self.rR;
+        C1_12_mR = self.rR * yaw_by_delta;
+        K2_12_mR = self.rR * yaw_per_v_delta;
+        M_22_vy_theta3_delta = yaw_by_delta * yaw_by_delta;
+        C1_22_vy_theta3_delta = t173 * t253;
+        t286 = yaw_by_delta * t52;
+        t287 = self.mB * yaw_per_v_delta;
+        t289 = yaw_by_delta * self.xB;
+        t290 = (t287 + t287) * t289;
+        M_22_xB = self.c * t290;
+        t292 = self.zB * yaw_per_v_delta;
+        t293 = self.mB * t292;
+        K2_22_xB = yaw_per_v_delta * t144;
+        C1_22_xB = t290 + self.c * K2_22_xB;
+        t297 = wx_delta2_delta * t144;
+        M_11_zB = t52 + t52;
+        t299 = self.c + self.xB;
+        t300 = t287 * t299;
+        t301 = self.zB * t289;
+        M_22_mB = t289 * t289;
+        t303 = t292 * t299;
+        K2_22_mB = yaw_per_v_delta * t289;
+        C1_22_mB = t299 * K2_22_mB;
+        t306 = wx_delta2_delta * t289;
+        t307 = self.mH * wz_delta2_delta;
+        t308 = self.zH * t307;
+        t309 = wz_delta2_delta + wz_delta2_delta;
+        M_22_xH = t66 * t309;
+        t311 = t39 * t194;
+        t312 = self.zH * t311;
+        t313 = yaw_by_delta + t200;
+        t314 = self.mH * t313;
+        K2_22_mH = yaw_per_v_delta * t65;
+        C1_22_xH = wz_delta2_delta * t314 + self.mH * K2_22_mH;
+        t319 = wx_delta2_delta * t307;
+        K2_22_xH = yaw_per_v_delta * t307;
+        M_11_zH = t26 + t26;
+        M_12_zH = self.mH * (t61 - t65);
+        K0_12_zH = self.mH * wx_delta2_delta;
+        t325 = t65 * K0_12_zH;
+        t326 = t325 + t325;
+        t327 = wx_delta2_delta * t314;
+        K0_22_zH = wx_delta2_delta * K0_12_zH;
+        t329 = wx_delta2_delta * t311;
+        M_11_mH = self.zH * self.zH;
+        t331 = self.zH * t65;
+        t332 = self.zH * t313;
+        C1_22_mH = t65 * t313;
+        t334 = wx_delta2_delta * t65;
+        t335 = self.zH * yaw_per_v_delta;
+        M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+        C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
+        M_22_IHxz = wx_delta2_delta * t309;
+        K2_22_h_spin_F = wx_delta2_delta_lam * t242;
+        M_11_rF = t12 + t12;
+        M_12_rF = wx_delta2_delta * M_11_rF;
+        M_22_rF = M_22_IHxx * M_11_rF;
+        t343 = self.mF * yaw_per_v_delta;
+        C1_21_rF = t107 * t109;
+        C1_12_rF = t62 * t343 - C1_21_rF;
+        C1_22_rF = t225 * t343;
+        t348 = self.mF * M_22_IHxx;
+        K2_12_IFyy = yaw_per_v_delta * t107;
+        K2_12_rF = t343 - h_spin_F * K2_12_IFyy;
+        M_11_mF = self.rF * self.rF;
+        t354 = self.rF * wx_delta2_delta;
+        M_12_mF = self.rF * t354;
+        M_22_mF = t354 * t354;
+        K2_12_mF = self.rF * yaw_per_v_delta;
+        C1_12_mF = t62 * K2_12_mF;
+        C1_22_mF = t225 * K2_12_mF;
+        t360 = wx_delta2_delta * t354;
+        K2_22_mF = self.rF * K2_22_h_spin_F;
+        M_22_IFxx = M_22_IHzz + M_22_IHxx;
+        C1_12_IFyy = wz_delta2_delta * t107;
+        K2_22_IFyy = t107 * K2_22_h_spin_F;
+        M_33_zU = K0_13 + K0_13;
+        t366 = yaw_per_v_delta * self.xU;
+        t367 = yaw_by_delta + t366;
+        C1_32_zP = self.mU * t367;
+        K2_32_zP = self.mU * yaw_per_v_delta;
+        M_11_mU = self.zU * self.zU;
+        t371 = self.c * t366;
+        t372 = self.zU * t371;
+        K0_13_mU = self.zU - self.zP;
+        M_13_mU = self.zU * K0_13_mU;
+        M_22_mU = t371 * t371;
+        t376 = t371 * K0_13_mU;
+        M_33_mU = K0_13_mU * K0_13_mU;
+        t378 = self.zU * t367;
+        C1_22_mU = t367 * t371;
+        t380 = t367 * K0_13_mU;
+        t381 = wx_delta2_delta * t371;
+        t382 = self.zU * yaw_per_v_delta;
+        K2_22_mU = yaw_by_delta * t366;
+        t384 = yaw_per_v_delta * K0_13_mU;
+        t385 = self.zU * K2_32_zP;
+        t386 = self.c * t385;
+        M_22_xU = M_22_vy_theta3_delta * (h_wheels_all + h_wheels_all);
+        t389 = self.c * K2_32_zP;
+        C1_22_xU = t389 * (t366 + t367);
+        t392 = wx_delta2_delta * t389;
+        K2_22_xU = yaw_by_delta * K2_32_zP;
+        M_11_zU = t5 + t5;
+        C1_21 = -(t109 + self.IRyy * C1_12_IRyy);
+        K0_12 = -t148;
+        K0_22 = -(wx_delta2_delta * t148);
+        K2_12 = -t161;
+        K2_32 = -t166;
+        K0_12_lam = t249 - t181;
+        let (K0_12_mH, t402);
+        K0_12_mH = t64 - t60;
+        t402 = -(wx_delta2_delta * K2_12_rF);
         (
             WhippleLeaningMatrices::from_entries([
                 M_11, M_12, M_13, M_12, M_22, M_23, M_13, M_23, M_33, zero, zero, zero, zero, zero,
@@ -7202,25 +7240,25 @@ impl<T: Number> WhippleLeaning<T> {
             ]),
             WhippleLeaningDerivatives {
                 values: [
-                    M_12_w, t167, t168, t171, C1_21_w, C1_22_w, t191, K0_12_w, K0_22_w, t197, t200,
-                    K2_32_w, M_12_c, M_22_c, M_23_c, K2_12, t207, C1_22_c, t148, K0_12_c, K0_22_c,
-                    t214, t228, t234, t235, t237, C1_21_lam, C1_22_lam, t252, K0_12_lam, t258, t259,
-                    K2_22_lam, K2_32_lam, M_11_rR, C1_12_rR, C1_21_rR, self.mR, K2_12_rR, M_11_mR,
-                    C1_12_mR, self.rR, K2_12_mR, self.w.like(1.0), M_22_ay_theta3_delta,
-                    C1_22_ay_theta3_delta, C1_12_IRyy, K2_12_IRyy, t279, M_22_xB, t282, C1_22_xB,
-                    t283, t288, K2_22_xB, M_11_zB, t136, t291, self.mB, t292, M_11_mB, t295,
-                    M_22_mB, t297, C1_22_mB, self.zB, t294, t299, t300, K2_22_mB, yaw_by_delta,
-                    yaw_per_v_delta, t303, M_22_xH, t306, C1_22_xH, t302, t310, K2_22_xH, M_11_zH,
-                    M_12_zH, t316, t177, t317, self.mH, K0_12_zH, K0_22_zH, t176, t320, M_11_mH,
-                    t51, M_22_mH, t324, C1_22_mH, self.zH, K0_12_mH, t327, t323, K2_22_mH,
-                    wx_delta2_delta, M_22_IHxx, M_22_IHzz, C1_22_IHzz, wz_delta2_delta, M_22_IHxz,
-                    K2_22_h_spin_F, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF,
-                    self.mF, t133, t340, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF,
-                    C1_22_mF, self.rF, t347, t349, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy,
-                    K2_12_IFyy, K2_22_IFyy, t19, M_23_zP, M_33_zU, C1_32_zP, self.mU, K2_32_zP,
-                    M_11_mU, t362, M_13_mU, M_22_mU, t364, M_33_mU, t367, C1_22_mU, t371, self.zU,
-                    t361, K0_13_mU, t372, t366, K2_22_mU, t370, t374, M_22_xU, t149, t373, C1_22_xU,
-                    t137, t379, K2_22_xU, M_11_zU, M_13_zU,
+                    M_12_w, t176, t177, t183, C1_21_w, C1_22_w, t203, K0_12_w, K0_22_w, K2_12_w,
+                    t207, K2_32_w, M_12_c, M_22_c, M_23_c, t161, t184, C1_22_c, t166, K0_12_c,
+                    K0_22_c, t221, M_12_lam, M_22_lam, t241, t244, C1_21_lam, C1_22_lam, t263,
+                    K0_12_lam, t266, K2_12_lam, K2_22_lam, K2_32_lam, M_11_rR, C1_12_rR, C1_21_rR,
+                    self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR, self.w.like(1.0),
+                    M_22_vy_theta3_delta, C1_22_vy_theta3_delta, C1_12_IRyy, K2_12_IRyy, t286,
+                    M_22_xB, t293, C1_22_xB, t144, t297, K2_22_xB, M_11_zB, t145, t300, self.mB,
+                    t287, M_11_mB, t301, M_22_mB, t303, C1_22_mB, self.zB, t289, t306, t292,
+                    K2_22_mB, yaw_by_delta, yaw_per_v_delta, t308, M_22_xH, t312, C1_22_xH, t307,
+                    t319, K2_22_xH, M_11_zH, M_12_zH, t326, t314, t327, self.mH, K0_12_zH, K0_22_zH,
+                    t311, t329, M_11_mH, t331, M_22_mH, t332, C1_22_mH, self.zH, K0_12_mH, t334,
+                    t335, K2_22_mH, wx_delta2_delta, M_22_IHxx, M_22_IHzz, C1_22_IHzz,
+                    wz_delta2_delta, M_22_IHxz, K2_22_h_spin_F, M_11_rF, M_12_rF, M_22_rF, C1_12_rF,
+                    C1_21_rF, C1_22_rF, self.mF, t141, t348, K2_12_rF, t402, M_11_mF, M_12_mF,
+                    M_22_mF, C1_12_mF, C1_22_mF, self.rF, t354, t360, K2_12_mF, K2_22_mF, M_22_IFxx,
+                    C1_12_IFyy, K2_12_IFyy, K2_22_IFyy, t5, M_23_zP, M_33_zU, C1_32_zP, self.mU,
+                    K2_32_zP, M_11_mU, t372, M_13_mU, M_22_mU, t376, M_33_mU, t378, C1_22_mU, t380,
+                    self.zU, t371, K0_13_mU, t381, t382, K2_22_mU, t384, t386, M_22_xU, t155, t385,
+                    C1_22_xU, t389, t392, K2_22_xU, M_11_zU, M_13_zU,
                 ],
             },
         )
@@ -7787,13 +7825,12 @@ impl WhippleLeaningDerivatives {
         Partial::new(MatrixName::C1, 1, 0, 0, 4), Partial::new(MatrixName::C1, 1, 1, 0, 5),
         Partial::new(MatrixName::C1, 2, 1, 0, 6).negative(),
         Partial::new(MatrixName::K0, 0, 1, 0, 7), Partial::new(MatrixName::K0, 1, 0, 0, 7),
-        Partial::new(MatrixName::K0, 1, 1, 0, 8),
-        Partial::new(MatrixName::K2, 0, 1, 0, 9).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 0, 8), Partial::new(MatrixName::K2, 0, 1, 0, 9),
         Partial::new(MatrixName::K2, 1, 1, 0, 10).negative(),
         Partial::new(MatrixName::K2, 2, 1, 0, 11), Partial::new(MatrixName::M, 0, 1, 1, 12),
         Partial::new(MatrixName::M, 1, 0, 1, 12), Partial::new(MatrixName::M, 1, 1, 1, 13),
         Partial::new(MatrixName::M, 1, 2, 1, 14), Partial::new(MatrixName::M, 2, 1, 1, 14),
-        Partial::new(MatrixName::C1, 0, 1, 1, 15),
+        Partial::new(MatrixName::C1, 0, 1, 1, 15).negative(),
         Partial::new(MatrixName::C1, 1, 0, 1, 16).negative(),
         Partial::new(MatrixName::C1, 1, 1, 1, 17),
         Partial::new(MatrixName::C1, 2, 1, 1, 18).negative(),
@@ -7801,9 +7838,8 @@ impl WhippleLeaningDerivatives {
         Partial::new(MatrixName::K0, 1, 0, 1, 19),
         Partial::new(MatrixName::K0, 1, 1, 1, 20),
         Partial::new(MatrixName::K2, 1, 1, 1, 21).negative(),
-        Partial::new(MatrixName::M, 0, 1, 2, 22).negative(),
-        Partial::new(MatrixName::M, 1, 0, 2, 22).negative(),
-        Partial::new(MatrixName::M, 1, 1, 2, 23).negative(),
+        Partial::new(MatrixName::M, 0, 1, 2, 22), Partial::new(MatrixName::M, 1, 0, 2, 22),
+        Partial::new(MatrixName::M, 1, 1, 2, 23),
         Partial::new(MatrixName::M, 1, 2, 2, 24).negative(),
         Partial::new(MatrixName::M, 2, 1, 2, 24).negative(),
         Partial::new(MatrixName::C1, 0, 1, 2, 25).negative(),
@@ -7813,10 +7849,9 @@ impl WhippleLeaningDerivatives {
         Partial::new(MatrixName::K0, 0, 1, 2, 29),
         Partial::new(MatrixName::K0, 1, 0, 2, 29),
         Partial::new(MatrixName::K0, 1, 1, 2, 30).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 2, 31).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 2, 32), Partial::new(MatrixName::K2, 2, 1, 2, 33),
-        Partial::new(MatrixName::M, 0, 0, 4, 34), Partial::new(MatrixName::C1, 0, 1, 4, 35),
-        Partial::new(MatrixName::C1, 1, 0, 4, 36),
+        Partial::new(MatrixName::K2, 0, 1, 2, 31), Partial::new(MatrixName::K2, 1, 1, 2, 32),
+        Partial::new(MatrixName::K2, 2, 1, 2, 33), Partial::new(MatrixName::M, 0, 0, 4, 34),
+        Partial::new(MatrixName::C1, 0, 1, 4, 35), Partial::new(MatrixName::C1, 1, 0, 4, 36),
         Partial::new(MatrixName::K0, 0, 0, 4, 37).negative(),
         Partial::new(MatrixName::K2, 0, 1, 4, 38),
         Partial::new(MatrixName::M, 0, 0, 5, 39),
@@ -7896,7 +7931,8 @@ impl WhippleLeaningDerivatives {
         Partial::new(MatrixName::K0, 0, 1, 22, 113).negative(),
         Partial::new(MatrixName::K0, 1, 0, 22, 113).negative(),
         Partial::new(MatrixName::K0, 1, 1, 22, 114).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 115), Partial::new(MatrixName::K2, 1, 1, 22, 116),
+        Partial::new(MatrixName::K2, 0, 1, 22, 115),
+        Partial::new(MatrixName::K2, 1, 1, 22, 116).negative(),
         Partial::new(MatrixName::M, 0, 0, 23, 117), Partial::new(MatrixName::M, 0, 1, 23, 118),
         Partial::new(MatrixName::M, 1, 0, 23, 118), Partial::new(MatrixName::M, 1, 1, 23, 119),
         Partial::new(MatrixName::C1, 0, 1, 23, 120), Partial::new(MatrixName::C1, 1, 1, 23, 121),

@@ -217,47 +217,44 @@ impl<T: Number> WhippleMechanism<T> {
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleMechanismMatrices<T> {
-        let t3 = self.zH * self.mH;
-        let t7 = self.rR * self.mR;
-        let t13 = self.zB * self.mB;
-        let t19 = self.rF * self.mF;
-        let t22 = self.IFxx + (self.IHxx + self.rF * t19);
-        let M_11 = self.IBxx + (self.zH * t3 + self.rR * t7)
-            + (self.zB * t13 + (t22 + self.IRxx));
+        let t2 = self.zH * self.mH;
+        let t9 = self.rR * self.mR;
+        let t13 = self.rF * self.mF;
+        let t18 = self.rF * t13 + (self.IHxx + self.IFxx);
+        let t21 = self.zB * self.mB;
+        let M_11 = self.zH * t2
+            + (self.IRxx + self.IBxx + (self.rR * t9 + (t18 + self.zB * t21)));
         let (wx_delta2_delta, cos_lam) = self.lam.sin_cos();
         let yaw_per_v_delta = cos_lam / self.w;
         let mu = self.c * yaw_per_v_delta;
-        let t35 = self.mB * self.xB;
-        let t37 = self.zB * t35 - self.IBxz;
         let wz_delta2_delta = cos_lam + mu;
-        let t41 = wz_delta2_delta * self.IHxz;
-        let t44 = t41 + t22 * wx_delta2_delta;
-        let t51 = self.zH * wx_delta2_delta
-            + (cos_lam * (self.c + self.w) - self.xH * wz_delta2_delta);
-        let t54 = self.mH * t51;
-        let t58 = wz_delta2_delta * (self.IFxx + self.IHzz);
-        let t65 = mu * (self.IBzz + (self.IRxx + self.xB * t35));
-        let M_22 = t51 * t54 + wz_delta2_delta * t58
-            + (mu * t65 + wx_delta2_delta * (t41 + t44));
+        let t38 = wz_delta2_delta * self.IHxz + t18 * wx_delta2_delta;
+        let t42 = self.IBxz - t21 * self.xB;
+        let t47 = self.zH * wx_delta2_delta + cos_lam * (self.c + self.w);
+        let t51 = self.mH * (t47 - self.xH * wz_delta2_delta);
+        let M_12 = t38 + (mu * t42 + self.zH * t51);
+        let t57 = self.mB * self.xB;
+        let t61 = mu * (self.IBzz + (self.IRxx + self.xB * t57));
+        let t71 = wz_delta2_delta * (self.IFxx + self.IHzz) + wx_delta2_delta * self.IHxz
+            - self.xH * t51;
+        let M_22 = t47 * t51
+            + (mu * t61 + wx_delta2_delta * t38 + wz_delta2_delta * t71);
         let zero = self.w.like(0.0);
         let SF = self.IFyy / self.rF;
+        let t78 = t13 + SF;
         let SR = self.IRyy / self.rR;
-        let t78 = wz_delta2_delta * SF + mu * SR;
-        let t81 = yaw_per_v_delta * self.IHxz + t19 * wz_delta2_delta;
-        let ST = t3 + t13;
-        let t84 = ST - t7;
-        let vy_all1_delta = self.xH * t54;
-        let t94 = t54 - mu * t35;
-        let C1_22 = wx_delta2_delta * t81
-            - yaw_per_v_delta * (vy_all1_delta - t58 - t65 + t94 * self.c);
-        let K0_11 = t84 - t19;
-        let K0_12 = t94 - t19 * wx_delta2_delta;
+        let t83 = t21 - (t9 - t2);
+        let ST = SR - t83;
+        let C1_12 = wz_delta2_delta * t78
+            + yaw_per_v_delta * (t42 + self.c * ST + (self.IHxz - t2 * self.xH));
+        let t95 = t13 * wx_delta2_delta;
+        let K0_12 = t51 - mu * t57 - t95;
+        let C1_22 = cos_lam * t95 - yaw_per_v_delta * (self.c * K0_12 - t61 - t71);
         let K0_22 = wx_delta2_delta * K0_12;
-        let K2_12 = yaw_per_v_delta * (SF - (K0_11 - SR));
+        let K2_12 = yaw_per_v_delta * (ST + t78);
         let K2_22 = yaw_per_v_delta * (wx_delta2_delta * SF - K0_12);
-        let M_12 = t44 + t3 * t51 - mu * t37;
-        let C1_12 = t78 + t81 - yaw_per_v_delta * (t37 + self.c * t84 + t3 * self.xH);
-        let C1_21 = -t78;
+        let C1_21 = -(mu * SR + wz_delta2_delta * SF);
+        let K0_11 = t83 - t13;
         WhippleMechanismMatrices::from_entries([
             M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
             K2_12, zero, K2_22,
@@ -4908,211 +4905,209 @@ pub struct WhippleMechanismDerivatives<T = f64> {
 
 impl<T: Number> WhippleMechanism<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 94 additions, 178 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 279 operations.
+    /// 94 additions, 185 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 285 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleMechanismMatrices<T>, WhippleMechanismDerivatives<T>) {
-        let t2 = self.zB * self.mB;
-        let t7 = self.rR * self.mR;
-        let M_22_mu = self.rR * t7;
-        let M_11_mF = self.rF * self.rF;
-        let t17 = self.IFxx + self.IHxx + self.mF * M_11_mF;
+        let t4 = self.zB * self.mB;
         let M_11_mH = self.zH * self.zH;
-        let M_11 = self.zB * t2 + self.IRxx + M_22_mu + self.IBxx + t17
-            + self.mH * M_11_mH;
+        let t12 = self.rF * self.mF;
+        let t17 = self.rF * t12 + self.IHxx + self.IFxx;
+        let t20 = self.rR * self.mR;
+        let M_11 = self.IBxx + self.IRxx + self.zB * t4 + self.mH * M_11_mH + t17
+            + self.rR * t20;
         let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
-        let t31 = self.w.like(1.0) / self.w;
-        let t32 = self.c * t31;
-        let mu = wx_delta2_delta_lam * t32;
-        let t36 = self.mB * self.xB;
-        let t38 = self.IBxz - self.zB * t36;
+        let t33 = self.c + self.w;
+        let t35 = self.zH * wx_delta2_delta + wx_delta2_delta_lam * t33;
+        let t36 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = wx_delta2_delta_lam * t36;
+        let mu = self.c * yaw_per_v_delta;
         let wz_delta2_delta = wx_delta2_delta_lam + mu;
-        let t45 = t17 * wx_delta2_delta + self.IHxz * wz_delta2_delta;
-        let t47 = t32 * self.xH;
-        let t50 = self.c + self.w - self.xH - t47;
-        let t52 = self.zH * wx_delta2_delta;
-        let K0_12_mH = wx_delta2_delta_lam * t50 + t52;
-        let t54 = self.mH * K0_12_mH;
-        let t56 = t45 + self.zH * t54;
-        let M_12 = mu * t38 + t56;
-        let t60 = self.IFxx + self.IHzz;
-        let t62 = wx_delta2_delta * self.IHxz;
-        let t63 = wz_delta2_delta * t60 + t62;
-        let t67 = self.IRxx + self.xB * t36 + self.IBzz;
-        let t68 = mu * t67;
-        let t69 = t63 + t68;
-        let t71 = t63 + t32 * t69;
-        let M_22 = wx_delta2_delta * t56 + wx_delta2_delta_lam * (t71 + t50 * t54);
-        let zero = self.w.like(0.0);
-        let t78 = self.w.like(1.0) / self.rF;
-        let SF = self.IFyy * t78;
-        let t80 = wx_delta2_delta_lam * SF;
-        let yaw_per_v_delta = wx_delta2_delta_lam * t31;
-        let t82 = self.mH * self.zH;
-        let M_12_mu = t38 + self.IHxz;
-        let t85 = self.xH * t82 - M_12_mu;
-        let t87 = self.w.like(1.0) / self.rR;
-        let SR = self.IRyy * t87;
-        let t89 = SF + SR;
-        let t90 = self.mF * self.rF;
-        let K0_11 = t2 + t82 - t7 - t90;
-        let K2_12_yaw_per_v_delta = t89 - K0_11;
-        let t96 = t85 - self.c * K2_12_yaw_per_v_delta;
-        let t97 = yaw_per_v_delta * t96;
-        let t98 = wx_delta2_delta_lam * t90;
-        let C1_12 = t80 + t98 - t97;
-        let t101 = yaw_per_v_delta * t89;
-        let t102 = self.c * t101;
-        let t104 = self.rF * wx_delta2_delta;
-        let t105 = self.mF * t104;
-        let t108 = t63 - self.xH * t54;
-        let t110 = self.mB * mu;
-        let t111 = self.xB * t110;
-        let t112 = t54 - t111;
-        let t114 = t112 - t67 * yaw_per_v_delta;
-        let C1_22 = wz_delta2_delta * t105 + yaw_per_v_delta * t108 - mu * t114;
-        let K0_12 = t112 - t105;
-        let K0_22 = wx_delta2_delta * K0_12;
-        let K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
-        let t121 = wx_delta2_delta * SF;
-        let t122 = t105 + t121;
-        let t123 = t112 - t122;
-        let t124 = yaw_per_v_delta * t123;
-        let t125 = wx_delta2_delta_lam * t82;
-        let t126 = yaw_per_v_delta * t85;
-        let M_12_w = t125 + t32 * t126;
-        let t130 = wx_delta2_delta_lam + t47 * yaw_per_v_delta;
-        let t131 = t54 + t54;
-        let t133 = t69 * yaw_per_v_delta;
-        let C1_12_mu = t133 + t133;
-        let M_22_w = t130 * t131 - t32 * C1_12_mu;
-        let C1_12_w = t31 * t97;
-        let C1_21_w = t31 * t102;
-        let C1_22_wz_delta2_delta = t105 + t60 * yaw_per_v_delta;
-        let t142 = t114 - t111 - C1_22_wz_delta2_delta;
-        let t146 = t31 * (t68 + t108 - self.c * t142);
-        let M_12_yaw_per_v_delta = yaw_per_v_delta * t146;
-        let t148 = self.xH * yaw_per_v_delta;
-        let t149 = mu + t148;
-        let t150 = self.mH * t149;
-        let t152 = M_12_yaw_per_v_delta + t130 * t150;
-        let t153 = t36 * yaw_per_v_delta;
-        let K0_12_w = t32 * t153 + self.mH * t130;
-        let K0_22_w = wx_delta2_delta * K0_12_w;
-        let t158 = t31 * K2_12;
-        let M_22_yaw_per_v_delta = wx_delta2_delta_lam * K0_12_w;
-        let K2_22_w = t31 * (t124 - M_22_yaw_per_v_delta);
-        let M_12_c = t125 - t126;
-        let t163 = wx_delta2_delta_lam - t148;
-        let M_22_c = C1_12_mu + t131 * t163;
-        let t166 = self.mH * t163;
-        let t169 = t149 * t166 + yaw_per_v_delta * t142;
-        let K0_12_c = t166 - t153;
-        let K0_22_c = wx_delta2_delta * K0_12_c;
-        let t172 = yaw_per_v_delta * K0_12_c;
-        let K0_12_zH = self.mH * wx_delta2_delta;
-        let t175 = t125 - t50 * K0_12_zH;
-        let C1_22_mu = self.zH * t175;
-        let t177 = t32 * wx_delta2_delta;
-        let M_12_lam = C1_22_mu + t17 * wx_delta2_delta_lam - t62 - M_12_mu * t177;
-        let t187 = wx_delta2_delta * t71 - K0_12_mH * t175 - wx_delta2_delta_lam * t45;
-        let t188 = t187 + t187;
-        let t189 = t31 * wx_delta2_delta;
-        let C1_12_lam = t96 * t189 - t122;
-        let C1_21_lam = t121 + t89 * t177;
-        let C1_22_lam = wz_delta2_delta * t98
-            + wx_delta2_delta_lam * self.IHxz * yaw_per_v_delta - t149 * t175
-            - wx_delta2_delta * (C1_22_wz_delta2_delta + t146);
-        let K0_12_lam = t175 + t36 * t177 - t98;
-        let K0_22_lam = wx_delta2_delta * K0_12_lam + wx_delta2_delta_lam * K0_12;
-        let t209 = K2_12_yaw_per_v_delta * t189;
-        let K2_22_lam = t123 * t189 + yaw_per_v_delta * (t80 - K0_12_lam);
-        let M_11_rR = t7 + t7;
-        let t215 = t87 * SR;
-        let t216 = self.mR - t215;
-        let C1_12_rR = mu * t216;
-        let C1_21_rR = mu * t215;
-        let K2_12_rR = yaw_per_v_delta * t216;
-        let M_11_mR = self.rR * self.rR;
-        let C1_12_mR = self.rR * mu;
-        let K2_12_mR = self.rR * yaw_per_v_delta;
-        let C1_22_IRxx = mu * yaw_per_v_delta;
+        let K0_12_mH = t35 - wz_delta2_delta * self.xH;
+        let t43 = self.mH * K0_12_mH;
+        let t48 = wz_delta2_delta * self.IHxz + t17 * wx_delta2_delta;
+        let t52 = self.IBxz - t4 * self.xB;
+        let M_12 = self.zH * t43 + t48 + mu * t52;
+        let t58 = self.mB * self.xB;
+        let t61 = self.IRxx + self.IBzz + self.xB * t58;
+        let C1_22_IRxx = yaw_per_v_delta * mu;
         let M_22_IRxx = self.c * C1_22_IRxx;
-        let K2_12_IRyy = yaw_per_v_delta * t87;
+        let t66 = self.mH * self.xH;
+        let t71 = self.IFxx + self.IHzz + self.xH * t66;
+        let t74 = wx_delta2_delta * self.IHxz + wz_delta2_delta * t71 - t35 * t66;
+        let M_22 = wx_delta2_delta * t48 + t61 * M_22_IRxx + wz_delta2_delta * t74
+            + t35 * t43;
+        let zero = self.w.like(0.0);
+        let t82 = self.w.like(1.0) / self.rF;
+        let SF = self.IFyy * t82;
+        let t84 = self.mH * self.zH;
+        let M_12_wz_delta2_delta = self.IHxz - self.xH * t84;
+        let t87 = t52 + M_12_wz_delta2_delta;
+        let t88 = t36 * t87;
+        let t90 = self.w.like(1.0) / self.rR;
+        let SR = self.IRyy * t90;
+        let t92 = SF + SR;
+        let K0_11 = t84 - (t12 + t20 - t4);
+        let t96 = t92 - K0_11;
+        let t97 = t36 * t96;
+        let t99 = t88 + self.c * t97;
+        let t101 = t12 + SF + t99;
+        let C1_12 = wx_delta2_delta_lam * t101;
+        let t103 = wx_delta2_delta_lam * SF;
+        let t104 = mu * t92;
+        let t106 = t12 * wx_delta2_delta;
+        let t107 = self.mB * mu;
+        let t108 = self.xB * t107;
+        let K0_12 = t43 - t106 - t108;
+        let t111 = self.c * t36;
+        let t115 = yaw_per_v_delta * t61;
+        let t117 = t74 + self.c * t115;
+        let t118 = yaw_per_v_delta * t117;
+        let C1_22 = wx_delta2_delta_lam * (t106 - K0_12 * t111) + t118;
+        let K0_22 = wx_delta2_delta * K0_12;
+        let K2_12 = yaw_per_v_delta * t96;
+        let t123 = wx_delta2_delta * SF - K0_12;
+        let K2_22 = yaw_per_v_delta * t123;
+        let t125 = yaw_per_v_delta * t87;
+        let t127 = self.mH * wx_delta2_delta_lam;
+        let t128 = self.zH * t127;
+        let M_12_w = t128 - t111 * t125;
+        let t130 = t118 + t118;
+        let t132 = t43 + t43;
+        let t133 = wx_delta2_delta_lam * t132;
+        let M_22_w = t133 - t111 * t130;
+        let t135 = yaw_per_v_delta * t99;
+        let C1_21_w = t36 * t104;
+        let t137 = yaw_per_v_delta * self.xH;
+        let t138 = t127 * t137;
+        let t139 = yaw_per_v_delta * t71;
+        let t141 = t115 + t139 - K0_12;
+        let t144 = t36 * (t117 + self.c * t141);
+        let t145 = t58 + t66;
+        let t146 = yaw_per_v_delta * t145;
+        let K0_12_w = t127 + t111 * t146;
+        let t152 = t138 + yaw_per_v_delta * (t144 + self.c * K0_12_w);
+        let K0_22_w = wx_delta2_delta * K0_12_w;
+        let t154 = t36 * K2_12;
+        let t155 = t36 * t123;
+        let t157 = yaw_per_v_delta * (K0_12_w + t155);
+        let M_12_c = t125 + t128;
+        let M_22_c = t130 + t133;
+        let t160 = yaw_per_v_delta * t92;
+        let K0_12_c = t127 - t146;
+        let t165 = t138 + yaw_per_v_delta * (self.c * K0_12_c - t141);
+        let K0_22_c = wx_delta2_delta * K0_12_c;
+        let t167 = yaw_per_v_delta * K0_12_c;
+        let t168 = t17 * wx_delta2_delta_lam;
+        let K0_12_zH = self.mH * wx_delta2_delta;
+        let t174 = t33 * K0_12_zH - t128;
+        let M_12_lam = t168 - wx_delta2_delta * (M_12_wz_delta2_delta + self.c * t88)
+            - self.zH * t174;
+        let t180 = wx_delta2_delta_lam * self.IHxz + self.xH * t174;
+        let t188 = wz_delta2_delta * t180 - t35 * t174
+            - wx_delta2_delta * (t74 + t111 * t117 - t168);
+        let M_22_lam = t188 + t188;
+        let t190 = wx_delta2_delta * t101;
+        let C1_21_lam = wx_delta2_delta * (SF + t92 * t111);
+        let K2_22_yaw_per_v_delta = yaw_per_v_delta * t180;
+        let C1_22_mu = t66 + t111 * t145;
+        let t201 = t12 * wx_delta2_delta_lam;
+        let K0_12_lam = wx_delta2_delta * C1_22_mu - t174 - t201;
+        let ST_rR = wx_delta2_delta_lam * t201;
+        let C1_22_lam = K2_22_yaw_per_v_delta + ST_rR
+            - wx_delta2_delta * (t106 + t139 + t144) - mu * K0_12_lam;
+        let K0_22_lam = wx_delta2_delta * K0_12_lam + wx_delta2_delta_lam * K0_12;
+        let t212 = wx_delta2_delta * t97;
+        let K2_22_lam = yaw_per_v_delta * (t103 - K0_12_lam) - wx_delta2_delta * t155;
+        let M_11_rR = t20 + t20;
+        let t219 = self.mR - t90 * SR;
+        let C1_12_rR = mu * t219;
+        let K2_12_IRyy = yaw_per_v_delta * t90;
         let C1_12_IRyy = self.c * K2_12_IRyy;
-        let t228 = self.zB * t110;
-        let C1_22_yaw_per_v_delta = t36 * M_22_IRxx;
-        let M_22_xB = C1_22_yaw_per_v_delta + C1_22_yaw_per_v_delta;
-        let t231 = t2 * yaw_per_v_delta;
-        let t232 = t110 + t153;
-        let C1_22_xB = mu * (t153 + t232);
-        let t235 = wx_delta2_delta * t110;
-        let K2_22_xB = yaw_per_v_delta * t110;
-        let M_11_zB = t2 + t2;
-        let t238 = self.mB * yaw_per_v_delta;
+        let C1_21_rR = SR * C1_12_IRyy;
+        let K2_12_rR = yaw_per_v_delta * t219;
+        let M_11_mR = self.rR * self.rR;
+        let K2_12_mR = self.rR * yaw_per_v_delta;
+        let C1_12_mR = self.c * K2_12_mR;
+        let t229 = self.zB * t107;
+        let M_12_yaw_per_v_delta = yaw_per_v_delta * self.xB;
+        let K2_22_mB = mu * M_12_yaw_per_v_delta;
+        let t232 = self.mB * K2_22_mB;
+        let t233 = t232 + t232;
+        let M_22_xB = self.c * t233;
+        let t235 = self.zB * yaw_per_v_delta;
+        let t236 = self.mB * t235;
+        let C1_22_xB = t233 + self.mB * M_22_IRxx;
+        let t239 = wx_delta2_delta * t107;
+        let K2_22_xB = yaw_per_v_delta * t107;
+        let M_11_zB = t4 + t4;
+        let t242 = mu + M_12_yaw_per_v_delta;
+        let t243 = self.mB * t242;
+        let t244 = self.mB * yaw_per_v_delta;
         let M_11_mB = self.zB * self.zB;
-        let t240 = mu * self.xB;
-        let t241 = self.zB * t240;
-        let M_22_mB = t240 * t240;
-        let t243 = self.c + self.xB;
-        let t244 = self.zB * yaw_per_v_delta;
-        let t245 = t243 * t244;
-        let K2_22_mB = yaw_per_v_delta * t240;
-        let C1_22_mB = t243 * K2_22_mB;
-        let t248 = wx_delta2_delta * t240;
-        let t249 = self.mH * wz_delta2_delta;
-        let t250 = self.zH * t249;
-        let t251 = wz_delta2_delta * t131;
-        let t252 = self.zH * yaw_per_v_delta;
-        let t253 = self.mH * t252;
-        let t254 = K0_12_mH * yaw_per_v_delta;
-        let t257 = self.mH * (t254 - wz_delta2_delta * t149);
-        let t258 = wz_delta2_delta * K0_12_zH;
-        let C1_22_IHzz = wz_delta2_delta * yaw_per_v_delta;
+        let t246 = mu * self.xB;
+        let t247 = self.zB * t246;
+        let M_22_mB = t246 * t246;
+        let t249 = self.zB * t242;
+        let C1_22_mB = t242 * t246;
+        let t251 = wx_delta2_delta * t246;
+        let t252 = wz_delta2_delta * t84;
+        let t253 = wz_delta2_delta * t132;
+        let t254 = self.zH * yaw_per_v_delta;
+        let t255 = self.mH * t254;
+        let t256 = yaw_per_v_delta * K0_12_mH;
+        let t258 = mu + t137;
+        let t259 = self.mH * t258;
+        let C1_22_xH = wz_delta2_delta * t259 - self.mH * t256;
+        let t262 = self.mH * wz_delta2_delta;
+        let t263 = wz_delta2_delta * K0_12_zH;
+        let C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
         let K2_22_xH = self.mH * C1_22_IHzz;
-        let M_11_zH = t82 + t82;
-        let M_12_zH = self.mH * (t52 + K0_12_mH);
-        let M_22_zH = wx_delta2_delta * t131;
-        let t265 = wx_delta2_delta * t150;
+        let M_11_zH = t84 + t84;
+        let M_12_zH = t43 + wx_delta2_delta * t84;
+        let t269 = wx_delta2_delta + wx_delta2_delta;
+        let M_22_zH = t43 * t269;
+        let t271 = wx_delta2_delta * t259;
         let K0_22_zH = wx_delta2_delta * K0_12_zH;
-        let t267 = self.mH * yaw_per_v_delta;
+        let t273 = t36 * t127;
         let K2_22_SF = wx_delta2_delta * yaw_per_v_delta;
-        let t269 = self.mH * K2_22_SF;
+        let t275 = self.mH * K2_22_SF;
         let M_12_mH = self.zH * K0_12_mH;
         let M_22_mH = K0_12_mH * K0_12_mH;
-        let t272 = self.zH * t149;
-        let t273 = K0_12_mH * t149;
+        let t278 = self.zH * t258;
+        let t279 = K0_12_mH * t258;
         let K0_22_mH = wx_delta2_delta * K0_12_mH;
         let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
         let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-        let M_22_wz_delta2_delta = wx_delta2_delta + wx_delta2_delta;
-        let M_22_IHxz = wz_delta2_delta * M_22_wz_delta2_delta;
-        let M_11_rF = t90 + t90;
-        let M_12_rF = t90 * M_22_wz_delta2_delta;
-        let M_22_rF = t105 * M_22_wz_delta2_delta;
-        let t283 = self.mF - t78 * SF;
-        let C1_12_rF = wz_delta2_delta * t283;
-        let C1_12_IFyy = wz_delta2_delta * t78;
-        let C1_21_rF = SF * C1_12_IFyy;
-        let t287 = self.mF * wx_delta2_delta;
-        let C1_22_rF = wz_delta2_delta * t287;
-        let t289 = wx_delta2_delta * t287;
-        let K2_12_rF = yaw_per_v_delta * t283;
-        let K2_22_rF = K2_22_SF * t283;
-        let M_12_mF = M_11_mF * wx_delta2_delta;
-        let t293 = wx_delta2_delta * t104;
-        let M_22_mF = self.rF * t293;
+        let M_22_IHxz = wz_delta2_delta * t269;
+        let M_11_rF = t12 + t12;
+        let M_12_rF = t12 * t269;
+        let M_22_rF = wx_delta2_delta * M_12_rF;
+        let t287 = t82 * SF;
+        let t288 = self.mF - t287;
+        let C1_12_rF = wz_delta2_delta * t288;
+        let C1_21_rF = wz_delta2_delta * t287;
+        let t291 = self.mF * wx_delta2_delta;
+        let C1_22_rF = wz_delta2_delta * t291;
+        let t293 = wx_delta2_delta * t291;
+        let K2_12_rF = yaw_per_v_delta * t288;
+        let K2_22_rF = K2_22_SF * t288;
+        let M_11_mF = self.rF * self.rF;
+        let M_12_mF = wx_delta2_delta * M_11_mF;
+        let t298 = self.rF * wx_delta2_delta;
+        let M_22_mF = t298 * t298;
         let C1_12_mF = self.rF * wz_delta2_delta;
-        let C1_22_mF = wz_delta2_delta * t104;
+        let C1_22_mF = wz_delta2_delta * t298;
+        let t302 = self.rF * M_22_IHxx;
         let K2_12_mF = self.rF * yaw_per_v_delta;
-        let K2_22_mF = wx_delta2_delta * K2_12_mF;
+        let K2_22_mF = self.rF * K2_22_SF;
         let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let K2_12_IFyy = t78 * yaw_per_v_delta;
+        let C1_12_IFyy = wz_delta2_delta * t82;
+        let K2_12_IFyy = yaw_per_v_delta * t82;
         let K2_22_IFyy = wx_delta2_delta * K2_12_IFyy;
-        let C1_21 = -(t80 + t102);
-        let K2_22 = -t124;
+        let C1_21 = -(t103 + t104);
         (
             WhippleMechanismMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
@@ -5120,20 +5115,21 @@ impl<T: Number> WhippleMechanism<T> {
             ]),
             WhippleMechanismDerivatives {
                 values: [
-                    M_12_w, M_22_w, C1_12_w, C1_21_w, t152, K0_12_w, K0_22_w, t158, K2_22_w, M_12_c,
-                    M_22_c, K2_12, t101, t169, K0_12_c, K0_22_c, t172, M_12_lam, t188, C1_12_lam,
-                    C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t209, K2_22_lam, M_11_rR, C1_12_rR,
+                    M_12_w, M_22_w, t135, C1_21_w, t152, K0_12_w, K0_22_w, t154, t157, M_12_c,
+                    M_22_c, K2_12, t160, t165, K0_12_c, K0_22_c, t167, M_12_lam, M_22_lam, t190,
+                    C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t212, K2_22_lam, M_11_rR, C1_12_rR,
                     C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
-                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t228, M_22_xB,
-                    t231, C1_22_xB, t110, t235, K2_22_xB, M_11_zB, t111, t232, self.mB, t238,
-                    M_11_mB, t241, M_22_mB, t245, C1_22_mB, self.zB, t240, t248, t244, K2_22_mB, mu,
-                    yaw_per_v_delta, t250, t251, t253, t257, t249, t258, K2_22_xH, M_11_zH, M_12_zH,
-                    M_22_zH, t150, t265, self.mH, K0_12_zH, K0_22_zH, t267, t269, M_11_mH, M_12_mH,
-                    M_22_mH, t272, t273, self.zH, K0_12_mH, K0_22_mH, t252, t254, wx_delta2_delta,
-                    M_22_IHxx, M_22_IHzz, C1_22_IHzz, wz_delta2_delta, M_22_IHxz, K2_22_SF, M_11_rF,
-                    M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t287, t289, K2_12_rF,
-                    K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF, C1_22_mF, self.rF, t104, t293,
-                    K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy, K2_12_IFyy, K2_22_IFyy,
+                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t229, M_22_xB,
+                    t236, C1_22_xB, t107, t239, K2_22_xB, M_11_zB, t108, t243, self.mB, t244,
+                    M_11_mB, t247, M_22_mB, t249, C1_22_mB, self.zB, t246, t251, t235, K2_22_mB, mu,
+                    yaw_per_v_delta, t252, t253, t255, C1_22_xH, t262, t263, K2_22_xH, M_11_zH,
+                    M_12_zH, M_22_zH, t259, t271, self.mH, K0_12_zH, K0_22_zH, t273, t275, M_11_mH,
+                    M_12_mH, M_22_mH, t278, t279, self.zH, K0_12_mH, K0_22_mH, t254, t256,
+                    wx_delta2_delta, M_22_IHxx, M_22_IHzz, C1_22_IHzz, wz_delta2_delta, M_22_IHxz,
+                    K2_22_SF, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF, self.mF,
+                    t291, t293, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF, C1_22_mF,
+                    self.rF, t298, t302, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy, K2_12_IFyy,
+                    K2_22_IFyy,
                 ],
             },
         )
@@ -5699,26 +5695,29 @@ impl WhippleMechanismDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 158] = &[
         Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1), Partial::new(MatrixName::C1, 0, 1, 0, 2),
+        Partial::new(MatrixName::M, 1, 1, 0, 1),
+        Partial::new(MatrixName::C1, 0, 1, 0, 2).negative(),
         Partial::new(MatrixName::C1, 1, 0, 0, 3),
         Partial::new(MatrixName::C1, 1, 1, 0, 4).negative(),
         Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
         Partial::new(MatrixName::K0, 1, 1, 0, 6),
         Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 0, 8), Partial::new(MatrixName::M, 0, 1, 1, 9),
-        Partial::new(MatrixName::M, 1, 0, 1, 9), Partial::new(MatrixName::M, 1, 1, 1, 10),
-        Partial::new(MatrixName::C1, 0, 1, 1, 11),
+        Partial::new(MatrixName::K2, 1, 1, 0, 8).negative(),
+        Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
+        Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
         Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
         Partial::new(MatrixName::C1, 1, 1, 1, 13).negative(),
         Partial::new(MatrixName::K0, 0, 1, 1, 14),
         Partial::new(MatrixName::K0, 1, 0, 1, 14),
         Partial::new(MatrixName::K0, 1, 1, 1, 15),
         Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
-        Partial::new(MatrixName::M, 0, 1, 2, 17), Partial::new(MatrixName::M, 1, 0, 2, 17),
-        Partial::new(MatrixName::M, 1, 1, 2, 18).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 2, 19), Partial::new(MatrixName::C1, 1, 0, 2, 20),
-        Partial::new(MatrixName::C1, 1, 1, 2, 21), Partial::new(MatrixName::K0, 0, 1, 2, 22),
-        Partial::new(MatrixName::K0, 1, 0, 2, 22), Partial::new(MatrixName::K0, 1, 1, 2, 23),
+        Partial::new(MatrixName::M, 0, 1, 2, 17),
+        Partial::new(MatrixName::M, 1, 0, 2, 17),
+        Partial::new(MatrixName::M, 1, 1, 2, 18),
+        Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
+        Partial::new(MatrixName::K0, 0, 1, 2, 22), Partial::new(MatrixName::K0, 1, 0, 2, 22),
+        Partial::new(MatrixName::K0, 1, 1, 2, 23),
         Partial::new(MatrixName::K2, 0, 1, 2, 24).negative(),
         Partial::new(MatrixName::K2, 1, 1, 2, 25), Partial::new(MatrixName::M, 0, 0, 4, 26),
         Partial::new(MatrixName::C1, 0, 1, 4, 27), Partial::new(MatrixName::C1, 1, 0, 4, 28),
@@ -5765,7 +5764,7 @@ impl WhippleMechanismDerivatives {
         Partial::new(MatrixName::M, 1, 0, 15, 64).negative(),
         Partial::new(MatrixName::M, 1, 1, 15, 65).negative(),
         Partial::new(MatrixName::C1, 0, 1, 15, 66).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 15, 67).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 15, 67),
         Partial::new(MatrixName::K0, 0, 1, 15, 68).negative(),
         Partial::new(MatrixName::K0, 1, 0, 15, 68).negative(),
         Partial::new(MatrixName::K0, 1, 1, 15, 69).negative(),

@@ -222,53 +222,54 @@ pub struct WhippleSprungMatrices<T = f64> {
 
 impl<T: Number> WhippleSprung<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 41 additions, 43 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 90 operations.
+    /// 40 additions, 43 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 89 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleSprungMatrices<T> {
-        let t3 = self.zB * self.mB;
-        let t10 = self.rR * self.mR;
-        let t14 = self.zH * self.mH;
+        let t2 = self.zH * self.mH;
+        let t7 = self.zB * self.mB;
+        let t13 = self.rR * self.mR;
         let t18 = self.rF * self.mF;
-        let t23 = self.rF * t18 + (self.IFxx + self.IHxx);
-        let M_11 = self.IBxx + (self.zB * t3 + self.IRxx)
-            + (self.rR * t10 + (self.zH * t14 + t23));
+        let ay_delta2_delta = self.IHxx + self.IFxx;
+        let t23 = self.rF * t18 + ay_delta2_delta;
+        let M_11 = self.zH * t2 + (self.IRxx + self.zB * t7)
+            + (self.rR * t13 + (self.IBxx + t23));
         let (wx_delta2_delta, cos_lam) = self.lam.sin_cos();
         let yaw_per_v_delta = cos_lam / self.w;
         let yaw_by_delta = self.c * yaw_per_v_delta;
         let wz_delta2_delta = cos_lam + yaw_by_delta;
-        let t41 = cos_lam * (self.c + self.w) + self.zH * wx_delta2_delta
-            - self.xH * wz_delta2_delta;
-        let t42 = self.mH * t41;
-        let t47 = self.IBxz - t3 * self.xB;
-        let t51 = wz_delta2_delta * self.IHxz;
-        let t52 = t23 * wx_delta2_delta + t51;
-        let M_12 = self.zH * t42 + (yaw_by_delta * t47 + t52);
+        let t35 = self.IHxz * wz_delta2_delta;
+        let t38 = t35 + wx_delta2_delta * t23;
+        let t42 = self.IBxz - t7 * self.xB;
+        let vy_spin_F4_delta = cos_lam * (self.c + self.w);
+        let t51 = vy_spin_F4_delta
+            + (self.zH * wx_delta2_delta - self.xH * wz_delta2_delta);
+        let t52 = self.mH * t51;
+        let M_12 = t38 + yaw_by_delta * t42 + self.zH * t52;
         let t57 = wz_delta2_delta * (self.IFxx + self.IHzz);
-        let t62 = self.mB * self.xB;
-        let vy_all1_delta = yaw_by_delta * (self.xB * t62 + (self.IRxx + self.IBzz));
-        let M_22 = wz_delta2_delta * t57 + wx_delta2_delta * (t51 + t52)
-            + yaw_by_delta * vy_all1_delta + t41 * t42;
+        let t60 = self.mB * self.xB;
+        let t64 = yaw_by_delta * (self.IRxx + (self.IBzz + self.xB * t60));
+        let M_22 = wz_delta2_delta * t57 + yaw_by_delta * t64
+            + (t51 * t52 + wx_delta2_delta * (t38 + t35));
         let zero = self.w.like(0.0);
-        let h_spin_F = self.IFyy / self.rF;
+        let vy_all1_delta = t18 * wz_delta2_delta + yaw_per_v_delta * self.IHxz;
+        let t78 = t7 + t2 - t13;
         let h_spin_R = self.IRyy / self.rR;
-        let t79 = h_spin_F + h_spin_R;
-        let t81 = cos_lam * h_spin_F + yaw_by_delta * t79;
-        let t84 = yaw_per_v_delta * self.IHxz + t18 * wz_delta2_delta;
-        let t89 = t3 + (t14 - t10);
-        let h_wheels_all = self.c * t89;
-        let C1_12 = t81 + t84 + yaw_per_v_delta * (t47 - t14 * self.xH - h_wheels_all);
-        let t97 = t42 - yaw_by_delta * t62;
-        let C1_22 = wx_delta2_delta * t84
-            + yaw_per_v_delta * (t57 + vy_all1_delta - (self.c * t97 + self.xH * t42));
-        let K0_12 = t97 - t18 * wx_delta2_delta;
+        let h_spin_F = self.IFyy / self.rF;
+        let t91 = yaw_by_delta * h_spin_R + wz_delta2_delta * h_spin_F;
+        let C1_12 = vy_all1_delta - yaw_per_v_delta * (self.c * t78 + t2 * self.xH - t42)
+            + t91;
+        let t96 = t52 - yaw_by_delta * t60;
+        let h_wheels_all = (self.xH * t52 - t64 + self.c * t96 - t57) * yaw_per_v_delta;
+        let K0_11 = t78 - t18;
+        let K0_12 = t96 - t18 * wx_delta2_delta;
         let K0_22 = wx_delta2_delta * K0_12;
-        let K2_12 = yaw_per_v_delta * (t79 + (t18 - t89));
+        let K2_12 = yaw_per_v_delta * (h_spin_R + h_spin_F - K0_11);
         let K2_22 = yaw_per_v_delta * (wx_delta2_delta * h_spin_F - K0_12);
-        let C1_21 = -t81;
-        let K0_11 = t89 - t18;
+        let C1_21 = -t91;
+        let C1_22 = vy_all1_delta * wx_delta2_delta - h_wheels_all;
         WhippleSprungMatrices::from_entries([
             M_11, M_12, M_12, M_22, zero, zero, zero, self.d, zero, C1_12, C1_21, C1_22, zero, zero,
             zero, self.k, K0_11, K0_12, K0_12, K0_22, zero, K2_12, zero, K2_22,
@@ -340,208 +341,206 @@ pub struct WhippleSprungDerivatives<T = f64> {
 
 impl<T: Number> WhippleSprung<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 96 additions, 183 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 287 operations.
+    /// 100 additions, 182 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 289 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleSprungMatrices<T>, WhippleSprungDerivatives<T>) {
-        let t4 = self.rF * self.mF;
-        let t7 = self.IFxx + self.IHxx + self.rF * t4;
-        let t10 = self.rR * self.mR;
-        let t16 = self.zH * self.mH;
-        let M_11_mB = self.zB * self.zB;
-        let M_11 = t7 + self.rR * t10 + self.IRxx + self.IBxx + self.zH * t16
-            + self.mB * M_11_mB;
-        let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
-        let t31 = self.w.like(1.0) / self.w;
-        let t32 = self.c * t31;
-        let yaw_by_delta = wx_delta2_delta_lam * t32;
-        let t36 = self.mB * self.xB;
-        let t38 = self.IBxz - self.zB * t36;
-        let wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
-        let t45 = self.IHxz * wz_delta2_delta + t7 * wx_delta2_delta;
-        let t51 = self.c + self.w - self.xH - t32 * self.xH;
-        let C1_22_yaw_by_delta = wx_delta2_delta_lam * t51;
-        let K0_12_mH = self.zH * wx_delta2_delta + C1_22_yaw_by_delta;
-        let M_12_mH = self.zH * K0_12_mH;
-        let M_12 = yaw_by_delta * t38 + t45 + self.mH * M_12_mH;
-        let t60 = self.IFxx + self.IHzz;
-        let t62 = self.IHxz * wx_delta2_delta;
-        let t63 = wz_delta2_delta * t60 + t62;
-        let vy_all1_delta_yaw_by_delta = self.IRxx + self.IBzz + self.xB * t36;
-        let t69 = t63 + yaw_by_delta * vy_all1_delta_yaw_by_delta;
-        let t71 = t63 + t32 * t69;
-        let t73 = self.mH * K0_12_mH;
-        let M_22 = wx_delta2_delta * t45 + wx_delta2_delta_lam * t71 + K0_12_mH * t73;
-        let zero = self.w.like(0.0);
-        let t80 = self.w.like(1.0) / self.rF;
-        let h_spin_F = self.IFyy * t80;
-        let t82 = wx_delta2_delta_lam * h_spin_F;
-        let t84 = self.w.like(1.0) / self.rR;
-        let t85 = self.IRyy * t84;
-        let t86 = h_spin_F + t85;
-        let t87 = yaw_by_delta * t86;
-        let t88 = t82 + t87;
-        let yaw_per_v_delta = wx_delta2_delta_lam * t31;
-        let t90 = self.mB * self.zB;
-        let t92 = t16 + t90 - t10;
-        let M_12_yaw_by_delta = t38 + self.IHxz;
-        let t96 = M_12_yaw_by_delta - t16 * self.xH;
-        let C1_12_mF = self.rF * wz_delta2_delta;
-        let t100 = self.mF * C1_12_mF;
-        let C1_12 = t88 + yaw_per_v_delta * (t96 - self.c * t92) + t100;
-        let C1_22_mF = wx_delta2_delta * C1_12_mF;
-        let t106 = t69 - self.xH * t73;
-        let t107 = self.mB * yaw_per_v_delta;
-        let t108 = self.xB * t107;
-        let t109 = self.c * t108;
-        let t110 = t109 - t73;
-        let C1_22 = self.mF * C1_22_mF + yaw_per_v_delta * (t106 + self.c * t110);
-        let t117 = self.rF * wx_delta2_delta;
-        let t118 = self.mF * t117;
-        let t119 = t110 + t118;
-        let K2_12_yaw_per_v_delta = t86 + (t4 - t92);
-        let K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
-        let t123 = wx_delta2_delta * h_spin_F;
-        let t124 = t118 + t123;
-        let t125 = t110 + t124;
-        let K2_22 = yaw_per_v_delta * t125;
-        let t127 = self.xH * yaw_per_v_delta;
-        let t129 = wx_delta2_delta_lam + t32 * t127;
-        let t130 = self.mH * t129;
-        let K2_22_yaw_per_v_delta = self.zH * t130;
-        let t132 = yaw_per_v_delta * M_12_yaw_by_delta;
-        let M_12_w = K2_22_yaw_per_v_delta - t32 * t132;
-        let t135 = t73 + t73;
-        let t138 = yaw_per_v_delta * (t69 + t69);
-        let M_22_w = t129 * t135 - t32 * t138;
-        let t141 = t31 * yaw_per_v_delta;
-        let C1_12_yaw_per_v_delta = t96 + self.c * K2_12_yaw_per_v_delta;
-        let t144 = t141 * C1_12_yaw_per_v_delta;
-        let C1_21_w = t31 * t87;
-        let t149 = t109 + t119 + yaw_per_v_delta * (t60 + vy_all1_delta_yaw_by_delta);
-        let C1_22_yaw_per_v_delta = t106 + self.c * t149;
-        let t153 = yaw_by_delta + t127;
-        let t154 = self.mH * t153;
-        let t156 = t141 * C1_22_yaw_per_v_delta + t129 * t154;
-        let K0_12_w = t130 + t31 * t109;
-        let K0_22_w = wx_delta2_delta * K0_12_w;
-        let t160 = t31 * K2_12;
-        let C1_22_wz_delta2_delta = K0_12_w + t31 * t125;
-        let t163 = yaw_per_v_delta * C1_22_wz_delta2_delta;
-        let t164 = wx_delta2_delta_lam - t127;
-        let M_12_c = t132 + t16 * t164;
-        let M_22_c = t138 + t135 * t164;
-        let t169 = t86 * yaw_per_v_delta;
-        let t171 = self.mH * t164;
-        let C1_22_c = yaw_per_v_delta * t149 - t153 * t171;
-        let K0_12_c = t171 - t108;
-        let K0_22_c = wx_delta2_delta * K0_12_c;
-        let t176 = yaw_per_v_delta * K0_12_c;
-        let K0_12_zH = self.mH * wx_delta2_delta;
-        let t180 = t16 * wx_delta2_delta_lam - t51 * K0_12_zH;
-        let t183 = t32 * wx_delta2_delta;
-        let M_12_lam = self.zH * t180 + t7 * wx_delta2_delta_lam - t62
-            - M_12_yaw_by_delta * t183;
-        let t192 = wx_delta2_delta * t71 - K0_12_mH * t180 - wx_delta2_delta_lam * t45;
-        let t193 = t192 + t192;
-        let t194 = t31 * wx_delta2_delta;
-        let t196 = t124 + C1_12_yaw_per_v_delta * t194;
-        let C1_21_lam = t123 + t86 * t183;
-        let t206 = wx_delta2_delta * t118;
-        let t209 = t194 * (C1_22_yaw_per_v_delta + wx_delta2_delta_lam * t60)
-            + t153 * t180 + t206
-            - wx_delta2_delta_lam * (t100 + self.IHxz * yaw_per_v_delta);
-        let K0_12_lam = t180 + t36 * t183 - t4 * wx_delta2_delta_lam;
-        let K0_22_lam = wx_delta2_delta * K0_12_lam - wx_delta2_delta_lam * t119;
-        let t217 = K2_12_yaw_per_v_delta * t194;
-        let K2_22_lam = yaw_per_v_delta * (t82 - K0_12_lam) - t125 * t194;
-        let M_11_rR = t10 + t10;
-        let t224 = self.mR - t84 * t85;
-        let C1_12_rR = yaw_by_delta * t224;
-        let C1_12_IRyy = yaw_by_delta * t84;
-        let C1_21_rR = t85 * C1_12_IRyy;
-        let K2_12_rR = yaw_per_v_delta * t224;
+        let M_11_mF = self.rF * self.rF;
+        let t7 = self.mF * M_11_mF + self.IHxx + self.IFxx;
+        let t11 = self.zB * self.mB;
+        let t15 = self.zH * self.mH;
         let M_11_mR = self.rR * self.rR;
+        let M_11 = t7 + self.IRxx + self.zB * t11 + self.zH * t15 + self.IBxx
+            + self.mR * M_11_mR;
+        let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
+        let t32 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = wx_delta2_delta_lam * t32;
+        let yaw_by_delta = self.c * yaw_per_v_delta;
+        let wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
+        let t39 = self.IHxz * wz_delta2_delta + t7 * wx_delta2_delta;
+        let t42 = self.mB * self.xB;
+        let t44 = self.IBxz - self.zB * t42;
+        let t48 = self.c * t32;
+        let t52 = self.c + self.w - self.xH - self.xH * t48;
+        let K0_12_mH = self.zH * wx_delta2_delta + wx_delta2_delta_lam * t52;
+        let M_12 = t39 + yaw_by_delta * t44 + t15 * K0_12_mH;
+        let t61 = self.IRxx + self.IBzz + self.xB * t42;
+        let t62 = yaw_by_delta * t61;
+        let t65 = self.IFxx + self.IHzz;
+        let t67 = self.IHxz * wx_delta2_delta;
+        let t68 = wz_delta2_delta * t65 + t67;
+        let t70 = self.mH * K0_12_mH;
+        let M_22 = yaw_by_delta * t62 + wz_delta2_delta * t68 + K0_12_mH * t70
+            + wx_delta2_delta * t39;
+        let zero = self.w.like(0.0);
+        let t78 = self.mR * self.rR;
+        let t79 = self.mF * self.rF;
+        let K0_11 = t11 + t15 - t78 - t79;
+        let M_12_yaw_by_delta = self.IHxz + t44;
+        let t87 = t32 * (M_12_yaw_by_delta - t15 * self.xH);
+        let t88 = wx_delta2_delta_lam * t87;
+        let t90 = self.w.like(1.0) / self.rF;
+        let h_spin_F = self.IFyy * t90;
+        let t92 = wx_delta2_delta_lam * h_spin_F;
+        let t94 = self.w.like(1.0) / self.rR;
+        let h_spin_R = self.IRyy * t94;
+        let t96 = h_spin_F + h_spin_R;
+        let t97 = yaw_per_v_delta * t96;
+        let t99 = t92 + self.c * t97;
+        let t100 = wx_delta2_delta_lam * t79;
+        let C1_12 = t88 + t99 + t100 - yaw_by_delta * K0_11;
+        let t104 = wx_delta2_delta * t48;
+        let t106 = wx_delta2_delta_lam * (wx_delta2_delta + t104);
+        let t109 = self.xH * t70 - t68;
+        let t112 = yaw_by_delta * t42;
+        let t113 = t70 - t112;
+        let t114 = yaw_per_v_delta * t61 - t113;
+        let C1_22 = t79 * t106 + yaw_by_delta * t114 - yaw_per_v_delta * t109;
+        let t119 = wx_delta2_delta * t79;
+        let K0_12 = t113 - t119;
+        let K0_22 = wx_delta2_delta * K0_12;
+        let t122 = t96 - K0_11;
+        let K2_12 = yaw_per_v_delta * t122;
+        let t124 = wx_delta2_delta * h_spin_F;
+        let t125 = K0_12 - t124;
+        let t129 = yaw_per_v_delta * self.xH;
+        let t131 = wx_delta2_delta_lam + t48 * t129;
+        let M_12_w = t15 * t131 - t32 * yaw_by_delta * M_12_yaw_by_delta;
+        let M_22_wz_delta2_delta = t68 + t68;
+        let M_22_yaw_by_delta = t62 + t62 + M_22_wz_delta2_delta;
+        let t137 = t48 * M_22_yaw_by_delta;
+        let t139 = K0_12_mH + K0_12_mH;
+        let t140 = self.mH * t131;
+        let M_22_w = t139 * t140 - yaw_per_v_delta * t137;
+        let t143 = t32 * t122;
+        let t145 = t87 + self.c * t143;
+        let t146 = yaw_per_v_delta * t145;
+        let C1_21_w = t48 * t97;
+        let t148 = yaw_by_delta + t129;
+        let t149 = self.mH * t148;
+        let C1_22_wz_delta2_delta = t119 + yaw_per_v_delta * t65;
+        let t154 = t112 + t114 + C1_22_wz_delta2_delta;
+        let t158 = t32 * (t109 - t62 - self.c * t154);
+        let C1_22_w = yaw_per_v_delta * t158 - t131 * t149;
+        let t161 = yaw_per_v_delta * t42;
+        let vy_all1_delta = t48 * t161;
+        let K0_12_w = t140 + vy_all1_delta;
+        let K0_22_w = wx_delta2_delta * K0_12_w;
+        let t165 = t32 * K2_12;
+        let t166 = t32 * t125;
+        let K2_22_w = yaw_per_v_delta * (t166 - K0_12_w);
+        let t169 = t15 * wx_delta2_delta_lam;
+        let M_12_c = t88 + t169;
+        let t171 = wx_delta2_delta_lam - t129;
+        let t172 = self.mH * t171;
+        let M_22_c = t139 * t172 + yaw_per_v_delta * M_22_yaw_by_delta;
+        let C1_22_c = yaw_per_v_delta * t154 - t149 * t171;
+        let K0_12_c = t172 - t161;
+        let K0_22_c = wx_delta2_delta * K0_12_c;
+        let t181 = yaw_per_v_delta * K0_12_c;
+        let K0_12_zH = self.mH * wx_delta2_delta;
+        let t184 = t52 * K0_12_zH - t169;
+        let M_12_lam = t7 * wx_delta2_delta_lam - t67 - self.zH * t184
+            - M_12_yaw_by_delta * t104;
+        let t193 = wx_delta2_delta_lam * t39;
+        let M_22_lam = t193 + t193 - wx_delta2_delta * (M_22_wz_delta2_delta + t137)
+            - t139 * t184;
+        let t200 = t119 + t124 + wx_delta2_delta * t145;
+        let C1_21_lam = t124 + t96 * t104;
+        let C1_12_mF = self.rF * wz_delta2_delta;
+        let C1_22_lam = wx_delta2_delta * (t158 - C1_22_wz_delta2_delta) + t148 * t184
+            + wx_delta2_delta_lam * (self.IHxz * yaw_per_v_delta + self.mF * C1_12_mF);
+        let t215 = t100 + t184 - t42 * t104;
+        let K0_22_lam = wx_delta2_delta_lam * K0_12 - wx_delta2_delta * t215;
+        let t219 = wx_delta2_delta * t143;
+        let K2_22_lam = wx_delta2_delta * t166 + yaw_per_v_delta * (t92 + t215);
+        let M_11_rR = t78 + t78;
+        let t226 = self.mR - t94 * h_spin_R;
+        let C1_12_rR = yaw_by_delta * t226;
+        let K2_12_IRyy = yaw_per_v_delta * t94;
+        let C1_12_IRyy = self.c * K2_12_IRyy;
+        let C1_21_rR = h_spin_R * C1_12_IRyy;
+        let K2_12_rR = yaw_per_v_delta * t226;
         let C1_12_mR = self.rR * yaw_by_delta;
         let K2_12_mR = self.rR * yaw_per_v_delta;
-        let C1_22_IRxx = yaw_by_delta * yaw_per_v_delta;
-        let M_22_IRxx = self.c * C1_22_IRxx;
-        let K2_12_IRyy = t84 * yaw_per_v_delta;
-        let t236 = yaw_by_delta * t90;
-        let t237 = self.xB * yaw_per_v_delta;
-        let t238 = self.c * t237;
-        let t239 = self.mB * yaw_by_delta;
-        let t240 = t238 * t239;
-        let M_22_xB = t240 + t240;
-        let t242 = yaw_per_v_delta * t90;
-        let t244 = yaw_by_delta + t237;
-        let vy_all1_delta_xB = t239 * t244;
-        let C1_22_xB = yaw_by_delta * t108 + vy_all1_delta_xB;
-        let t247 = wx_delta2_delta * t239;
-        let K2_22_xB = self.mB * C1_22_IRxx;
-        let M_11_zB = t90 + t90;
-        let t250 = self.mB * t244;
-        let t251 = self.zB * t238;
-        let M_22_mB = t238 * t238;
-        let t253 = self.zB * t244;
-        let C1_22_mB = t238 * t244;
-        let t255 = wx_delta2_delta * t238;
-        let t256 = self.zB * yaw_per_v_delta;
-        let K2_22_mB = yaw_per_v_delta * t238;
-        let t258 = self.mH * wz_delta2_delta;
-        let t259 = self.zH * t258;
-        let t260 = wz_delta2_delta * t135;
-        let t261 = self.zH * yaw_per_v_delta;
-        let t262 = self.mH * t261;
-        let t264 = K0_12_mH * yaw_per_v_delta;
-        let C1_22_xH = self.mH * (wz_delta2_delta * t153 - t264);
-        let t267 = wx_delta2_delta * t258;
-        let C1_22_IHzz = wz_delta2_delta * yaw_per_v_delta;
+        let M_22_IRxx = yaw_by_delta * yaw_by_delta;
+        let C1_22_IRxx = yaw_per_v_delta * yaw_by_delta;
+        let t237 = t11 * yaw_by_delta;
+        let C1_22_yaw_by_delta = yaw_by_delta * t112;
+        let M_22_xB = C1_22_yaw_by_delta + C1_22_yaw_by_delta;
+        let t240 = t11 * yaw_per_v_delta;
+        let t241 = self.mB * yaw_by_delta;
+        let t242 = t161 + t241;
+        let C1_22_xB = yaw_by_delta * (t161 + t242);
+        let t245 = wx_delta2_delta * t241;
+        let K2_22_xB = yaw_per_v_delta * t241;
+        let M_11_zB = t11 + t11;
+        let t248 = self.mB * yaw_per_v_delta;
+        let M_11_mB = self.zB * self.zB;
+        let t250 = self.c * self.xB;
+        let t251 = self.zB * yaw_per_v_delta;
+        let t252 = t250 * t251;
+        let K2_22_mB = self.xB * C1_22_IRxx;
+        let M_22_mB = t250 * K2_22_mB;
+        let t255 = self.c + self.xB;
+        let t256 = t251 * t255;
+        let C1_22_mB = K2_22_mB * t255;
+        let t258 = yaw_by_delta * self.xB;
+        let K2_22_h_spin_F = yaw_per_v_delta * wx_delta2_delta;
+        let t260 = t250 * K2_22_h_spin_F;
+        let t261 = t15 * wz_delta2_delta;
+        let t262 = self.mH * wz_delta2_delta;
+        let t263 = t139 * t262;
+        let t264 = self.zH * yaw_per_v_delta;
+        let t265 = self.mH * t264;
+        let t267 = self.mH * yaw_per_v_delta;
+        let C1_22_xH = wz_delta2_delta * t149 - K0_12_mH * t267;
+        let t270 = self.mH * t106;
+        let C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
         let K2_22_xH = self.mH * C1_22_IHzz;
-        let M_11_zH = t16 + t16;
-        let M_12_zH = t73 + t16 * wx_delta2_delta;
-        let M_22_zH = wx_delta2_delta * t135;
-        let t274 = wx_delta2_delta * t154;
+        let M_11_zH = t15 + t15;
+        let M_12_zH = t70 + self.zH * K0_12_zH;
+        let t276 = wx_delta2_delta * t70;
+        let M_22_zH = t276 + t276;
+        let t278 = t148 * K0_12_zH;
         let K0_22_zH = wx_delta2_delta * K0_12_zH;
-        let t276 = self.mH * yaw_per_v_delta;
-        let K2_22_h_spin_F = wx_delta2_delta_lam * t194;
-        let t278 = self.mH * K2_22_h_spin_F;
+        let t280 = yaw_per_v_delta * K0_12_zH;
         let M_11_mH = self.zH * self.zH;
+        let M_12_mH = self.zH * K0_12_mH;
         let M_22_mH = K0_12_mH * K0_12_mH;
-        let t281 = self.zH * t153;
-        let t282 = K0_12_mH * t153;
+        let t284 = self.zH * t148;
+        let t285 = K0_12_mH * t148;
         let K0_22_mH = wx_delta2_delta * K0_12_mH;
+        let t287 = yaw_per_v_delta * K0_12_mH;
         let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
         let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-        let t286 = wz_delta2_delta * wx_delta2_delta;
-        let M_22_IHxz = t286 + t286;
-        let M_11_rF = t4 + t4;
-        let M_12_rF = t118 + t118;
-        let M_22_rF = t206 + t206;
-        let t292 = self.mF - t80 * h_spin_F;
-        let C1_12_rF = wz_delta2_delta * t292;
-        let C1_12_IFyy = wz_delta2_delta * t80;
+        let M_22_IHxz = t106 + t106;
+        let M_11_rF = t79 + t79;
+        let M_12_rF = t119 + t119;
+        let M_22_rF = wx_delta2_delta * M_12_rF;
+        let t295 = self.mF - t90 * h_spin_F;
+        let C1_12_rF = wz_delta2_delta * t295;
+        let C1_12_IFyy = wz_delta2_delta * t90;
         let C1_21_rF = h_spin_F * C1_12_IFyy;
-        let C1_22_rF = self.mF * t286;
-        let t297 = self.mF * wx_delta2_delta;
-        let t298 = self.mF * M_22_IHxx;
-        let K2_12_rF = yaw_per_v_delta * t292;
-        let K2_22_rF = wx_delta2_delta * K2_12_rF;
-        let M_11_mF = self.rF * self.rF;
-        let M_12_mF = self.rF * t117;
+        let t299 = self.mF * wx_delta2_delta;
+        let C1_22_rF = wz_delta2_delta * t299;
+        let t301 = self.mF * M_22_IHxx;
+        let K2_12_rF = yaw_per_v_delta * t295;
+        let K2_22_rF = K2_22_h_spin_F * t295;
+        let M_12_mF = M_11_mF * wx_delta2_delta;
         let M_22_mF = wx_delta2_delta * M_12_mF;
-        let t304 = self.rF * M_22_IHxx;
+        let t306 = self.rF * wx_delta2_delta;
+        let C1_22_mF = wz_delta2_delta * t306;
+        let t308 = wx_delta2_delta * t306;
         let K2_12_mF = self.rF * yaw_per_v_delta;
-        let K2_22_mF = self.rF * K2_22_h_spin_F;
+        let K2_22_mF = wx_delta2_delta * K2_12_mF;
         let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let K2_12_IFyy = t80 * yaw_per_v_delta;
-        let K2_22_IFyy = wx_delta2_delta * K2_12_IFyy;
-        let C1_21 = -t88;
-        let K0_11 = t92 - t4;
-        let K0_12 = -t119;
-        let K0_22 = -(wx_delta2_delta * t119);
+        let K2_12_IFyy = yaw_per_v_delta * t90;
+        let K2_22_IFyy = t90 * K2_22_h_spin_F;
+        let C1_21 = -t99;
+        let K2_22 = -(yaw_per_v_delta * t125);
         (
             WhippleSprungMatrices::from_entries([
                 M_11, M_12, M_12, M_22, zero, zero, zero, self.d, zero, C1_12, C1_21, C1_22, zero,
@@ -549,20 +548,20 @@ impl<T: Number> WhippleSprung<T> {
             ]),
             WhippleSprungDerivatives {
                 values: [
-                    M_12_w, M_22_w, t144, C1_21_w, t156, K0_12_w, K0_22_w, t160, t163, M_12_c,
-                    M_22_c, K2_12, t169, C1_22_c, K0_12_c, K0_22_c, t176, M_12_lam, t193, t196,
-                    C1_21_lam, t209, K0_12_lam, K0_22_lam, t217, K2_22_lam, M_11_rR, C1_12_rR,
+                    M_12_w, M_22_w, t146, C1_21_w, C1_22_w, K0_12_w, K0_22_w, t165, K2_22_w, M_12_c,
+                    M_22_c, K2_12, t97, C1_22_c, K0_12_c, K0_22_c, t181, M_12_lam, M_22_lam, t200,
+                    C1_21_lam, C1_22_lam, t215, K0_22_lam, t219, K2_22_lam, M_11_rR, C1_12_rR,
                     C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
-                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t236, M_22_xB,
-                    t242, C1_22_xB, t239, t247, K2_22_xB, M_11_zB, t109, t250, self.mB, t107,
-                    M_11_mB, t251, M_22_mB, t253, C1_22_mB, self.zB, t238, t255, t256, K2_22_mB,
-                    yaw_by_delta, yaw_per_v_delta, t259, t260, t262, C1_22_xH, t258, t267, K2_22_xH,
-                    M_11_zH, M_12_zH, M_22_zH, t154, t274, self.mH, K0_12_zH, K0_22_zH, t276, t278,
-                    M_11_mH, M_12_mH, M_22_mH, t281, t282, self.zH, K0_12_mH, K0_22_mH, t261, t264,
+                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t237, M_22_xB,
+                    t240, C1_22_xB, t241, t245, K2_22_xB, M_11_zB, t112, t242, self.mB, t248,
+                    M_11_mB, t252, M_22_mB, t256, C1_22_mB, self.zB, t258, t260, t251, K2_22_mB,
+                    yaw_by_delta, yaw_per_v_delta, t261, t263, t265, C1_22_xH, t262, t270, K2_22_xH,
+                    M_11_zH, M_12_zH, M_22_zH, t149, t278, self.mH, K0_12_zH, K0_22_zH, t267, t280,
+                    M_11_mH, M_12_mH, M_22_mH, t284, t285, self.zH, K0_12_mH, K0_22_mH, t264, t287,
                     wx_delta2_delta, M_22_IHxx, M_22_IHzz, C1_22_IHzz, wz_delta2_delta, M_22_IHxz,
                     K2_22_h_spin_F, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF,
-                    self.mF, t297, t298, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF,
-                    C1_22_mF, self.rF, t117, t304, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy,
+                    self.mF, t299, t301, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF,
+                    C1_22_mF, self.rF, t306, t308, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy,
                     K2_12_IFyy, K2_22_IFyy,
                 ],
             },
@@ -1112,26 +1111,25 @@ impl WhippleSprungDerivatives {
         Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
         Partial::new(MatrixName::M, 1, 1, 0, 1),
         Partial::new(MatrixName::C1, 0, 1, 0, 2).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 0, 3),
-        Partial::new(MatrixName::C1, 1, 1, 0, 4).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
         Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
         Partial::new(MatrixName::K0, 1, 1, 0, 6),
         Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 0, 8).negative(),
-        Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
-        Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
+        Partial::new(MatrixName::K2, 1, 1, 0, 8), Partial::new(MatrixName::M, 0, 1, 1, 9),
+        Partial::new(MatrixName::M, 1, 0, 1, 9), Partial::new(MatrixName::M, 1, 1, 1, 10),
+        Partial::new(MatrixName::C1, 0, 1, 1, 11),
         Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
         Partial::new(MatrixName::C1, 1, 1, 1, 13), Partial::new(MatrixName::K0, 0, 1, 1, 14),
         Partial::new(MatrixName::K0, 1, 0, 1, 14), Partial::new(MatrixName::K0, 1, 1, 1, 15),
         Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
         Partial::new(MatrixName::M, 0, 1, 2, 17),
         Partial::new(MatrixName::M, 1, 0, 2, 17),
-        Partial::new(MatrixName::M, 1, 1, 2, 18).negative(),
+        Partial::new(MatrixName::M, 1, 1, 2, 18),
         Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
         Partial::new(MatrixName::C1, 1, 0, 2, 20),
-        Partial::new(MatrixName::C1, 1, 1, 2, 21).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 2, 22),
-        Partial::new(MatrixName::K0, 1, 0, 2, 22),
+        Partial::new(MatrixName::C1, 1, 1, 2, 21),
+        Partial::new(MatrixName::K0, 0, 1, 2, 22).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 2, 22).negative(),
         Partial::new(MatrixName::K0, 1, 1, 2, 23),
         Partial::new(MatrixName::K2, 0, 1, 2, 24).negative(),
         Partial::new(MatrixName::K2, 1, 1, 2, 25), Partial::new(MatrixName::M, 0, 0, 4, 26),

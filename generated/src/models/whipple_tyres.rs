@@ -231,53 +231,54 @@ impl<T: Number> WhippleTyres<T> {
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleTyresMatrices<T> {
-        let t2 = self.rR * self.mR;
-        let t7 = self.zH * self.mH;
-        let t14 = self.rF * self.mF;
-        let t19 = self.rF * t14 + (self.IFxx + self.IHxx);
-        let t22 = self.zB * self.mB;
-        let M_11 = self.rR * t2 + (self.IBxx + self.zH * t7)
-            + (self.IRxx + (t19 + self.zB * t22));
+        let t2 = self.zH * self.mH;
+        let t7 = self.rR * self.mR;
+        let K_phi_phi_ = self.zH * t2 + (self.IBxx + self.rR * t7);
+        let t14 = self.zB * self.mB;
+        let t20 = self.rF * self.mF;
+        let t23 = self.IHxx + (self.IFxx + self.rF * t20);
+        let M_11 = K_phi_phi_ + (self.IRxx + (self.zB * t14 + t23));
         let (wx_delta2_delta, cos_lam) = self.lam.sin_cos();
-        let t31 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = cos_lam * t31;
+        let t31 = self.w + self.c;
+        let t36 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = cos_lam * t36;
         let yaw_by_delta = self.c * yaw_per_v_delta;
-        let t37 = t22 * self.xB - self.IBxz;
         let wz_delta2_delta = cos_lam + yaw_by_delta;
-        let t41 = self.IHxz * wz_delta2_delta;
-        let t44 = t41 + t19 * wx_delta2_delta;
-        let t46 = self.c + self.w;
-        let t51 = self.zH * wx_delta2_delta + cos_lam * t46 - wz_delta2_delta * self.xH;
-        let t54 = self.mH * t51;
-        let t57 = self.mB * self.xB;
-        let vy_spin_F4_delta = self.IBzz + self.xB * t57;
-        let t61 = yaw_by_delta * (self.IRxx + vy_spin_F4_delta);
-        let t66 = wz_delta2_delta * (self.IFxx + self.IHzz);
-        let M_22 = t51 * t54 + yaw_by_delta * t61 + wz_delta2_delta * t66
-            + wx_delta2_delta * (t41 + t44);
+        let t42 = self.xH * wz_delta2_delta - self.zH * wx_delta2_delta - cos_lam * t31;
+        let t47 = t14 * self.xB - self.IBxz;
+        let t50 = wz_delta2_delta * self.IHxz;
+        let t52 = t50 + t23 * wx_delta2_delta;
+        let M_12 = t52 - yaw_by_delta * t47 - t2 * t42;
+        let t57 = wz_delta2_delta * (self.IFxx + self.IHzz);
+        let t59 = self.mB * self.xB;
+        let t64 = yaw_by_delta * (self.IRxx + self.xB * t59 + self.IBzz);
+        let t67 = self.mH * t42;
+        let M_22 = wz_delta2_delta * t57 + yaw_by_delta * t64 + t42 * t67
+            + wx_delta2_delta * (t50 + t52);
         let zero = self.w.like(0.0);
-        let t73 = self.mH * self.xH;
-        let t76 = self.IHxz + t14 * t46;
-        let t78 = t22 + (t7 - t2);
-        let h_spin_F = self.IFyy / self.rF;
+        let ay_all1_delta = self.mH * self.xH;
+        let t77 = t7 - t2 - t14;
         let h_spin_R = self.IRyy / self.rR;
-        let h_wheels_all = h_spin_F + h_spin_R;
-        let t84 = h_wheels_all - t78;
-        let t90 = cos_lam * h_spin_F;
-        let t94 = t54 - yaw_by_delta * t57;
+        let h_spin_F = self.IFyy / self.rF;
+        let h_wheels_all = h_spin_R + h_spin_F;
+        let t83 = t77 + h_wheels_all;
+        let vy_delta2_delta = t20 * t31;
+        let t88 = self.IHxz + vy_delta2_delta;
+        let t91 = cos_lam * h_spin_F;
+        let t97 = t67 + yaw_by_delta * t59;
         let C1_22 = yaw_per_v_delta
-            * (t61 - (self.c * t94 + (t51 * t73 - (t66 + wx_delta2_delta * t76))));
-        let t104 = t31 * (t57 + t73);
-        let t114 = (self.mF + t104) * self.rhoF - t14;
-        let K0_11 = t78 - (t104 - self.mR - (self.mH + self.mB)) * self.rhoR + t114;
-        let K0_12 = t94 + wx_delta2_delta * t114;
+            * (t57 + (t64 + wx_delta2_delta * t88 + self.c * t97 + self.xH * t67));
+        let t107 = t36 * (ay_all1_delta + t59);
+        let t114 = (self.mF + t107) * self.rhoF - t20;
+        let K0_12 = wx_delta2_delta * t114 - t97;
         let K0_22 = wx_delta2_delta * K0_12;
-        let K2_12 = yaw_per_v_delta * (t14 + t84);
-        let K2_22 = yaw_per_v_delta * (wx_delta2_delta * (t14 + h_spin_F) - t94);
-        let M_12 = t44 + t7 * t51 - yaw_by_delta * t37;
-        let C1_12 = t90
-            - yaw_per_v_delta * (self.zH * t73 + (t37 - (t76 + self.c * t84)));
-        let C1_21 = -(t90 + yaw_by_delta * h_wheels_all);
+        let vy_all1_delta = t20 + t83;
+        let K2_12 = yaw_per_v_delta * vy_all1_delta;
+        let K2_22 = yaw_per_v_delta * (t97 + wx_delta2_delta * (t20 + h_spin_F));
+        let C1_12 = t91
+            - yaw_per_v_delta * (self.zH * ay_all1_delta + (t47 - self.c * t83) - t88);
+        let C1_21 = -(yaw_by_delta * h_wheels_all + t91);
+        let K0_11 = (self.mB + (self.mH + self.mR) - t107) * self.rhoR + t114 - t77;
         WhippleTyresMatrices::from_entries([
             M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
             K2_12, zero, K2_22,
@@ -5215,248 +5216,232 @@ pub struct WhippleTyresDerivatives<T = f64> {
 
 impl<T: Number> WhippleTyres<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 121 additions, 206 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 335 operations.
+    /// 122 additions, 201 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 329 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleTyresMatrices<T>, WhippleTyresDerivatives<T>) {
-        let t3 = self.zB * self.mB;
-        let M_22_yaw_per_v_delta = self.zB * t3;
-        let t9 = self.rF * self.mF;
-        let t12 = self.IHxx + self.IFxx + self.rF * t9;
-        let t16 = self.zH * self.mH;
+        let t2 = self.zB * self.mB;
+        let t6 = self.zH * self.mH;
         let M_11_mR = self.rR * self.rR;
-        let M_11 = self.IBxx + M_22_yaw_per_v_delta + t12 + self.IRxx + self.zH * t16
-            + self.mR * M_11_mR;
-        let t29 = self.mB * self.xB;
-        let t31 = self.IBxz - self.zB * t29;
+        let M_11_mF = self.rF * self.rF;
+        let t21 = self.IHxx + self.IFxx + self.mF * M_11_mF;
+        let M_11 = self.zB * t2 + self.zH * t6 + self.mR * M_11_mR + self.IRxx
+            + self.IBxx + t21;
         let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
-        let t36 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = wx_delta2_delta_lam * t36;
-        let yaw_by_delta = self.c * yaw_per_v_delta;
+        let t32 = self.w.like(1.0) / self.w;
+        let t33 = self.c * t32;
+        let yaw_by_delta = wx_delta2_delta_lam * t33;
         let wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
-        let t44 = self.IHxz * wz_delta2_delta;
-        let t45 = t12 * wx_delta2_delta + t44;
-        let t46 = self.zH * wx_delta2_delta;
-        let t48 = wz_delta2_delta * self.xH;
-        let t49 = self.c + self.w;
-        let t52 = t46 + wx_delta2_delta_lam * t49 - t48;
-        let t53 = self.mH * t52;
-        let t54 = self.zH * t53;
-        let M_12 = t31 * yaw_by_delta + t45 + t54;
-        let t61 = self.IRxx + self.xB * t29 + self.IBzz;
-        let C1_22_vy_spin_F4_delta = yaw_per_v_delta * yaw_by_delta;
-        let M_22_vy_spin_F4_delta = self.c * C1_22_vy_spin_F4_delta;
-        let M_22_mH = t52 * t52;
-        let t68 = self.IFxx + self.IHzz;
-        let t70 = wx_delta2_delta * self.IHxz;
-        let t71 = wz_delta2_delta * t68 + t70;
-        let M_22 = wx_delta2_delta * t45 + t61 * M_22_vy_spin_F4_delta
-            + self.mH * M_22_mH + wz_delta2_delta * t71;
+        let t36 = self.IHxz * wz_delta2_delta;
+        let t39 = t36 + t21 * wx_delta2_delta;
+        let t43 = self.IBxz - t2 * self.xB;
+        let t45 = self.zH * wx_delta2_delta;
+        let t46 = self.c + self.w;
+        let t48 = t46 - self.xH;
+        let t50 = yaw_by_delta * self.xH;
+        let t52 = t45 + wx_delta2_delta_lam * t48 - t50;
+        let M_12_mH = self.zH * t52;
+        let M_12 = t39 + yaw_by_delta * t43 + self.mH * M_12_mH;
+        let t57 = self.IHxz * wx_delta2_delta;
+        let t59 = self.IFxx + self.IHzz;
+        let t61 = t57 + wz_delta2_delta * t59;
+        let t63 = self.mB * self.xB;
+        let t66 = self.IRxx + self.IBzz + self.xB * t63;
+        let t68 = t61 + yaw_by_delta * t66;
+        let t70 = t61 + t33 * t68;
+        let t72 = self.mH * t52;
+        let M_22 = wx_delta2_delta_lam * t70 + t52 * t72 + wx_delta2_delta * t39;
         let zero = self.w.like(0.0);
-        let t78 = self.w.like(1.0) / self.rF;
-        let h_spin_F = self.IFyy * t78;
-        let t80 = wx_delta2_delta_lam * h_spin_F;
-        let t82 = self.w.like(1.0) / self.rR;
-        let t83 = self.IRyy * t82;
-        let h_wheels_all = h_spin_F + t83;
-        let t85 = self.mR * self.rR;
-        let t87 = t85 - t3 - t16;
-        let t88 = h_wheels_all + t87;
-        let t90 = t9 * t49;
-        let t91 = self.IHxz + t90;
-        let t93 = t31 - t16 * self.xH;
-        let t95 = self.c * t88 + t91 + t93;
-        let t96 = yaw_per_v_delta * t95;
-        let C1_12 = t80 + t96;
-        let t98 = self.c * t36;
-        let t100 = h_spin_F + h_wheels_all * t98;
-        let t104 = self.mH * self.xH;
-        let t107 = t71 + yaw_by_delta * t61 - t52 * t104;
-        let t108 = wx_delta2_delta * t90 + t107;
-        let t109 = t29 * yaw_by_delta;
-        let t110 = t109 - t53;
-        let C1_22_yaw_by_delta = t108 + self.c * t110;
-        let C1_22 = yaw_per_v_delta * C1_22_yaw_by_delta;
-        let t115 = t29 + t104;
-        let t116 = t36 * t115;
-        let K0_11_rhoF = self.mF + t116;
-        let t118 = self.rhoF * K0_11_rhoF;
-        let t120 = self.mH - t116;
-        let K0_11_rhoR = self.mB + self.mR + t120;
-        let K0_11 = t118 + self.rhoR * K0_11_rhoR - t9 - t87;
-        let t128 = t110 + t9 * wx_delta2_delta;
+        let t79 = self.w.like(1.0) / self.rF;
+        let h_spin_F = self.IFyy * t79;
+        let t81 = wx_delta2_delta_lam * h_spin_F;
+        let yaw_per_v_delta = wx_delta2_delta_lam * t32;
+        let t83 = self.mR * self.rR;
+        let t85 = t2 + t6 - t83;
+        let t87 = self.w.like(1.0) / self.rR;
+        let t88 = self.IRyy * t87;
+        let h_wheels_all = h_spin_F + t88;
+        let t90 = t85 - h_wheels_all;
+        let t92 = self.mF * self.rF;
+        let t94 = self.IHxz + t46 * t92;
+        let t98 = t43 + t94 - self.c * t90 - t6 * self.xH;
+        let t99 = yaw_per_v_delta * t98;
+        let C1_12 = t81 + t99;
+        let t101 = yaw_per_v_delta * h_wheels_all;
+        let ay_all1_delta = self.c * t101;
+        let t104 = yaw_by_delta * self.xB;
+        let t105 = self.mB * t104;
+        let t106 = self.mF * wx_delta2_delta;
+        let t107 = self.rF * t106;
+        let t109 = t105 + t107 - t72;
+        let t112 = t68 - self.xH * t72;
+        let t114 = t112 + self.w * t107;
+        let C1_22 = yaw_by_delta * t109 + yaw_per_v_delta * t114;
+        let t118 = t32 * t63;
+        let t120 = self.mH * t32 * self.xH;
+        let t121 = t118 + t120;
+        let K0_11_rhoF = self.mF + t121;
+        let t123 = self.rhoF * K0_11_rhoF;
+        let t125 = self.mH - t120;
+        let K0_11_rhoR = self.mB + self.mR + t125 - t118;
+        let K0_11 = t85 + t123 + self.rhoR * K0_11_rhoR - t92;
         let K0_12_rhoF = wx_delta2_delta * K0_11_rhoF;
-        let t130 = self.rhoF * K0_12_rhoF;
-        let t131 = t128 - t130;
-        let K2_12_yaw_per_v_delta = t9 + t88;
-        let K2_12 = yaw_per_v_delta * K2_12_yaw_per_v_delta;
-        let t135 = wx_delta2_delta * h_spin_F;
-        let K2_22_yaw_per_v_delta = t128 + t135;
-        let K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
-        let t138 = self.IHxz + t93;
-        let t139 = yaw_per_v_delta * t138;
-        let t141 = self.mH * wx_delta2_delta_lam;
-        let t142 = self.zH * t141;
-        let M_12_w = t142 - t98 * t139;
-        let t144 = yaw_per_v_delta * t107;
-        let t145 = t144 + t144;
-        let t147 = t53 + t53;
-        let t148 = wx_delta2_delta_lam * t147;
-        let M_22_w = t148 - t98 * t145;
-        let t150 = t9 * wx_delta2_delta_lam;
-        let C1_12_w = t36 * (t150 - t96);
-        let t153 = yaw_per_v_delta * h_wheels_all;
-        let C1_21_w = t98 * t153;
-        let t155 = self.c * wx_delta2_delta_lam;
-        let t156 = t36 * t116;
-        let t159 = wx_delta2_delta_lam * (t141 + t155 * t156);
-        let t161 = yaw_per_v_delta * t104;
-        let t166 = t110 + self.xH * t161 + yaw_per_v_delta * (t61 + t68);
-        let C1_22_yaw_per_v_delta = t108 + self.c * t166;
-        let t172 = t36 * wx_delta2_delta;
-        let vy_spin_F4_delta_mB = t9 * t172;
-        let t175 = wx_delta2_delta_lam * (t161 - vy_spin_F4_delta_mB);
-        let t176 = t36 * (self.c * t159 + yaw_per_v_delta * C1_22_yaw_per_v_delta)
-            + t175;
-        let t177 = self.rhoF - self.rhoR;
-        let t178 = t156 * t177;
-        let t179 = wx_delta2_delta * self.rhoF;
-        let t180 = t155 - t179;
-        let K0_12_w = t141 + t156 * t180;
-        let K0_22_w = wx_delta2_delta * K0_12_w;
-        let t184 = t36 * K2_12;
-        let t186 = t36 * (K2_22 + t159);
-        let M_12_c = t139 + t142;
-        let M_22_c = t145 + t148;
-        let K0_12_c = wx_delta2_delta_lam * t120;
-        let t191 = yaw_per_v_delta * K0_12_c;
-        let C1_22_c = yaw_per_v_delta * t166 - t175 - self.c * t191;
+        let K0_12 = self.rhoF * K0_12_rhoF - t109;
+        let K0_22 = wx_delta2_delta * K0_12;
+        let vy_all1_delta = t92 - t90;
+        let K2_12 = yaw_per_v_delta * vy_all1_delta;
+        let t139 = wx_delta2_delta * h_spin_F;
+        let t140 = t109 + t139;
+        let K2_22 = yaw_per_v_delta * t140;
+        let t143 = wx_delta2_delta_lam + t32 * t50;
+        let t144 = self.mH * t143;
+        let t146 = self.IHxz + t43;
+        let t147 = yaw_per_v_delta * t146;
+        let C1_22_yaw_by_delta = t33 * t147;
+        let M_12_w = self.zH * t144 - C1_22_yaw_by_delta;
+        let t150 = t32 * t112;
+        let t153 = wx_delta2_delta_lam * (t72 - t33 * t150);
+        let M_22_w = t153 + t153;
+        let t155 = wx_delta2_delta_lam * t92;
+        let C1_12_w = t32 * (t155 - t99);
+        let C1_21_w = t32 * ay_all1_delta;
+        let M_22_wz_delta2_delta = yaw_per_v_delta * (t59 + t66);
+        let t162 = t105 + t109 + M_22_wz_delta2_delta;
+        let t164 = t114 + self.c * t162;
+        let t168 = self.c + self.xH;
+        let t169 = self.mH * yaw_per_v_delta;
+        let t170 = t168 * t169;
+        let C1_22_w = yaw_per_v_delta * (t107 - t32 * t164) - t143 * t170;
+        let t174 = t32 * (self.rhoF - self.rhoR);
+        let t175 = t121 * t174;
+        let t176 = t32 * wx_delta2_delta;
+        let t177 = self.rhoF * t176;
+        let t178 = t121 * t177;
+        let K2_22_yaw_by_delta = wx_delta2_delta_lam * t118;
+        let t181 = t144 + t33 * K2_22_yaw_by_delta;
+        let t183 = wx_delta2_delta * (t178 - t181);
+        let t184 = t32 * K2_12;
+        let t187 = yaw_per_v_delta * (t181 + t32 * t140);
+        let t188 = wx_delta2_delta_lam * t125;
+        let M_12_c = t147 + self.zH * t188;
+        let t192 = wx_delta2_delta_lam * (t72 + t150);
+        let M_22_c = t192 + t192;
+        let t195 = yaw_per_v_delta * t168;
+        let C1_22_c = yaw_per_v_delta * t162 - t188 * t195;
+        let K0_12_c = t188 - K2_22_yaw_by_delta;
         let K0_22_c = wx_delta2_delta * K0_12_c;
-        let t196 = t12 * wx_delta2_delta_lam;
-        let t197 = self.xH - t49;
-        let K0_12_zH = self.mH * wx_delta2_delta;
-        let t200 = t142 + t197 * K0_12_zH;
-        let t202 = wx_delta2_delta * t98;
-        let M_12_lam = t196 + self.zH * t200 - t70 - t138 * t202;
-        let M_22_zH = wx_delta2_delta * t147;
-        let t215 = wx_delta2_delta * (t71 + t98 * t107 - t196)
-            - wx_delta2_delta_lam * (t44 + t54);
-        let t217 = t215 + t215 - t197 * M_22_zH;
-        let t219 = t135 + t95 * t172;
-        let C1_21_lam = wx_delta2_delta * t100;
-        let t223 = t200 + t115 * t202;
-        let t232 = yaw_per_v_delta
-            * (wx_delta2_delta * t68 + self.c * t223 + self.xH * t200
-                - wx_delta2_delta_lam * t91) + C1_22_yaw_per_v_delta * t172;
-        let t233 = t223 - t150;
-        let vy_spin_F4_delta_xB = wx_delta2_delta_lam * t118;
-        let K0_12_lam = t233 + vy_spin_F4_delta_xB;
-        let K0_22_lam = wx_delta2_delta * K0_12_lam - wx_delta2_delta_lam * t131;
-        let t239 = K2_12_yaw_per_v_delta * t172;
-        let K2_22_lam = yaw_per_v_delta * (t80 - t233) - K2_22_yaw_per_v_delta * t172;
-        let M_11_rR = t85 + t85;
-        let t245 = t82 * t83;
-        let t246 = self.mR - t245;
-        let C1_12_rR = yaw_by_delta * t246;
-        let C1_21_rR = yaw_by_delta * t245;
-        let K2_12_rR = yaw_per_v_delta * t246;
+        let t200 = yaw_per_v_delta * K0_12_c;
+        let t201 = t33 * wx_delta2_delta;
+        let t203 = t21 * wx_delta2_delta_lam;
+        let t208 = self.xH * t201 + self.zH * wx_delta2_delta_lam
+            - wx_delta2_delta * t48;
+        let t212 = t57 + t146 * t201 - t203 - t6 * t208;
+        let t218 = wx_delta2_delta_lam * t36 + t72 * t208
+            - wx_delta2_delta * (t70 - t203);
+        let M_22_lam = t218 + t218;
+        let t221 = t139 + t98 * t176;
+        let C1_21_lam = t139 + h_wheels_all * t201;
+        let C1_22_lam = wx_delta2_delta_lam * yaw_per_v_delta * t94 - t170 * t208
+            - t176 * (t164 + wx_delta2_delta_lam * t59);
+        let t235 = self.mH * t208 + t63 * t201 - t155;
+        let K0_12_lam = t235 + wx_delta2_delta_lam * t123;
+        let K0_22_lam = wx_delta2_delta_lam * K0_12 + wx_delta2_delta * K0_12_lam;
+        let t241 = vy_all1_delta * t176;
+        let K2_22_lam = yaw_per_v_delta * (t81 - t235) - t140 * t176;
+        let M_11_rR = t83 + t83;
+        let K2_12_rR = yaw_per_v_delta * (self.mR - t87 * t88);
+        let C1_12_rR = self.c * K2_12_rR;
+        let C1_12_IRyy = yaw_by_delta * t87;
+        let C1_21_rR = t88 * C1_12_IRyy;
         let C1_12_mR = self.rR * yaw_by_delta;
         let K0_11_mR = self.rhoR - self.rR;
         let K2_12_mR = self.rR * yaw_per_v_delta;
-        let C1_12_IRyy = yaw_by_delta * t82;
-        let K2_12_IRyy = yaw_per_v_delta * t82;
-        let t256 = t3 * yaw_by_delta;
-        let t257 = yaw_by_delta * t109;
-        let M_22_xB = t257 + t257;
-        let t259 = self.mB * yaw_per_v_delta;
-        let t260 = self.zB * t259;
-        let t261 = self.xB + self.c;
-        let K2_22_xB = self.mB * C1_22_vy_spin_F4_delta;
-        let C1_22_xB = (self.xB + t261) * K2_22_xB;
-        let t265 = self.mB * t36;
-        let K0_11_xB = t177 * t265;
-        let t267 = t180 * t265;
-        let t268 = wx_delta2_delta * t267;
-        let M_11_zB = t3 + t3;
-        let t270 = t259 * t261;
+        let C1_22_IRxx = yaw_by_delta * yaw_per_v_delta;
+        let M_22_IRxx = self.c * C1_22_IRxx;
+        let K2_12_IRyy = yaw_per_v_delta * t87;
+        let t260 = t2 * yaw_per_v_delta;
+        let t261 = self.c * t260;
+        let t262 = t63 * M_22_IRxx;
+        let M_22_xB = t262 + t262;
+        let K2_22_mB = yaw_per_v_delta * t104;
+        let t265 = M_22_IRxx + K2_22_mB;
+        let C1_22_xB = self.mB * (K2_22_mB + t265);
+        let K0_11_xB = self.mB * t174;
+        let t269 = yaw_by_delta - t177;
+        let t270 = self.mB * t269;
+        let t271 = wx_delta2_delta * t270;
+        let K2_22_xB = self.mB * C1_22_IRxx;
+        let M_11_zB = t2 + t2;
+        let t275 = K2_22_yaw_by_delta + self.mB * yaw_by_delta;
+        let t276 = self.mB * yaw_per_v_delta;
         let M_11_mB = self.zB * self.zB;
-        let t272 = self.xB * yaw_by_delta;
-        let t273 = self.zB * t272;
-        let M_22_mB = t272 * t272;
-        let t275 = self.zB * yaw_per_v_delta;
-        let t276 = t261 * t275;
-        let K2_22_mB = self.xB * C1_22_vy_spin_F4_delta;
-        let C1_22_mB = t261 * K2_22_mB;
-        let t279 = self.xB * t36;
-        let K0_11_mB = self.zB + self.rhoR + t177 * t279;
-        let t283 = t180 * t279;
-        let t284 = wx_delta2_delta * t283;
-        let t285 = t16 * wz_delta2_delta;
-        let t286 = wz_delta2_delta * t147;
-        let t287 = t36 * t142;
-        let t288 = self.mH * wz_delta2_delta;
-        let t290 = t36 * t141;
-        let C1_22_xH = yaw_by_delta * t288 + t290 * (t48 - t52);
-        let t294 = self.mH * t36;
-        let K0_11_xH = t177 * t294;
-        let t296 = t179 * t294;
-        let t298 = wx_delta2_delta * (t288 - t296);
-        let K2_22_xH = yaw_per_v_delta * t288;
-        let M_11_zH = t16 + t16;
-        let M_12_zH = t53 + self.mH * t46;
-        let t304 = t161 + self.mH * yaw_by_delta;
-        let t305 = wx_delta2_delta * t304;
-        let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
-        let K0_22_zH = self.mH * M_22_IHxx;
-        let K2_22_h_spin_F = yaw_per_v_delta * wx_delta2_delta;
-        let t309 = self.mH * K2_22_h_spin_F;
+        let t278 = self.zB * t104;
+        let M_22_mB = t104 * t104;
+        let t281 = self.zB * yaw_per_v_delta;
+        let t282 = (self.c + self.xB) * t281;
+        let C1_22_mB = self.xB * t265;
+        let K0_11_mB = self.zB + self.rhoR + self.xB * t174;
+        let t287 = self.xB * t269;
+        let t288 = wx_delta2_delta * t287;
+        let t289 = t6 * wz_delta2_delta;
+        let t290 = t72 + t72;
+        let t291 = wz_delta2_delta * t290;
+        let t292 = self.zH * yaw_per_v_delta;
+        let t293 = self.mH * t292;
+        let C1_22_xH = wz_delta2_delta * t170 - t72 * yaw_per_v_delta;
+        let K0_11_xH = self.mH * t174;
+        let t299 = self.mH * (wz_delta2_delta - t177);
+        let t300 = wx_delta2_delta * t299;
+        let K2_22_xH = wz_delta2_delta * t169;
+        let M_11_zH = t6 + t6;
+        let M_12_zH = t72 + self.mH * t45;
+        let M_22_zH = wx_delta2_delta * t290;
+        let K0_12_zH = self.mH * wx_delta2_delta;
+        let t307 = t195 * K0_12_zH;
+        let K0_22_zH = wx_delta2_delta * K0_12_zH;
+        let t309 = yaw_per_v_delta * K0_12_zH;
         let M_11_mH = self.zH * self.zH;
-        let M_12_mH = self.zH * t52;
-        let t312 = self.zH * yaw_per_v_delta;
-        let t313 = self.c + self.xH;
-        let t314 = t312 * t313;
-        let t315 = yaw_per_v_delta * t52;
-        let t316 = t313 * t315;
-        let t317 = t36 * self.xH;
-        let K0_11_mH = self.zH + self.rhoR + t177 * t317;
-        let K0_12_mH = t52 + t179 * t317;
+        let M_22_mH = t52 * t52;
+        let t312 = self.zH * t195;
+        let t313 = t52 * yaw_per_v_delta;
+        let t314 = t168 * t313;
+        let K0_11_mH = self.zH + self.rhoR + self.xH * t174;
+        let K0_12_mH = t52 + self.xH * t177;
         let K0_22_mH = wx_delta2_delta * K0_12_mH;
+        let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
         let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-        let C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
-        let t326 = wx_delta2_delta * wz_delta2_delta;
-        let M_22_IHxz = t326 + t326;
-        let M_11_rF = t9 + t9;
-        let M_12_rF = wx_delta2_delta * M_11_rF;
+        let C1_22_IHzz = wz_delta2_delta * yaw_per_v_delta;
+        let t324 = wz_delta2_delta * wx_delta2_delta;
+        let M_22_IHxz = t324 + t324;
+        let K2_22_h_spin_F = wx_delta2_delta_lam * t176;
+        let M_11_rF = t92 + t92;
+        let M_12_rF = t107 + t107;
         let M_22_rF = wx_delta2_delta * M_12_rF;
-        let t331 = self.mF * yaw_per_v_delta;
-        let t332 = t49 * t331;
-        let C1_12_IFyy = wz_delta2_delta * t78;
+        let t330 = self.mF * yaw_per_v_delta;
+        let t331 = t46 * t330;
+        let C1_12_IFyy = wz_delta2_delta * t79;
         let C1_21_rF = h_spin_F * C1_12_IFyy;
-        let C1_12_rF = t332 - C1_21_rF;
-        let C1_22_rF = wx_delta2_delta * t332;
-        let t337 = self.mF * wx_delta2_delta;
-        let t338 = self.mF * M_22_IHxx;
-        let K2_12_IFyy = yaw_per_v_delta * t78;
-        let K2_12_rF = t331 - h_spin_F * K2_12_IFyy;
-        let M_11_mF = self.rF * self.rF;
-        let M_12_mF = wx_delta2_delta * M_11_mF;
+        let C1_12_rF = t331 - C1_21_rF;
+        let C1_22_rF = wx_delta2_delta * t331;
+        let t336 = wx_delta2_delta * t106;
+        let K2_12_IFyy = t79 * yaw_per_v_delta;
+        let K2_12_rF = t330 - h_spin_F * K2_12_IFyy;
+        let K2_22_rF = wx_delta2_delta * K2_12_rF;
+        let M_12_mF = M_11_mF * wx_delta2_delta;
         let M_22_mF = wx_delta2_delta * M_12_mF;
         let K2_12_mF = self.rF * yaw_per_v_delta;
-        let C1_12_mF = t49 * K2_12_mF;
-        let C1_22_mF = wx_delta2_delta * C1_12_mF;
-        let t350 = wx_delta2_delta * (self.rF - self.rhoF);
-        let t351 = wx_delta2_delta * t350;
+        let C1_12_mF = t46 * K2_12_mF;
         let K2_22_mF = self.rF * K2_22_h_spin_F;
+        let C1_22_mF = t46 * K2_22_mF;
+        let t348 = wx_delta2_delta * (self.rF - self.rhoF);
+        let t349 = wx_delta2_delta * t348;
         let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let K2_22_IFyy = t78 * K2_22_h_spin_F;
+        let K2_22_IFyy = t79 * K2_22_h_spin_F;
         let K0_22_rhoF = wx_delta2_delta * K0_12_rhoF;
-        let C1_21 = -(wx_delta2_delta_lam * t100);
-        let K0_12 = t130 - t128;
-        let K0_22 = -(wx_delta2_delta * t131);
-        let K0_12_xH = t296 - t288;
-        let t360 = -(wx_delta2_delta * K2_12_rF);
+        let C1_21 = -(t81 + ay_all1_delta);
+        let K0_12_w = t181 - t178;
         let K0_11_mF = self.rhoF - self.rF;
         (
             WhippleTyresMatrices::from_entries([
@@ -5465,22 +5450,22 @@ impl<T: Number> WhippleTyres<T> {
             ]),
             WhippleTyresDerivatives {
                 values: [
-                    M_12_w, M_22_w, C1_12_w, C1_21_w, t176, t178, K0_12_w, K0_22_w, t184, t186,
-                    M_12_c, M_22_c, K2_12, t153, C1_22_c, K0_12_c, K0_22_c, t191, M_12_lam, t217,
-                    t219, C1_21_lam, t232, K0_12_lam, K0_22_lam, t239, K2_22_lam, M_11_rR, C1_12_rR,
-                    C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, K0_11_mR, K2_12_mR,
-                    self.w.like(1.0), M_22_vy_spin_F4_delta, C1_22_vy_spin_F4_delta, C1_12_IRyy,
-                    K2_12_IRyy, t256, M_22_xB, t260, C1_22_xB, K0_11_xB, t267, t268, K2_22_xB,
-                    M_11_zB, t109, t270, self.mB, t259, M_11_mB, t273, M_22_mB, t276, C1_22_mB,
-                    K0_11_mB, t283, t284, t275, K2_22_mB, yaw_by_delta, yaw_per_v_delta, t285, t286,
-                    t287, C1_22_xH, K0_11_xH, K0_12_xH, t298, K2_22_xH, M_11_zH, M_12_zH, M_22_zH,
-                    t304, t305, self.mH, K0_12_zH, K0_22_zH, t290, t309, M_11_mH, M_12_mH, M_22_mH,
-                    t314, t316, K0_11_mH, K0_12_mH, K0_22_mH, t312, t315, wx_delta2_delta,
-                    M_22_IHxx, M_22_IHzz, C1_22_IHzz, wz_delta2_delta, M_22_IHxz, K2_22_h_spin_F,
-                    M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t337, t338,
-                    K2_12_rF, t360, M_11_mF, M_12_mF, M_22_mF, C1_12_mF, C1_22_mF, K0_11_mF, t350,
-                    t351, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy, K2_12_IFyy, K2_22_IFyy,
-                    K0_11_rhoR, K0_11_rhoF, K0_12_rhoF, K0_22_rhoF,
+                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, t175, K0_12_w, t183, t184, t187,
+                    M_12_c, M_22_c, K2_12, t101, C1_22_c, K0_12_c, K0_22_c, t200, t212, M_22_lam,
+                    t221, C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t241, K2_22_lam, M_11_rR,
+                    C1_12_rR, C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, K0_11_mR, K2_12_mR,
+                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t261, M_22_xB,
+                    t260, C1_22_xB, K0_11_xB, t270, t271, K2_22_xB, M_11_zB, t105, t275, self.mB,
+                    t276, M_11_mB, t278, M_22_mB, t282, C1_22_mB, K0_11_mB, t287, t288, t281,
+                    K2_22_mB, yaw_by_delta, yaw_per_v_delta, t289, t291, t293, C1_22_xH, K0_11_xH,
+                    t299, t300, K2_22_xH, M_11_zH, M_12_zH, M_22_zH, t170, t307, self.mH, K0_12_zH,
+                    K0_22_zH, t169, t309, M_11_mH, M_12_mH, M_22_mH, t312, t314, K0_11_mH, K0_12_mH,
+                    K0_22_mH, t292, t313, wx_delta2_delta, M_22_IHxx, M_22_IHzz, C1_22_IHzz,
+                    wz_delta2_delta, M_22_IHxz, K2_22_h_spin_F, M_11_rF, M_12_rF, M_22_rF, C1_12_rF,
+                    C1_21_rF, C1_22_rF, self.mF, t106, t336, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF,
+                    M_22_mF, C1_12_mF, C1_22_mF, K0_11_mF, t348, t349, K2_12_mF, K2_22_mF,
+                    M_22_IFxx, C1_12_IFyy, K2_12_IFyy, K2_22_IFyy, K0_11_rhoR, K0_11_rhoF,
+                    K0_12_rhoF, K0_22_rhoF,
                 ],
             },
         )
@@ -6034,11 +6019,10 @@ impl WhippleTyresDerivatives {
     pub const PARTIALS: &'static [Partial; 166] = &[
         Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
         Partial::new(MatrixName::M, 1, 1, 0, 1), Partial::new(MatrixName::C1, 0, 1, 0, 2),
-        Partial::new(MatrixName::C1, 1, 0, 0, 3),
-        Partial::new(MatrixName::C1, 1, 1, 0, 4).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
         Partial::new(MatrixName::K0, 0, 0, 0, 5).negative(),
         Partial::new(MatrixName::K0, 0, 1, 0, 6), Partial::new(MatrixName::K0, 1, 0, 0, 6),
-        Partial::new(MatrixName::K0, 1, 1, 0, 7),
+        Partial::new(MatrixName::K0, 1, 1, 0, 7).negative(),
         Partial::new(MatrixName::K2, 0, 1, 0, 8).negative(),
         Partial::new(MatrixName::K2, 1, 1, 0, 9).negative(),
         Partial::new(MatrixName::M, 0, 1, 1, 10), Partial::new(MatrixName::M, 1, 0, 1, 10),
@@ -6047,14 +6031,12 @@ impl WhippleTyresDerivatives {
         Partial::new(MatrixName::C1, 1, 1, 1, 14), Partial::new(MatrixName::K0, 0, 1, 1, 15),
         Partial::new(MatrixName::K0, 1, 0, 1, 15), Partial::new(MatrixName::K0, 1, 1, 1, 16),
         Partial::new(MatrixName::K2, 1, 1, 1, 17).negative(),
-        Partial::new(MatrixName::M, 0, 1, 2, 18),
-        Partial::new(MatrixName::M, 1, 0, 2, 18),
-        Partial::new(MatrixName::M, 1, 1, 2, 19).negative(),
+        Partial::new(MatrixName::M, 0, 1, 2, 18).negative(),
+        Partial::new(MatrixName::M, 1, 0, 2, 18).negative(),
+        Partial::new(MatrixName::M, 1, 1, 2, 19),
         Partial::new(MatrixName::C1, 0, 1, 2, 20).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 2, 21),
-        Partial::new(MatrixName::C1, 1, 1, 2, 22).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 2, 23),
-        Partial::new(MatrixName::K0, 1, 0, 2, 23),
+        Partial::new(MatrixName::C1, 1, 0, 2, 21), Partial::new(MatrixName::C1, 1, 1, 2, 22),
+        Partial::new(MatrixName::K0, 0, 1, 2, 23), Partial::new(MatrixName::K0, 1, 0, 2, 23),
         Partial::new(MatrixName::K0, 1, 1, 2, 24),
         Partial::new(MatrixName::K2, 0, 1, 2, 25).negative(),
         Partial::new(MatrixName::K2, 1, 1, 2, 26), Partial::new(MatrixName::M, 0, 0, 4, 27),
@@ -6101,8 +6083,10 @@ impl WhippleTyresDerivatives {
         Partial::new(MatrixName::M, 1, 0, 15, 66).negative(),
         Partial::new(MatrixName::M, 1, 1, 15, 67).negative(),
         Partial::new(MatrixName::C1, 0, 1, 15, 68).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 15, 69), Partial::new(MatrixName::K0, 0, 0, 15, 70),
-        Partial::new(MatrixName::K0, 0, 1, 15, 71), Partial::new(MatrixName::K0, 1, 0, 15, 71),
+        Partial::new(MatrixName::C1, 1, 1, 15, 69),
+        Partial::new(MatrixName::K0, 0, 0, 15, 70),
+        Partial::new(MatrixName::K0, 0, 1, 15, 71).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 15, 71).negative(),
         Partial::new(MatrixName::K0, 1, 1, 15, 72).negative(),
         Partial::new(MatrixName::K2, 1, 1, 15, 73), Partial::new(MatrixName::M, 0, 0, 16, 74),
         Partial::new(MatrixName::M, 0, 1, 16, 75), Partial::new(MatrixName::M, 1, 0, 16, 75),
@@ -6134,8 +6118,7 @@ impl WhippleTyresDerivatives {
         Partial::new(MatrixName::K0, 0, 1, 22, 108).negative(),
         Partial::new(MatrixName::K0, 1, 0, 22, 108).negative(),
         Partial::new(MatrixName::K0, 1, 1, 22, 109).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 110),
-        Partial::new(MatrixName::K2, 1, 1, 22, 111).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 22, 110), Partial::new(MatrixName::K2, 1, 1, 22, 111),
         Partial::new(MatrixName::M, 0, 0, 23, 112), Partial::new(MatrixName::M, 0, 1, 23, 113),
         Partial::new(MatrixName::M, 1, 0, 23, 113), Partial::new(MatrixName::M, 1, 1, 23, 114),
         Partial::new(MatrixName::C1, 0, 1, 23, 115), Partial::new(MatrixName::C1, 1, 1, 23, 116),
