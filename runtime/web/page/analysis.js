@@ -14,8 +14,17 @@ const NAMELESS = "#555d66";
  * Analyzes a design.
  * @throws {Mistake} what is wrong with it
  */
-export function analyze(design, speed) {
-  return answer({ ask: "analyze", design: subject(design), speed });
+export function analyze(design) {
+  return answer({ ask: "analyze", design: subject(design) });
+}
+
+/**
+ * The eigenvalues of a design at one speed in m/s.
+ * @returns {{mode: string, re: number, im: number}[]}
+ * @throws {Mistake} what is wrong with either
+ */
+export function eigenvalues(design, speed) {
+  return ask({ ask: "eigenvalues", design: subject(design), speed }).reply;
 }
 
 const answer = kept(KEPT, (question) => known(ask(question)));

@@ -1,6 +1,6 @@
 // The page as a whole: what happens when something is changed, and what is drawn then.
 
-import { analyze } from "carvallo/analysis.js";
+import { analyze, eigenvalues } from "carvallo/analysis.js";
 import { onBase, showBase, showBases, showTabs } from "carvallo/choice.js";
 import { drawCurves } from "carvallo/curves.js";
 import { Mistake, ask, load } from "carvallo/engine.js";
@@ -31,7 +31,7 @@ function update() {
   const widths = measure();
   let known;
   try {
-    known = analyze(active(), state.speed);
+    known = { ...analyze(active()), at_speed: eigenvalues(active(), state.speed) };
   } catch (error) {
     if (!(error instanceof Mistake)) throw error;
     fail(error.message);
@@ -44,7 +44,7 @@ function update() {
   const others = state.designs.map((other, place) => ({ other, place })).filter(({ place }) => place !== state.active);
   const beside = others.flatMap(({ other, place }) => {
     try {
-      return [{ known: analyze(other, state.speed), other, place }];
+      return [{ known: analyze(other), other, place }];
     } catch {
       // It is told when it is chosen.
       return [];
@@ -61,7 +61,7 @@ function update() {
 function titles() {
   const title = (other) => {
     try {
-      return withChanges(analyze(other, state.speed).title, other);
+      return withChanges(analyze(other).title, other);
     } catch {
       return withChanges(other.base.set ?? other.base.label, other);
     }
@@ -81,7 +81,7 @@ function showParameters(known) {
     list(parameters, isBicycle(parameters), change);
     listed = key;
   }
-  const base = analyze(design(active().base), state.speed);
+  const base = analyze(design(active().base));
   show(parameters, known.values, base.values, active().changes);
 }
 
@@ -114,6 +114,14 @@ const widthOf = (id) => Math.max(240, Math.floor(drawing(id).clientWidth));
 /** Before anything is written: a size that is read after that waits for the layout of the whole page, each time. */
 const measure = () => Object.fromEntries(["eigenvalues", "locus", "motion"].map((id) => [id, widthOf(id)]));
 
+/** What stands in each drawing: a browser takes its time even where the same is written again. */
+const written = {};
+
+function fill(id, content) {
+  if (written[id] === content) return;
+  drawing(id).innerHTML = written[id] = content;
+}
+
 function draw(known, beside, widths) {
   const map = (of) => new Map(parametersOf(of).map(({ name }, index) => [name, of.values[index]]));
   const title = withChanges(known.title, active());
@@ -121,10 +129,10 @@ function draw(known, beside, widths) {
   const thin = beside.map(({ known: other, other: of, place }) => ({ known: { ...other, title: withChanges(other.title, of) }, place }));
   const side = drawSide(title, map(known), beside.map(({ known: other, place }) => ({ values: map(other), place })), widths.eigenvalues);
   at("side").hidden = side === undefined;
-  drawing("side").innerHTML = side ?? "";
-  drawing("eigenvalues").innerHTML = drawCurves(named, thin, state.speed, widths.eigenvalues);
-  drawing("locus").innerHTML = drawLocus(named, thin, state.speed, widths.locus);
-  drawing("numbers").innerHTML = drawNumbers(named, state.speed);
+  fill("side", side ?? "");
+  fill("eigenvalues", drawCurves(named, thin, state.speed, widths.eigenvalues));
+  fill("locus", drawLocus(named, thin, state.speed, widths.locus));
+  fill("numbers", drawNumbers(named, state.speed));
   move(named, thin, widths.motion);
 }
 
@@ -144,7 +152,7 @@ function move(known, beside, width) {
         return [];
       }
     });
-    drawing("motion").innerHTML = drawMotion(known.title, motion, others, width);
+    fill("motion", drawMotion(known.title, motion, others, width));
     error.hidden = true;
   } catch (mistake) {
     if (!(mistake instanceof Mistake)) throw mistake;
@@ -192,7 +200,7 @@ function start(base) {
 
 function read(label, text) {
   const added = design({ label, text });
-  const found = analyze(added, state.speed);
+  const found = analyze(added);
   if (state.designs.length < MOST) state.designs.push(added);
   else state.designs[state.active] = added;
   state.active = state.designs.indexOf(added);
@@ -296,7 +304,7 @@ try {
   await load();
   catalogue = ask({ ask: "catalogue" }).reply;
   showBases(catalogue);
-  showDownloads(() => initial(analyze(active(), state.speed)), () => analyze(active(), state.speed).title, fail);
+  showDownloads(() => initial(analyze(active())), () => analyze(active()).title, fail);
   listen();
   open();
   document.body.dataset.ready = "";

@@ -6,7 +6,7 @@ use serde::Serialize;
 use crate::motion::Asked;
 use crate::question::{Question, missing};
 use crate::subject::Subject;
-use crate::{catalogue, eigenvalues, files, motion};
+use crate::{catalogue, eigenvalues, files, kept, motion};
 
 /// What is answered.
 #[derive(Debug, Default)]
@@ -25,7 +25,8 @@ struct Error {
 /// Answers a question, JSON in UTF-8. What may be asked, as `ask`, is one of
 ///
 /// - `catalogue`: the models that are there, with their parameters and sets;
-/// - `analyze`: everything about a `design` along speed, and the eigenvalues at one `speed` in m/s, if there is one;
+/// - `analyze`: everything about a `design` along speed;
+/// - `eigenvalues`: those of a `design` at one `speed` in m/s;
 /// - `simulate`: a `motion` of a `design`;
 /// - `write`: a `file` of a `design`, as the command line writes it.
 pub fn answer(question: &[u8]) -> Answer {
@@ -44,14 +45,18 @@ fn reply(mut question: Question, numbers: &mut Vec<f64>) -> Result<String, Failu
         return json(&catalogue::catalogue());
     }
     let design = question.object("design")?.ok_or_else(|| missing("design"))?;
-    let design = Subject::read(design)?.load()?;
+    let analysis = kept::analysis(Subject::read(design)?)?;
     let motion = question.object("motion")?.map(Asked::read).transpose()?;
     match ask.as_str() {
-        "analyze" => json(&eigenvalues::analyze(design, question.number("speed")?, numbers)?),
-        "simulate" => json(&motion::simulate(&design, &motion.ok_or_else(|| missing("motion"))?, numbers)?),
+        "analyze" => json(&eigenvalues::tell(&analysis, numbers)?),
+        "eigenvalues" => {
+            let speed = question.number("speed")?.ok_or_else(|| missing("speed"))?;
+            json(&eigenvalues::at(&analysis, speed)?)
+        }
+        "simulate" => json(&motion::simulate(&analysis.design, &motion.ok_or_else(|| missing("motion"))?, numbers)?),
         "write" => {
             let file = question.text("file")?.ok_or_else(|| missing("file"))?;
-            json(&files::write(design, &file, motion.as_ref())?)
+            json(&files::write(&analysis, &file, motion.as_ref())?)
         }
         _ => Err(Failure::usage(format!("nothing answers `{ask}`"))),
     }

@@ -38,7 +38,6 @@ pub struct Known {
     /// speed by speed: it, and of each eigenvalue the real part, the imaginary part and which of the modes.
     locus: [usize; 2],
     modes: Vec<String>,
-    at_speed: Vec<Eigenvalue>,
 }
 
 #[derive(Serialize)]
@@ -67,19 +66,19 @@ struct Line {
     lengths: Vec<usize>,
 }
 
+/// An eigenvalue, in 1/s.
 #[derive(Serialize)]
-struct Eigenvalue {
+pub struct Eigenvalue {
     mode: String,
     re: f64,
     im: f64,
 }
 
-/// Analyzes a design; from the numbers first the points of all curves, then the root locus are read.
+/// Everything about a design along speed; from the numbers first the points of all curves, then the root locus are read.
 ///
 /// # Errors
-/// Everything that is wrong with the parameters, or that there is no answer.
-pub fn analyze(design: Design, speed: Option<f64>, numbers: &mut Vec<f64>) -> Result<Known, Failure> {
-    let analysis = Analysis::new(design)?;
+/// That there is no answer.
+pub fn tell(analysis: &Analysis, numbers: &mut Vec<f64>) -> Result<Known, Failure> {
     let moves = analysis.design.model.depends_on_speed();
     let (low, high) = (0.0, analysis.reach);
     let turns = analysis.critical_speeds().iter().map(|critical| critical.speed).chain(analysis.meetings());
@@ -88,11 +87,6 @@ pub fn analyze(design: Design, speed: Option<f64>, numbers: &mut Vec<f64>) -> Re
     let panels = if moves { panels(&rows, None) } else { Vec::new() };
     let panels = panels.into_iter().map(|panel| graph(panel, numbers)).collect();
     let (locus, modes) = locus(&rows, numbers);
-    let at_speed = match speed {
-        Some(speed) if speed >= 0.0 && speed.is_finite() => analysis.rows(&[speed])?,
-        Some(speed) => return Err(Failure::usage(format!("the speed is {}; it must be >= 0", shortest(speed)))),
-        None => analysis.rows(&[])?,
-    };
     let Design { kind, source, parameters: given, feedback, notes, warnings, .. } = &analysis.design;
     let info = analysis.design.info();
     let ships = carvallo_design::Shipped::called(info.name).is_ok();
@@ -119,7 +113,6 @@ pub fn analyze(design: Design, speed: Option<f64>, numbers: &mut Vec<f64>) -> Re
         panels,
         locus,
         modes,
-        at_speed: eigenvalues(&at_speed),
     })
 }
 
@@ -160,7 +153,15 @@ fn locus(rows: &Rows, numbers: &mut Vec<f64>) -> ([usize; 2], Vec<String>) {
     ([values.len(), count], modes.iter().map(Mode::to_string).collect())
 }
 
-fn eigenvalues(rows: &Rows) -> Vec<Eigenvalue> {
+/// The eigenvalues at one speed in m/s.
+///
+/// # Errors
+/// That the speed is none, or that there is no answer.
+pub fn at(analysis: &Analysis, speed: f64) -> Result<Vec<Eigenvalue>, Failure> {
+    if !(speed >= 0.0 && speed.is_finite()) {
+        return Err(Failure::usage(format!("the speed is {}; it must be >= 0", shortest(speed))));
+    }
+    let rows = analysis.rows(&[speed])?;
     let values = rows.values();
     let values = values.first().map(|(_, values)| *values).unwrap_or_default();
     let eigenvalue = |value: &carvallo::ModeValue| Eigenvalue {
@@ -168,5 +169,5 @@ fn eigenvalues(rows: &Rows) -> Vec<Eigenvalue> {
         re: value.value.re,
         im: value.value.im,
     };
-    values.iter().map(eigenvalue).collect()
+    Ok(values.iter().map(eigenvalue).collect())
 }

@@ -1,6 +1,6 @@
 //! Files to take away, byte for byte as the command line writes them.
 
-use carvallo_design::{Design, Failure, file};
+use carvallo_design::{Failure, file};
 use carvallo_plot::analysis::{Analysis, reach};
 use carvallo_plot::data;
 use serde::Serialize;
@@ -21,20 +21,21 @@ pub struct Written {
 /// - `motion csv`: as `carvallo simulate --format` prints it, with steps of its own.
 ///
 /// # Errors
-/// Everything that is wrong with the parameters, or that there is no such file.
-pub fn write(design: Design, kind: &str, asked: Option<&Asked>) -> Result<Written, Failure> {
+/// That there is no such file, or no such motion.
+pub fn write(analysis: &Analysis, kind: &str, asked: Option<&Asked>) -> Result<Written, Failure> {
     let asked = || asked.ok_or_else(|| missing("motion"));
     let contents = match kind {
-        "toml" => file::write(&design, &str::to_owned),
+        "toml" => file::write(&analysis.design, &str::to_owned),
         "json" | "csv" => {
-            let analysis = Analysis::new(design)?;
             let rows = analysis.rows(&reach::speeds(analysis.reach, false))?;
             text(|output| match kind {
-                "json" => data::analysis::write_json(&analysis, &rows, None, output),
-                _ => data::analysis::write_csv(&analysis, &rows, output),
+                "json" => data::analysis::write_json(analysis, &rows, None, output),
+                _ => data::analysis::write_csv(analysis, &rows, output),
             })?
         }
-        "motion csv" => move_by(&design, asked()?, &mut |motion| text(|to| data::motion::write_csv(motion, to)))?,
+        "motion csv" => {
+            move_by(&analysis.design, asked()?, &mut |motion| text(|to| data::motion::write_csv(motion, to)))?
+        }
         _ => return Err(Failure::usage(format!("there is no file `{kind}`"))),
     };
     Ok(Written { contents })

@@ -7,6 +7,7 @@ use crate::question::Question;
 
 /// A design as a page knows it: a model and a set that ship for it, or the name of a file, whose ending tells the format, and
 /// what is in it.
+#[derive(PartialEq)]
 pub struct Subject {
     model: Option<String>,
     set: Option<String>,
