@@ -6,7 +6,7 @@ use carvallo::ModelInfo;
 use carvallo_design::Design;
 use carvallo_design::feedback::{Gain, Law};
 use carvallo_design::units::Units;
-use carvallo_slips::{FormulaSlip, Formulas, Values, index};
+use carvallo_slips::{FormulaSlip, Formulas, Subject, Values, index};
 
 use crate::conventions::{self, Convention};
 use crate::explain::Cause;
@@ -138,6 +138,23 @@ impl Machine {
     /// The gains of all laws of the feedback, one after the other.
     pub fn gains(&self) -> impl Iterator<Item = &Gain> {
         self.feedback.iter().flat_map(|law| &law.gains)
+    }
+
+    /// The terms of the feedback that are taken from an entry: `"3*v*delta" of Tdelta`.
+    pub fn fed_back(&self, entry: usize) -> Vec<String> {
+        let each = self.feedback.iter().flat_map(|law| law.gains.iter().map(move |gain| (law, gain)));
+        let own = each.filter(|(_, gain)| {
+            entries_of(gain, self.info, &self.parameters).iter().any(|(closed, _)| *closed == entry)
+        });
+        own.map(|(law, gain)| format!("{} of {}", conventions::term(gain, self.info), law.force(self.info).0)).collect()
+    }
+
+    /// The place of what a formula is of among the entries of a [`World`]; `None` of a definition.
+    pub fn place(&self, formula: usize) -> Option<usize> {
+        match self.formulas.formulas[formula].subject {
+            Subject::Entry(matrix, row, column) => Some(index(matrix, row, column, self.formulas.count)),
+            Subject::Definition(_) => None,
+        }
     }
 
     /// The matrices as they are.

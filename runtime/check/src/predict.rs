@@ -187,6 +187,13 @@ impl<'a> Predictor<'a> {
         }
     }
 
+    /// All entries with what feedback takes from them.
+    pub fn closed_entries(&self, world: &World) -> Vec<f64> {
+        let mut entries = world.entries.clone();
+        self.closed(world).for_each(|(entry, value)| entries[entry] -= value);
+        entries
+    }
+
     /// Tells all numbers but the entries of matrices, until it is told to stop; where there are none, NaN.
     fn others(&self, world: &World, tell: &mut dyn FnMut(usize, f64) -> bool) {
         let is_entry = |(quantity, _): &(Quantity, _)| matches!(quantity, Quantity::Entry(..));
@@ -210,9 +217,7 @@ impl<'a> Predictor<'a> {
 
     /// Hands the equations of the closed loop to a visitor.
     fn visit(&self, world: &World, visitor: &mut dyn FnMut(&dyn Equations)) -> Result<(), String> {
-        let mut parameters = Vec::with_capacity(world.entries.len() + 1);
-        parameters.extend_from_slice(&world.entries);
-        self.closed(world).for_each(|(entry, value)| parameters[entry] -= value);
+        let mut parameters = self.closed_entries(world);
         parameters.push(world.gravity);
         self.system.visit(&parameters, &mut |equations| {
             visitor(equations);

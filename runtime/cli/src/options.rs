@@ -77,7 +77,7 @@ pub fn load(request: &Request) -> Result<Design, Failure> {
 /// In which units results are shown.
 #[derive(Args, Clone, Debug, Default)]
 pub struct UnitOptions {
-    /// Units in the place of those of the SI, such as mm,deg,km/h,lb; imperial is in,lb,deg,mph,lb*in^2,ft/s^2
+    /// Units in the place of those of the SI, such as mm,deg,km/h,lb; imperial is in,lb,deg,mph,lb*in,lb*in^2,ft/s^2
     #[arg(long, value_name = "UNITS")]
     units: Option<String>,
 }

@@ -5,14 +5,14 @@ use crate::failure::{Failure, Place};
 use crate::quantity::scale;
 
 /// The units that `imperial` stands for.
-const IMPERIAL: [&str; 6] = ["in", "lb", "deg", "mph", "lb*in^2", "ft/s^2"];
+const IMPERIAL: [&str; 7] = ["in", "lb", "deg", "mph", "lb*in", "lb*in^2", "ft/s^2"];
 
 /// What quantities are shown in; those that have no unit among them are in that of the SI.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Units(Vec<String>);
 
 impl Units {
-    /// From units that stand behind commas, such as `mm,deg,km/h`; `imperial` is `in,lb,deg,mph,lb*in^2,ft/s^2`, and `si` none.
+    /// From units that stand behind commas, such as `mm,deg,km/h`; `imperial` is `in,lb,deg,mph,lb*in,lb*in^2,ft/s^2`, and `si` none.
     ///
     /// # Errors
     /// What is no unit; and two of one quantity.

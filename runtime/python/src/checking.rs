@@ -2,6 +2,7 @@
 
 use carvallo_check::read;
 use carvallo_design::input::Request;
+use carvallo_design::units::Units;
 use carvallo_design::{Failure, Place};
 use pyo3::prelude::*;
 
@@ -21,7 +22,7 @@ fn without_file(mut failure: Failure) -> Failure {
     failure
 }
 
-/// What a file, or the JSON of numbers, comes to: the report as JSON, and as text for people.
+/// What a file, or the JSON of numbers, comes to: the report as JSON, and as text for people, both in these units.
 #[pyfunction]
 pub fn check(
     py: Python<'_>,
@@ -29,6 +30,8 @@ pub fn check(
     json: Option<String>,
     bicycle: Option<String>,
     model: Option<String>,
+    feedback: Vec<String>,
+    units: &str,
 ) -> PyResult<(String, String)> {
     let is_dict = path.is_none();
     let find = || {
@@ -36,9 +39,11 @@ pub fn check(
             (Some(path), _) => read::load(&path)?,
             (None, json) => read::read(GIVEN, json.unwrap_or_default().into_bytes())?,
         };
-        let request = Request { model, parameters: bicycle, ..Request::default() };
+        let units = Units::parse(units)?;
+        let feedback = feedback.into_iter().map(|law| (format!("feedback '{law}'"), law)).collect();
+        let request = Request { model, parameters: bicycle, feedback, ..Request::default() };
         let design = file.design(&request)?;
-        let report = carvallo_check::check(&file.given(&design)?, &design).map_err(Failure::usage)?;
+        let report = carvallo_check::check_in(&file.given(&design)?, &design, units).map_err(Failure::usage)?;
         Ok((report.json(), report.to_string()))
     };
     py.detach(find).map_err(|failure| raise(if is_dict { without_file(failure) } else { failure }))

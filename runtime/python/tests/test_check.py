@@ -44,3 +44,17 @@ def test_a_file_and_what_is_not_understood(tmp_path):
         carvallo.check(MATRICES, model="Wipple")
     with pytest.raises(TypeError, match="set is no number"):
         carvallo.check({"M": {1, 2}})
+
+
+def test_a_closed_loop_in_other_units():
+    """What is fed back takes -10 from C0_21; 4.29238253634111 m/s times 3.6 is 15.4526 km/h."""
+    law = "Tdelta = -10*phi_rate"
+    assert carvallo.check({"C0": [[0, 0], [10, 0]]}, feedback=law).agrees
+    report = carvallo.check({"C0": [[0, 0], [-10, 0]]}, feedback=[law])
+    assert report.explanations[0].causes == ("the feedback has the other sign",)
+    number = carvallo.check({"critical_speeds": {"weave": 4.2924}}, units="km/h").numbers[0]
+    assert (number.unit, number.yours, number.ours) == ("km/h", "15.453", pytest.approx(4.29238253634111 * 3.6))
+    with pytest.raises(ValueError, match="expected units such as mm,deg,km/h"):
+        carvallo.check(MATRICES, units="")
+    with pytest.raises(ValueError, match="feedback 'Tdelta=x'"):
+        carvallo.check(MATRICES, feedback="Tdelta=x")

@@ -40,7 +40,7 @@ impl FormulaSlip {
 
 impl Formulas {
     /// Every slip of every formula, in their order; those of a formula that several entries share in all of them, and in
-    /// each alone. An entry that is negative, twice or half as a whole is no slip in its formula.
+    /// each alone. An entry that is negative, twice or half as a whole is no slip in its formula, unless several share it.
     pub fn slips(&self) -> Vec<FormulaSlip> {
         let mut found = Vec::new();
         for (at, formula) in self.formulas.iter().enumerate() {
@@ -49,7 +49,8 @@ impl Formulas {
             let own = formula.text.trim_start_matches('-').len();
             for slip in slips(formula.text, &self.names) {
                 let is_of_all = matches!(slip.kind, Kind::FactorOfTwo | Kind::Negative) && slip.place.len() == own;
-                if is_entry && is_of_all {
+                let is_of_one = !(is_entry && is_of_all);
+                if !is_of_one && !is_shared {
                     continue;
                 }
                 // What is no formula any more is nobody's.
@@ -62,7 +63,9 @@ impl Formulas {
                 if is_shared && formula.shared[0] == at {
                     push(formula.shared.clone(), slip.clone(), changed.clone());
                 }
-                push(vec![at], slip, changed);
+                if is_of_one {
+                    push(vec![at], slip, changed);
+                }
             }
         }
         found

@@ -62,7 +62,7 @@ pub fn gains(info: &ModelInfo, laws: &[Law]) -> Vec<Convention> {
 }
 
 /// As a law has it: `-10*v*phi_rate`.
-fn term(gain: &Gain, info: &ModelInfo) -> String {
+pub fn term(gain: &Gain, info: &ModelInfo) -> String {
     let name = info.coordinates[gain.column].name;
     let motion = match gain.matrix {
         MatrixName::Cm1 => format!("{name}_rate/v"),

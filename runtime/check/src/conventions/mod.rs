@@ -12,10 +12,13 @@ use carvallo_design::matrices::dependent_column;
 use crate::predict::World;
 
 pub use self::entries::entries;
-pub use self::feedback::{feedback, gains};
+pub use self::feedback::{feedback, gains, term};
 pub use self::matrices::matrices;
 pub use self::parameters::parameters;
 pub use self::usual::usual;
+
+/// What is said of a cause that is none of the closed loop's number, but of what feedback is added to.
+pub const BEFORE_CLOSING: &str = ", before the loop is closed";
 
 /// One of them.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,7 +75,7 @@ impl Convention {
         if let Effect::Entries(assignments) = &self.effect
             && assignments.iter().any(|own| closed.contains(&own.to) || closed.contains(&own.from))
         {
-            self.what += ", before the loop is closed";
+            self.what += BEFORE_CLOSING;
         }
         self
     }

@@ -7,15 +7,17 @@ use crate::machine::Machine;
 use crate::predict::{Predictor, World};
 use carvallo_slips::{FormulaSlip, Formulas};
 
-/// All pairs of one of these conventions with another of them, or with a slip, with which everything fits.
+/// All pairs of one of these conventions with another of them, or with a slip, or of an entry that is mistaken with a slip, with
+/// which everything fits.
 pub fn find<'a>(machine: &'a Machine, predictor: &Predictor, conventions: &[&'a Convention]) -> Vec<Found<'a>> {
     let mut found = of_conventions(machine, predictor, conventions);
     let (of_parameters, of_matrices): (Vec<&Convention>, Vec<&Convention>) =
         conventions.iter().partition(|own| matches!(own.effect, Effect::Parameters(_)));
+    let of_entries = of_entries(machine, predictor);
     let mut own = World::default();
     machine.singles(&mut |cause, old| {
         let Cause::Slip(slip) = cause else { return };
-        for &convention in &of_matrices {
+        for &convention in of_matrices.iter().chain(&of_entries) {
             convention.change_matrices(old, &mut own, machine.formulas.count);
             if predictor.fits(&own) {
                 let causes = vec![Cause::Convention(convention), Cause::Slip(slip)];
@@ -27,6 +29,20 @@ pub fn find<'a>(machine: &'a Machine, predictor: &Predictor, conventions: &[&'a 
         found.extend(of_parameters_and_slips(machine, predictor, convention));
     }
     found
+}
+
+/// The mistaken entries with which some that are given come out that do not as they are: there may be hundreds, and all others
+/// mend nothing.
+fn of_entries<'a>(machine: &'a Machine, predictor: &Predictor) -> Vec<&'a Convention> {
+    let agreeing = |world: &World| -> usize {
+        let numbers = predictor.numbers().iter().enumerate();
+        let entries = numbers.filter_map(|(at, number)| Some((at, predictor.entry(number.0, world)?)));
+        entries.filter(|(at, value)| predictor.agrees(*at, *value)).count()
+    };
+    let here = agreeing(&machine.world());
+    let mends =
+        |own: &&Convention| matches!(own.effect, Effect::Entries(_)) && agreeing(&machine.world_with(own)) > here;
+    machine.single.iter().filter(mends).collect()
 }
 
 /// What acts on matrices acts on those of the parameters of the other one, and after them.

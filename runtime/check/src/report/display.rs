@@ -107,7 +107,7 @@ fn explanations(groups: &[Group], count: usize, f: &mut fmt::Formatter<'_>) -> f
         }
         let more = group.explanations.len().saturating_sub(EXPLANATIONS);
         if more > 0 {
-            writeln!(f, "  or {more} more that make the same numbers")?;
+            writeln!(f, "  or {more} more that {} the same numbers", if more == 1 { "makes" } else { "make" })?;
         }
         if group.explanations.len() > 1 {
             let is_one = group.explanations.iter().all(|explanation| explanation.class == 0);
@@ -120,11 +120,12 @@ fn explanations(groups: &[Group], count: usize, f: &mut fmt::Formatter<'_>) -> f
             writeln!(f, "  What would tell: {apart}.")?;
         }
     }
-    let more = groups.len().saturating_sub(GROUPS);
-    if more > 0 {
-        writeln!(f, "\nThere are {more} more ways, with other numbers; more digits or other numbers tell them apart.")?;
+    let apart = "with other numbers; more digits or other numbers tell them apart.";
+    match groups.len().saturating_sub(GROUPS) {
+        0 => Ok(()),
+        1 => writeln!(f, "\nThere is 1 more way, {apart}"),
+        more => writeln!(f, "\nThere are {more} more ways, {apart}"),
     }
-    Ok(())
 }
 
 impl fmt::Display for Suspects {

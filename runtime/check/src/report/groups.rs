@@ -95,13 +95,14 @@ fn apart(machine: &Machine, predictor: &Predictor, first: &World, other: &World)
         predictor.numbers().iter().any(|(quantity, _)| *quantity == Quantity::Entry(own.0, own.1, own.2))
     };
     let mut largest: Option<(f64, String)> = None;
-    for (at, (a, b)) in first.entries.iter().zip(&other.entries).enumerate() {
+    let [first, other] = [first, other].map(|world| predictor.closed_entries(world));
+    for (at, (a, b)) in first.iter().zip(&other).enumerate() {
         let own = (MatrixName::ALL[at / (count * count)], at / count % count, at % count);
         let differs = (a - b).abs() / a.abs().max(b.abs());
         if differs > 1e-9 && largest.as_ref().is_none_or(|(known, _)| differs > *known) {
             let more = if is_given(own) { " with more digits" } else { "" };
             let shown = machine.units.of(super::unit(Quantity::Entry(own.0, own.1, own.2), machine.info));
-            let [a, b] = [a, b].map(|value| short(shown.value(*value)));
+            let [a, b] = apart_in_digits([a, b].map(|value| shown.value(*value)));
             let text = format!("{}{more}: {b} by this, {a} by the first", entry_name(own.0, own.1, own.2));
             largest = Some((differs, text));
         }
@@ -109,9 +110,10 @@ fn apart(machine: &Machine, predictor: &Predictor, first: &World, other: &World)
     largest.map(|(_, text)| text)
 }
 
-/// Six digits, or fewer that are all.
-fn short(value: f64) -> String {
-    shortest(format!("{value:.5e}").parse().unwrap_or(value))
+/// Six digits, or more where it takes more to tell two numbers apart; or fewer that are all.
+fn apart_in_digits(both: [f64; 2]) -> [String; 2] {
+    let with = |digits: usize| both.map(|value| shortest(format!("{value:.digits$e}").parse().unwrap_or(value)));
+    (5..16).map(with).find(|[a, b]| a != b).unwrap_or_else(|| both.map(shortest))
 }
 
 /// What an explanation makes of another machine; `None` where that is not told.

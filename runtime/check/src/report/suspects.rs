@@ -8,13 +8,15 @@ use crate::explain::{Cause, written};
 use crate::given::Quantity;
 use crate::machine::Machine;
 use crate::predict::Predictor;
+use carvallo_slips::index;
 
 /// What is known of numbers that nothing explains as a whole.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Suspects {
     /// What is wrong.
     pub wrong: Vec<String>,
-    /// The formulas on which every wrong entry depends, and no right one; empty where no entries of matrices were given.
+    /// The formulas, and terms of the feedback, on which every wrong entry depends, and no right one; empty where no entries of
+    /// matrices were given.
     pub formulas: Vec<String>,
     /// What explains some of the wrong numbers and leaves all right ones as they are: several mistakes may stand side by
     /// side.
@@ -80,22 +82,34 @@ impl Behind {
     }
 }
 
-/// The formulas that feed all wrong and no right entries.
+/// The formulas, and the terms of the feedback, that all wrong and no right entries come from.
 fn formulas(machine: &Machine, predictor: &Predictor, wrong: &[usize]) -> Vec<String> {
     let all = &machine.formulas.formulas;
     let given = predictor.numbers().iter().enumerate();
-    let entries: Vec<(usize, bool)> = given
+    // Of each the formula, if the model has any for it, and the place.
+    let entries: Vec<(Option<usize>, usize, bool)> = given
         .filter_map(|(at, (quantity, _))| {
             let Quantity::Entry(matrix, row, column) = *quantity else { return None };
-            Some((machine.formulas.entry(matrix, row, column)?, wrong.contains(&at)))
+            let place = index(matrix, row, column, machine.formulas.count);
+            Some((machine.formulas.entry(matrix, row, column), place, wrong.contains(&at)))
         })
         .collect();
-    if !entries.iter().any(|(_, is_wrong)| *is_wrong) {
+    if !entries.iter().any(|(.., is_wrong)| *is_wrong) {
         return Vec::new();
     }
-    let feeds = |own: usize, entry: usize| machine.formulas.feeds(own, entry);
-    let is_suspect = |own: &usize| entries.iter().all(|&(entry, is_wrong)| feeds(*own, entry) == is_wrong);
-    (0..all.len()).filter(is_suspect).map(|own| format!("{} = {}", all[own].subject, all[own].text)).collect()
+    let feeds = |own: usize, entry: Option<usize>| entry.is_some_and(|entry| machine.formulas.feeds(own, entry));
+    let is_suspect = |own: &usize| entries.iter().all(|&(entry, _, is_wrong)| feeds(*own, entry) == is_wrong);
+    let told = |own: usize| {
+        let fed_back = machine.place(own).map(|entry| machine.fed_back(entry)).unwrap_or_default();
+        let less = if fed_back.is_empty() { String::new() } else { format!(", less {}", fed_back.join(" and ")) };
+        format!("{} = {}{less}", all[own].subject, all[own].text)
+    };
+    let closing: Vec<Vec<String>> = entries.iter().map(|(_, place, _)| machine.fed_back(*place)).collect();
+    let is_suspect_term =
+        |term: &&String| entries.iter().zip(&closing).all(|((.., is_wrong), own)| own.contains(term) == *is_wrong);
+    let mut terms: Vec<String> = closing.iter().flatten().filter(is_suspect_term).cloned().collect();
+    terms.dedup();
+    (0..all.len()).filter(is_suspect).map(told).chain(terms).collect()
 }
 
 /// One cause after the other, each that explains the most of what is left without a change of what is right.
@@ -132,10 +146,14 @@ fn parts(
         best.sort_by_key(|(_, rank, _)| *rank);
         let explained: Vec<usize> = best[0].0.clone();
         best.retain(|(own, ..)| *own == explained);
-        parts.push(Part {
-            numbers: explained.iter().map(|&at| name(at)).collect(),
-            causes: best.iter().take(TOLD).map(|(.., cause)| words(machine, cause)).collect(),
-        });
+        // An entry of the wrong sign is also a number that was written with it.
+        let mut causes: Vec<String> = Vec::new();
+        for cause in best.iter().map(|(.., cause)| words(machine, cause)) {
+            if causes.len() < TOLD && !causes.contains(&cause) {
+                causes.push(cause);
+            }
+        }
+        parts.push(Part { numbers: explained.iter().map(|&at| name(at)).collect(), causes });
         left.retain(|at| !explained.contains(at));
     }
     parts

@@ -3,7 +3,7 @@
 use carvallo_design::number::{shortest, with_unit};
 use carvallo_slips::{double_words, slip_words};
 
-use crate::conventions::Effect;
+use crate::conventions::{BEFORE_CLOSING, Effect};
 use crate::explain::{Cause, relation};
 use crate::machine::Machine;
 
@@ -28,10 +28,12 @@ pub fn words(machine: &Machine, cause: &Cause) -> String {
         Cause::Slip(own) => {
             let formula = &machine.formulas.formulas[own.formulas[0]];
             slip_words(&machine.formulas.subject(&own.formulas), formula.text, &own.slip)
+                + of_open_loop(machine, &own.formulas)
         }
         Cause::Slips(double) => {
             let formula = &machine.formulas.formulas[double.formulas[0]];
-            double_words(&machine.formulas.subject(&double.formulas), formula.text, &double.slips)
+            let subject = machine.formulas.subject(&double.formulas);
+            double_words(&subject, formula.text, &double.slips) + of_open_loop(machine, &double.formulas)
         }
         Cause::Parameter(at, value) => {
             let (own, old) = (parameter(*at), machine.parameters[*at]);
@@ -51,6 +53,12 @@ pub fn words(machine: &Machine, cause: &Cause) -> String {
             format!("the speeds are {} times what is given as the speed", shortest(*factor))
         }
     }
+}
+
+/// What is said of formulas of entries that feedback is added to.
+fn of_open_loop(machine: &Machine, formulas: &[usize]) -> &'static str {
+    let is_closed = |at: &usize| machine.place(*at).is_some_and(|entry| !machine.fed_back(entry).is_empty());
+    if formulas.iter().any(is_closed) { BEFORE_CLOSING } else { "" }
 }
 
 /// Without what arithmetic left behind.

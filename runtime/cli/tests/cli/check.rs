@@ -154,6 +154,71 @@ fn a_closed_loop_has_its_feedback_checked() {
     assert!(run.stdout.contains("Kc_21 has the value of -M_12, before the loop is closed\n"), "{}", run.stdout);
 }
 
+/// C1_21 = -(mu ST + SF cos lam) of Meijaard et al. (2007) is -0.85036, with SF = 0.28/0.35 and lam = 18 deg: with half of the
+/// second term -0.46993. What is fed back takes -10 from it, which makes 9.53007.
+#[test]
+fn causes_are_those_of_the_open_loop_and_numbers_those_of_the_closed_one() {
+    let directory = Directory::of_this_test();
+    let file = "feedback = \"Tdelta = -10*v*phi_rate\"\nC1 = [[0, 33.866], [9.5, 1.6854]]";
+    let run = directory.run_with_input(&["check", "-"], file);
+    assert!(run.stdout.contains("C1_21   kg m     9.5   9.14964  1, differs\n"), "{}", run.stdout);
+    let cause = "  \"-(mu*ST + SF*cos(lam))\" in C1_21 is \"-(mu*ST + SF*cos(lam)/2)\", before the loop is closed\n";
+    assert!(run.stdout.contains(cause), "{}", run.stdout);
+    // What would tell is of the closed loop, as the number that was given.
+    let tells: Vec<&str> = run.stdout.split("C1_21 with more digits: ").skip(1).collect();
+    assert!(!tells.is_empty() && tells.iter().all(|text| text.starts_with("9.")), "{}", run.stdout);
+
+    // Nothing explains 5: the formula is told with what is taken from it, and the term.
+    let file = "feedback = [\"Tdelta = -10*v*phi_rate\", \"Tphi = 2*phi\"]\nKc = [[-5.123456, 0], [0, 0]]\nC1 = [[0, 33.866], [9.1496436, 1.6854]]";
+    let run = directory.run_with_input(&["check", "-"], file);
+    let expected = "and nothing that agrees does:\n    Kc_11 = 0, less \"2*phi\" of Tphi\n    \"2*phi\" of Tphi\n";
+    assert!(run.stdout.contains(expected), "{}", run.stdout);
+}
+
+/// 4.29238253634111 and 6.02426201538837 m/s of Meijaard et al. (2007) times 3.6; the factor with the fewest digits is not
+/// 1/3.6, and differs from it in the sixth.
+#[test]
+fn numbers_that_would_tell_explanations_apart_are_not_equal() {
+    let directory = Directory::of_this_test();
+    for digits in [5, 7, 8] {
+        let [weave, capsize] =
+            [4.29238253634111, 6.02426201538837].map(|speed: f64| format!("{:.digits$}", 3.6 * speed));
+        let file = format!("critical_speeds = {{ weave = \"{weave}\", capsize = \"{capsize}\" }}");
+        let text = directory.run_with_input(&["check", "-"], &file).stdout;
+        assert!(text.contains("\n  speeds are in km/h in the place of m/s\n"), "{text}");
+        for told in text.lines().filter_map(|line| line.trim().strip_prefix("What would tell: ")) {
+            let both: Vec<&str> =
+                told.split([' ', ':']).filter(|word| word.starts_with(|c: char| c.is_ascii_digit())).collect();
+            assert!(both.len() == 2 && both[0] != both[1], "{told}");
+        }
+    }
+}
+
+/// Two causes in matrices of four digits, by the formulas of the hose with l = 0.5 m and f = 0.3 kg/m: of what several entries
+/// share, C1_12 = C1_13 = C1_23 = 2 f l^2 = 0.15 without the factor 2, and K2_13 = K2_23 = f l = 0.15 with the other sign; and
+/// K0_22 = 3/2 (m + f) l^2 = 0.1875 with the other sign beside f l without l.
+#[test]
+fn two_causes_are_found_of_entries_that_share_a_formula() {
+    let directory = Directory::of_this_test();
+    let file = |c: &str, k0: &str, k2: &str| {
+        format!(
+            "model = \"ThreePipes\"
+M = [[0.1458, 0.09375, 0.03125], [0.09375, 0.08333, 0.03125], [0.03125, 0.03125, 0.02083]]
+C1 = [[0.075, {c}, {c}], [0, 0.075, {c}], [0, 0, 0.075]]
+K0 = [[0.3125, 0, 0], [0, {k0}, 0], [0, 0, 0.0625]]
+K2 = [[-0.15, 0, {k2}], [0, -0.15, {k2}], [0, 0, 0]]"
+        )
+    };
+    let text = directory.run_with_input(&["check", "-"], &file("0.075", "0.1875", "-0.15")).stdout;
+    let expected = "All come out as yours if
+  \"2*f*l^2\" in C1_12 and C1_13 and C1_23 is \"f*l^2\",
+    and \"f*l\" in K2_13 and K2_23 is \"-f*l\"
+";
+    assert!(text.contains(expected), "{text}");
+    let text = directory.run_with_input(&["check", "-"], &file("0.15", "-0.1875", "0.3")).stdout;
+    assert!(text.contains("K0_22 has the other sign,\n    and \"f*l\" in K2_13 and K2_23 is \"f\"\n"), "{text}");
+}
+
 #[test]
 fn reports_are_in_the_units_that_are_asked_for() {
     let directory = Directory::of_this_test();
@@ -162,6 +227,10 @@ fn reports_are_in_the_units_that_are_asked_for() {
     // 4.3014 and, of Meijaard et al. (2007), 4.29238253634111 m/s times 3.6; 4.5 and 4 kg by 0.45359237.
     assert!(run.stdout.contains("  weave speed    km/h  15.485  15.45258  2, differs\n"), "{}", run.stdout);
     assert!(run.stdout.contains("mH is 9.920801798 lb in the place of 8.818490487"), "{}", run.stdout);
+    // 33.86641391492494 kg m of the paper, by 0.45359237 kg and 0.0254 m.
+    directory.write("matrix.toml", "C1 = [[0, 33.866], [-0.85036, 1.6854]]");
+    let text = directory.run(&["check", "matrix.toml", "--units", "imperial"]).ok();
+    assert!(text.contains("  C1_12   lb in   2939.4   2939.475  all 5\n"), "{text}");
     let message = "error: --units: JSON and CSV of this command are in units of the SI\n";
     directory.run(&["check", "mine.toml", "--units", "km/h", "--format", "csv"]).fails(2, message);
 }

@@ -39,6 +39,8 @@ pub fn read_raw(label: &str, bytes: Vec<u8>) -> Result<Raw, Failure> {
     let file = File { label, text: &text };
     let mut problems = Vec::new();
     let members = match Form::of(file) {
+        // Lines that assign may be matrices of a machine, which has all of them; here they may be any.
+        Form::Lines('=') if toml::is_whole(file) => toml::members(file, &mut problems),
         Form::Toml => toml::members(file, &mut problems),
         Form::Json => json::members(file, &mut problems),
         Form::Lines(separator) => flat(label, lines::read(file, separator), &mut problems),

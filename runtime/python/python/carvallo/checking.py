@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -18,7 +18,7 @@ class Comparison(NamedTuple):
     name: str
     """What it is of: ``M_12``, with row and column from one, or ``Re s2 at 5 m/s``."""
     unit: str
-    """In SI, as ``kg*m^2``; empty where it has none."""
+    """In SI unless ``units`` say otherwise, as ``kg*m^2``; empty where it has none."""
     yours: str
     """As it was given."""
     ours: float | None
@@ -52,7 +52,7 @@ class Report(NamedTuple):
     explanations: tuple[Explanation, ...]
     """What reproduces all numbers, the likeliest first; none where all agree, or where nothing does."""
     json: dict[str, Any]
-    """All of it, as ``carvallo check --format json`` has it."""
+    """All of it, as ``carvallo check --format json`` has it, but in the units that were asked for."""
     text: str
 
     def __str__(self) -> str:
@@ -60,14 +60,20 @@ class Report(NamedTuple):
 
 
 def check(
-    given: Mapping[str, Any] | str | os.PathLike[str], bicycle: str | None = None, *, model: str | None = None
+    given: Mapping[str, Any] | str | os.PathLike[str],
+    bicycle: str | None = None,
+    *,
+    model: str | None = None,
+    feedback: str | Sequence[str] = (),
+    units: str = "si",
 ) -> Report:
     """Hold numbers against those of a design, and explain where they do not agree.
 
     ``given`` has any of ``M``, ``C1``, ``K0``, ``K2`` and the other matrices, ``A`` and ``eigenvalues`` with ``speed``,
     ``critical_speeds`` and ``accelerations``, as lists or arrays, in the form of `the files of carvallo check`_; or it is the
     path of such a file. A text keeps zeros at the end: ``"2.320"``. ``bicycle`` is what ships, or a file, unless ``given`` says
-    what the numbers are of.
+    what the numbers are of. ``feedback`` has a law or several, as ``"Tdelta = -10*phi_rate"``, if they are of a closed loop and
+    ``given`` does not say so. What is given is in SI units; the report is in ``units``, as ``"km/h,lb"`` or ``"imperial"``.
 
     .. _the files of carvallo check: ../../../cli/docs/check.md
 
@@ -77,7 +83,10 @@ def check(
         path, document = None, json.dumps(dict(given), default=_plain)
     else:
         path, document = os.fspath(given), None
-    found, text = _carvallo.check(path, document, bicycle, model)
+    if not isinstance(units, str):
+        raise TypeError(f"`units` is {units!r}; expected a text such as 'km/h,lb'")
+    laws = [feedback] if isinstance(feedback, str) else list(feedback)
+    found, text = _carvallo.check(path, document, bicycle, model, laws, units)
     report: dict[str, Any] = json.loads(found)
     explanations = tuple(
         Explanation(tuple(own["causes"]), at, own["class"])
