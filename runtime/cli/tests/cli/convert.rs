@@ -439,3 +439,38 @@ fn settings_may_be_in_another_convention_than_the_file() {
     let run = directory.run(&["analyze", "script.toml", "--format", "json"]);
     assert!(run.code == Some(0) && run.stderr.contains("in the names of JBike6"), "{}", run.stderr);
 }
+
+/// d1 = cos(lam)*(w + c - rR*tan(lam)) of Moore (2012): 1.0292338 m with w = 1.1 m and lam as it follows from d1 = 0.95 m.
+#[test]
+fn settings_that_cannot_hold_together_are_refused() {
+    let directory = Directory::of_this_test();
+    let fails = |settings: &[&str], message: &str| {
+        let settings: Vec<&str> = settings.iter().flat_map(|setting| ["--set", setting]).collect();
+        directory.run(&[&["show", "benchmark"][..], &settings].concat()).fails(2, &format!("error: --set {message}\n"));
+    };
+    fails(
+        &["d1=0.95", "w=1.1"],
+        "w=1.1: `w` and `d1`, at --set d1=0.95, cannot both hold: `d1` would be 1.029233798542342 m",
+    );
+    for [first, second] in [["w=1.1", "front_center=0.6"], ["c=0.05", "fork_offset=0.06"]] {
+        let [one, other] = [first, second].map(|setting| setting.split('=').next().unwrap());
+        let message = format!(
+            "{second}: `{other}` stands in the place of `{one}`, which is set, too, at --set {first}; both cannot hold"
+        );
+        fails(&[first, second], &message);
+    }
+    // What agrees, and what has nothing to do with each other, is set. f = rF*sin(lam) - c*cos(lam).
+    let lam = std::f64::consts::PI / 10.0;
+    let offset = format!("fork_offset={}", 0.35 * lam.sin() - 0.06 * lam.cos());
+    assert_eq!(directory.run(&["show", "benchmark", "--set", "trail=0.06", "--set", &offset]).code, Some(0));
+    assert_eq!(directory.run(&["show", "benchmark", "--set", "d1=0.95", "--set", "mB=90"]).code, Some(0));
+    // In two conventions, neither of which is the paper's: d1 is as it was with the fork offset of the benchmark.
+    let moore = directory.run(&["convert", "benchmark", "--to", "moore"]).stdout;
+    directory.write("moore.toml", moore);
+    let run = directory.run(&["show", "moore.toml", "--set", "d1=0.95", "--set", "fork_offset=0.05"]);
+    assert!(
+        run.code == Some(2) && run.stderr.contains("`fork_offset` and `d1`, at --set d1=0.95, cannot both hold"),
+        "{}",
+        run.stderr
+    );
+}

@@ -14,6 +14,7 @@
 
 mod arrays;
 mod carried;
+mod contradictions;
 mod convert;
 mod express;
 mod geometry;

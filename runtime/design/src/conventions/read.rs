@@ -4,6 +4,8 @@ use std::collections::HashMap;
 
 use carvallo::{Covariance, ModelInfo};
 
+use super::contradictions::Settled;
+use super::dual::Dual;
 use super::express::express;
 use super::held::Ranks;
 use super::name::Values;
@@ -71,6 +73,10 @@ pub fn read(
         document.entries = Vec::new();
         return None;
     };
+    let found = (convention.to_paper)(&given).unwrap_or_default();
+    let settled = Settled { convention, settings: &mine, given: &given, paper: &found };
+    document.problems.extend(settled.in_one_place());
+    document.problems.extend(settled.by_paper(settings, info));
     let title = convention.title;
     document.notes.push(match is_paper {
         true => format!("{label}: changed in {title}: what is not set of them stays, and those of the paper follow"),
@@ -90,7 +96,17 @@ pub fn read(
     if !is_paper && in_another(settings, info) {
         document.parameterization = Some((Place::Nowhere, PAPER.name.to_owned()));
         document.correlations = pairs(covariance.as_ref(), info);
+        let others: Vec<Entry> = settings.clone();
         let reading = read(document, label, info, settings)?;
+        let scope = Scope::new(&document.entries, HashMap::new(), info);
+        let mut changed = Values::default();
+        for (name, old) in found.iter() {
+            changed.push(name, scope.value(name).and_then(Result::ok).map_or(old, Dual::from));
+        }
+        let settled = Settled { convention, settings: &mine, given: &given, paper: &found };
+        let broken = others.iter().find(|entry| position(&entry.name, info).is_none());
+        let broken = broken.and_then(|by| settled.broken(&changed, by));
+        document.problems.extend(broken);
         return Some(Reading { assumed, ..reading });
     }
     Some(Reading { convention, assumed, given, covariance })

@@ -89,7 +89,9 @@ impl File {
                     None
                 }
             };
-            let other = columns.iter().find(|other| parameter.is_some() && other.parameter == parameter);
+            let is_same =
+                |other: &&Named| parameter.as_ref().zip(other.parameter.as_ref()).is_some_and(|(a, b)| a.is(b));
+            let other = columns.iter().find(is_same);
             if let Some(other) = other.filter(|other| other.name != name) {
                 problem(format!("columns `{}` and `{name}` are the same parameter", other.name));
             }

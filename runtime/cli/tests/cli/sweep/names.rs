@@ -247,6 +247,8 @@ fn headings_may_have_units() {
         ("nothing_m", "column `nothing_m` is not a parameter of Whipple"),
         ("d1,d2,fork_offset", "column `fork_offset` is a name of"),
         ("w,w_mm", "columns `w` and `w_mm` are the same parameter"),
+        ("wheelbase,w", "columns `wheelbase` and `w` are the same parameter"),
+        ("c,head_angle,trail", "columns `c` and `trail` are the same parameter"),
     ] {
         directory.write("wrong.csv", format!("{heading}\n1,1,1\n"));
         let run = directory.run(&["sweep", "--designs", "wrong.csv"]);
