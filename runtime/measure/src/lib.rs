@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod bicycle;
+mod doubts;
 mod geometry;
 mod names;
 pub mod oscillation;

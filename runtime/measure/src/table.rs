@@ -9,11 +9,14 @@ use carvallo_design::number::shortest;
 use carvallo_design::quantity::{Context, Measured, measured, no_names};
 use carvallo_design::{Deviation, Failure, Given, Place, Problem, WHIPPLE, nearest};
 
+use crate::doubts::doubts;
 use crate::names::{OTHERS, all, known};
 use crate::oscillation::{Oscillation, Recording};
 
-/// A fit that explains less of a signal is told to be doubtful.
+/// A fit that explains less of a signal is told to be doubtful, ...
 const DOUBTFUL: f64 = 0.9;
+/// ... and one that explains less than half of it is of noise.
+const NOISE: f64 = 0.5;
 
 /// What is in a file of measurements.
 pub struct Table<'a> {
@@ -148,7 +151,18 @@ impl<'a> Table<'a> {
             let deviation = deviation.map(|deviation| format!("+/-{}", shortest(deviation))).unwrap_or_default();
             (name.to_owned(), format!("{}{deviation}", shortest(number.value())))
         };
-        let mut design = carvallo_design::input::given(&WHIPPLE, &self.label, parameters.iter().map(written))?;
+        let periods: Vec<(&str, f64)> = self.numbers.iter().map(|(name, number)| (*name, number.value())).collect();
+        let doubts = doubts(&periods);
+        let given = carvallo_design::input::given(&WHIPPLE, &self.label, parameters.iter().map(written));
+        let mut design = given.map_err(|failure| match failure {
+            // They are the likely cause.
+            Failure::Input(mut problems) => {
+                let place = || Place::File(self.label.clone());
+                problems.extend(doubts.iter().map(|message| Problem { place: place(), message: message.clone() }));
+                Failure::Input(problems)
+            }
+            other => other,
+        })?;
         let numbers: Vec<Uncertain> = parameters.iter().map(|(_, number)| *number).collect();
         let covariance = self.sources.covariance(&numbers).map_err(|error| Failure::Run(error.to_string()))?;
         design.covariance = Some(covariance).filter(|covariance| !covariance.correlations().is_empty());
@@ -159,7 +173,7 @@ impl<'a> Table<'a> {
             design.notes.push(format!("{}: no parameters depend on them, and not used: {names}", self.label));
         }
         design.notes.extend(self.fitted);
-        design.warnings.extend(self.warnings.take());
+        design.warnings.extend(self.warnings.take().into_iter().chain(doubts));
         Ok(design)
     }
 }
@@ -178,6 +192,12 @@ fn with_periods(Named { name, node }: Named, label: &str) -> Result<(Named, Vec<
     let mut fit = |Node { place, value }: Node| {
         let Some(recording) = Recording::of(&value).filter(|_| is_period) else { return Ok(Node { place, value }) };
         match recording.and_then(|recording| recording.period(label)) {
+            Ok((Oscillation { r_squared, .. }, said)) if r_squared < NOISE => {
+                let message = format!(
+                    "`{name}`: no decaying sine is in this signal, of which it explains {r_squared:.2}: {said}"
+                );
+                Err(Problem { place, message })
+            }
             Ok((Oscillation { period, deviation, r_squared, .. }, said)) => {
                 let doubt = if r_squared < DOUBTFUL { "; it is hardly a decaying sine" } else { "" };
                 fitted.push(format!("`{name}` is {said}{doubt}"));

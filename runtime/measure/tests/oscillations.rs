@@ -135,6 +135,34 @@ fn files_stand_in_the_place_of_periods() {
         assert_eq!(radial(&measured("{ file = 'more.csv', column = 'gyro' }").unwrap()), beside, "{heading}");
     }
     std::fs::write(folder.join("long.csv"), format!("time (furlong);other;gyro [V]\n{rows}")).unwrap();
+    // By its number; a rate that agrees with the times, or counts beside it, are nothing wrong.
+    assert_eq!(radial(&measured("{ file = 'more.csv', column = 3 }").unwrap()), beside);
+    assert_eq!(radial(&measured(&format!("{{ file = '{torsion}', column = 2 }}")).unwrap()), found);
+    assert_eq!(radial(&measured(&format!("{{ file = '{torsion}', rate = 10 }}")).unwrap()), found);
+    let clean = std::fs::read_to_string(data.join("clean.csv")).unwrap();
+    let values = clean.lines().map(|line| line.rsplit(',').next().unwrap());
+    let counted: String = values.clone().enumerate().map(|(at, y)| format!("{at},{y}\n")).collect();
+    std::fs::write(folder.join("counted.csv"), counted).unwrap();
+    std::fs::write(folder.join("alone.csv"), values.map(|y| format!("{y}\n")).collect::<String>()).unwrap();
+    let [counted, alone] =
+        ["counted", "alone"].map(|file| measured(&format!("{{ file = '{file}.csv', rate = 50 }}")).unwrap());
+    assert_eq!(radial(&counted), radial(&alone));
+    // The generator of Park and Miller.
+    let mut state = 1_u64;
+    let noise: String = (0..300)
+        .map(|at| {
+            state = state * 48_271 % 2_147_483_647;
+            format!("{},{}\n", f64::from(at) / 20.0, state as f64 / 2_147_483_647.0)
+        })
+        .collect();
+    std::fs::write(folder.join("noise.csv"), noise).unwrap();
+    // Without the unit of its times the period is a thousand times as long, and nothing of it can be.
+    std::fs::write(folder.join("unit.csv"), format!("other;more;gyro [V]\n{rows}")).unwrap();
+    let said = match measured("{ file = 'unit.csv', column = 'gyro' }") {
+        Ok(design) => design.warnings.join("\n"),
+        Err(failure) => failure.to_string(),
+    };
+    assert!(said.contains("`TtR1` is 1461 s, and parts of a bicycle swing in 0.05 to 60 s"), "{said}");
     let gyro = data.join("gyro.csv").display().to_string();
     let mean = |value: &str| radial(&measured(value).unwrap()).0;
     let [period, deviation, ..] = of_scipy("gyro")[..] else { panic!("a fit") };
@@ -155,7 +183,22 @@ fn files_stand_in_the_place_of_periods() {
     for (value, message) in [
         ("'none.csv'", "none.csv: "),
         ("{ file = 'long.csv', column = 'gyro' }", "`furlong` is no unit of time"),
-        ("{ file = 'more.csv' }", "it has 3 columns; give that of the signal as `column`"),
+        ("{ file = 'more.csv' }", "it has 3 columns; give that of the signal as `column`, by its name or its number"),
+        ("{ file = 'more.csv', column = 'giro' }", "there is no column `giro`; there are t [ms], other, gyro [V]"),
+        // 300 samples in 29.92 s.
+        (
+            "{ file = 'more.csv', column = 'gyro', rate = 200 }",
+            "its first column, `t [ms]`, ascends by 0.100061 a sample",
+        ),
+        (
+            &format!("{{ file = '{torsion}', rate = 100 }}"),
+            "its first column ascends by 0.100061 a sample, as times in s do",
+        ),
+        (
+            &format!("{{ file = '{torsion}', column = 3 }}"),
+            "there is no column `3`: they have no names; give its number, 1 to 2",
+        ),
+        ("'noise.csv'", "`TtR1`: no decaying sine is in this signal"),
         (
             "{ file = 'more.csv', column = 'gyro', rate = '20 m' }",
             "`rate` is `20 m`; `m` is no unit for it: it is in 1/s",

@@ -4,6 +4,7 @@
 
 mod fit;
 mod guess;
+mod samples;
 mod signal;
 
 pub use self::fit::{FitError, Oscillation, fit};

@@ -1,10 +1,10 @@
-//! A recorded signal: a file with times and values.
+//! A recorded signal: which file it is in, and what of it.
 
 use std::path::Path;
 
 use carvallo_design::input::{Named, Node, Value};
 use carvallo_design::number::{fixed, shortest};
-use carvallo_design::quantity::{Context, Mistake, Reason, Scale, headed, no_names, number, scale};
+use carvallo_design::quantity::{Context, Mistake, Reason, no_names, number};
 
 use super::fit::{Oscillation, fit};
 
@@ -14,13 +14,13 @@ const ENDINGS: [&str; 4] = ["csv", "tsv", "txt", "dat"];
 /// Which file, and what of it.
 pub struct Recording {
     file: String,
-    /// The column of the signal by its name; otherwise the second, or the only one.
-    column: Option<String>,
+    /// The column of the signal by its name, or its number from 1; otherwise the second, or the only one.
+    pub(super) column: Option<String>,
     /// Samples a second, of a file without times.
-    rate: Option<f64>,
+    pub(super) rate: Option<f64>,
     /// The times in s between which it is good.
-    from: f64,
-    to: f64,
+    pub(super) from: f64,
+    pub(super) to: f64,
 }
 
 impl Recording {
@@ -106,63 +106,6 @@ impl Recording {
         );
         Ok((found, said))
     }
-
-    /// Times in s and values, of what is good of it.
-    fn samples(&self, text: &str) -> Result<(Vec<f64>, Vec<f64>), String> {
-        let is_data = |(_, line): &(usize, &str)| !line.is_empty() && !line.starts_with(['#', '%']);
-        let lines = text.trim_start_matches('\u{feff}').lines().map(str::trim).enumerate().filter(is_data);
-        let lines: Vec<(usize, &str)> = lines.collect();
-        let separator = separator(lines.last().map_or("", |(_, line)| line));
-        let cells = |line: &str| -> Vec<String> {
-            let cells: Vec<&str> = match separator {
-                Some(sign) => line.split(sign).collect(),
-                None => line.split_whitespace().collect(),
-            };
-            cells.iter().map(|cell| cell.trim().trim_matches('"').to_owned()).collect()
-        };
-        let value = |cell: &str| {
-            // Where commas separate nothing, decimals may stand behind them.
-            let cell = if separator == Some(',') { cell.to_owned() } else { cell.replace(',', ".") };
-            cell.parse::<f64>().ok()
-        };
-        let first = lines.first().map(|(_, line)| cells(line)).ok_or("it is empty")?;
-        let has_names = first.iter().any(|cell| value(cell).is_none());
-        let (time, signal) = self.columns(&first, has_names)?;
-        let of_time = first.get(time.unwrap_or(0)).filter(|_| has_names && time.is_some());
-        let unit = of_time.map_or(Ok(None), |heading| unit_of_times(heading))?;
-        let mut samples = (Vec::new(), Vec::new());
-        for (row, (line, text)) in lines.iter().skip(usize::from(has_names)).enumerate() {
-            let cells = cells(text);
-            let cell = |column: usize| {
-                let cell = cells.get(column).map_or("", String::as_str);
-                value(cell).ok_or_else(|| format!("line {}: `{cell}`; expected a number", line + 1))
-            };
-            let at = match (time, self.rate) {
-                (Some(column), _) => unit.map_or(cell(column)?, |unit| unit.apply(cell(column).unwrap_or(f64::NAN))),
-                (None, Some(rate)) => row as f64 / rate,
-                (None, None) => return Err("it has no times; give the samples a second as `rate`".to_owned()),
-            };
-            if (self.from..=self.to).contains(&at) {
-                samples.0.push(at);
-                samples.1.push(cell(signal)?);
-            }
-        }
-        Ok(samples)
-    }
-
-    /// Which columns have the times, if any does, and the signal.
-    fn columns(&self, first: &[String], has_names: bool) -> Result<(Option<usize>, usize), String> {
-        let time = if self.rate.is_some() || first.len() == 1 { None } else { Some(0) };
-        match &self.column {
-            Some(column) if has_names => {
-                let found = first.iter().position(|name| name == column || name.starts_with(&format!("{column} ")));
-                found.map(|at| (time, at)).ok_or_else(|| format!("there is no column `{column}`"))
-            }
-            Some(column) => Err(format!("there is no column `{column}`, since its columns have no names")),
-            None if first.len() <= 2 => Ok((time, first.len() - 1)),
-            None => Err(format!("it has {} columns; give that of the signal as `column`", first.len())),
-        }
-    }
 }
 
 /// A rate of samples without hertz, which are no unit elsewhere, where they might be turns or radians a second.
@@ -172,11 +115,6 @@ fn per_second(text: &str) -> String {
     hertz("kHz", "*1000").or_else(|| hertz("Hz", "")).unwrap_or_else(|| text.to_owned())
 }
 
-/// What separates the cells of a line: nothing but space where it is `None`.
-fn separator(line: &str) -> Option<char> {
-    [';', '\t', ','].into_iter().find(|sign| line.contains(*sign))
-}
-
 /// With as many digits as a deviation tells, and two more.
 fn rounded(value: f64, deviation: f64) -> f64 {
     if !(deviation > 0.0 && value.is_finite()) {
@@ -184,13 +122,4 @@ fn rounded(value: f64, deviation: f64) -> f64 {
     }
     let digits = (1.0 - deviation.log10().floor()).clamp(0.0, 15.0) as usize;
     format!("{value:.digits$}").parse().unwrap_or(value)
-}
-
-/// The unit in the heading of the times, if there is one: `t [ms]`, `time (ms)`, `t / ms`, `time_ms` or `time ms`.
-fn unit_of_times(heading: &str) -> Result<Option<Scale>, String> {
-    if let (_, Some(unit)) = headed(heading) {
-        let unknown = || format!("the times are headed `{heading}`; `{unit}` is no unit of time");
-        return scale(unit, "s").map(Some).ok_or_else(unknown);
-    }
-    Ok(heading.rsplit_once(['_', ' ']).and_then(|(_, behind)| scale(behind, "s")))
 }
