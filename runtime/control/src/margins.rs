@@ -43,6 +43,8 @@ pub struct PhaseMargin {
 const ON_AXIS: f64 = 1e-5;
 /// Angles that are no larger are none, in rad: what the rounding of undamped roots leaves.
 const ROUNDING: f64 = 1e-13;
+/// A pole or zero that is as near to a frequency, in parts of it, is there.
+const AT_ROOT: f64 = 1e-9;
 /// How far the frequency is from that of the root at most.
 const NEAR: f64 = 1e-4;
 
@@ -67,7 +69,7 @@ impl Margins {
         let at_rest = function.static_gain().filter(|gain| *gain < 0.0).map(|_| 0.0);
         for frequency in at_rest.into_iter().chain(crossings) {
             let value = response(frequency);
-            if value.re < 0.0 && value.norm().is_finite() {
+            if value.re < 0.0 && value.norm().is_finite() && !is_at_root(&function, frequency) {
                 gain.push(GainMargin { frequency, factor: 1.0 / value.norm() });
             }
         }
@@ -87,6 +89,12 @@ impl Margins {
     pub fn nearest_phase(&self) -> Option<PhaseMargin> {
         self.phase.iter().copied().min_by(|a, b| a.angle.abs().total_cmp(&b.angle.abs()))
     }
+}
+
+/// Whether a pole or a zero is on the imaginary axis at a frequency: there the response is infinite or zero, and its sign is rounding.
+fn is_at_root(function: &TransferFunction, frequency: f64) -> bool {
+    let mut roots = function.poles.iter().chain(&function.zeros);
+    roots.any(|root| (root - Complex::new(0.0, frequency)).norm() <= AT_ROOT * frequency)
 }
 
 /// The angle from -1 to a number, which without damping is zero or half a turn but for rounding; half a turn is ahead.

@@ -134,6 +134,22 @@ fn an_undamped_loop_is_marginal() {
     assert_eq!((found.len(), margins.closed_loop), (2, Verdict::Marginal));
 }
 
+/// Of two equal masses between three equal springs, `G(s) = s (s^2 + 2) / ((s^2 + 1) (s^2 + 3))` from a force to the rate of the mass
+/// that it acts on, and `s / ((s^2 + 1) (s^2 + 3))` to that of the other one: both are imaginary on the axis, so that no gain makes
+/// them -1.
+#[test]
+fn rates_of_undamped_motions_have_no_gain_margins() {
+    let mut space = state_space(&design("Pendulum", "seconds"), 0.0, &["Ttheta"], &["theta"]);
+    let rows = [0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, -2.0, 1.0, 0.0, 0.0, 1.0, -2.0, 0.0, 0.0];
+    space.a = nalgebra::DMatrix::from_row_slice(4, 4, &rows);
+    for (own, scale) in [(2, 1.0), (3, 1.0), (2, 3.7), (3, -0.31)] {
+        space.b = nalgebra::DMatrix::from_row_slice(4, 1, &[0.0, 0.0, scale, 0.0]);
+        space.c = nalgebra::DMatrix::from_fn(1, 4, |_, at| f64::from(u8::from(at == own)));
+        let margins = Margins::new(&space, 0, 0).expect("margins");
+        assert_eq!(margins.gain, [], "{own} {scale}");
+    }
+}
+
 /// The gain of `k / (s (s + 1) (s + 2))` may be 6: its phase is -180 degrees at the root of two.
 #[test]
 fn a_textbook_loop_has_its_margin() {

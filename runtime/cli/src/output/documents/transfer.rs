@@ -111,7 +111,12 @@ fn table(channel: &Transfer, at: &str) -> Table {
         let text = format!("{}° at {} rad/s", fixed(margin.angle.to_degrees(), 3), fixed(margin.frequency, 4));
         rows.push(["phase margin".to_owned(), text]);
     }
-    rows.push(["the loop u = -y".to_owned(), margins.closed_loop.to_string()]);
+    // How large a gain of 1 is depends on the units of both.
+    let [u, y] = [&function.input.unit, &function.output.unit].map(|own| match self::unit(own) {
+        own if own.is_empty() => "as a number".to_owned(),
+        own => format!("in {own}"),
+    });
+    rows.push(["the loop u = -y".to_owned(), format!("{}, with u {u} and y {y}", margins.closed_loop)]);
     Table {
         title: format!("{}{at}  {} to {}", channel.title(), function.input.label, function.output.label),
         columns: ["", ""].map(Column::left).into(),
