@@ -107,6 +107,15 @@ impl Designs {
     }
 }
 
+/// Zeros, poles, and the value at zero.
+type Minimal<'py> = (Bound<'py, PyArray1<Complex<f64>>>, Bound<'py, PyArray1<Complex<f64>>>, Option<f64>);
+
+/// A transfer function of which only numbers are known.
+fn known(zeros: Vec<Complex<f64>>, poles: Vec<Complex<f64>>, gain: f64) -> TransferFunction {
+    let signal = || Signal { name: String::new(), label: String::new(), unit: "1".to_owned() };
+    TransferFunction { input: signal(), output: signal(), zeros, poles, gain }
+}
+
 /// Gains and phases of a transfer function at frequencies in rad/s, or at those that show all of it.
 #[pyfunction]
 pub fn frequency_response<'py>(
@@ -116,10 +125,17 @@ pub fn frequency_response<'py>(
     gain: f64,
     frequencies: Option<Vec<f64>>,
 ) -> [Bound<'py, PyArray1<f64>>; 3] {
-    let signal = || Signal { name: String::new(), label: String::new(), unit: "1".to_owned() };
-    let function = TransferFunction { input: signal(), output: signal(), zeros, poles, gain };
+    let function = known(zeros, poles, gain);
     let frequencies = frequencies.unwrap_or_else(|| function.frequencies(None));
     let response = function.frequency_response(&frequencies);
     let part = |of: fn(&FrequencyResponse) -> f64| PyArray1::from_vec(py, response.iter().map(of).collect());
     [part(|point| point.frequency), part(|point| point.gain), part(|point| point.phase)]
+}
+
+/// The zeros and poles of a transfer function that do not cancel each other, and its value at zero, unless a pole is there.
+#[pyfunction]
+pub fn minimal<'py>(py: Python<'py>, zeros: Vec<Complex<f64>>, poles: Vec<Complex<f64>>, gain: f64) -> Minimal<'py> {
+    let function = known(zeros, poles, gain).minimal();
+    let at_rest = function.static_gain();
+    (PyArray1::from_vec(py, function.zeros), PyArray1::from_vec(py, function.poles), at_rest)
 }

@@ -13,7 +13,7 @@ use pyo3::prelude::*;
 use crate::at_speeds;
 use crate::columns::{Column, Held, Values, gather};
 use crate::critical::{self, Critical};
-use crate::parts::{in_parts, threads};
+use crate::parts::{Threads, in_parts, threads};
 use crate::sheet::Sheet;
 use crate::speeds::Speeds;
 
@@ -101,7 +101,7 @@ impl Designs {
     pub(crate) fn collect<T: Element + Copy + Send + Sync, const ARRAYS: usize>(
         &self,
         py: Python<'_>,
-        asked: Option<usize>,
+        asked: Option<Threads>,
         cost: usize,
         fill: impl Fn(&dyn Equations, f64, usize, &mut [Vec<T>; ARRAYS]) -> Result<(), String> + Sync,
     ) -> PyResult<[Vec<T>; ARRAYS]> {
@@ -117,7 +117,7 @@ impl Designs {
             }
             Ok(arrays)
         };
-        let mut parts = in_parts(py, self.count(), (PART / cost.max(1)).max(1), threads(asked)?, work)?;
+        let mut parts = in_parts(py, self.count(), (PART / cost.max(1)).max(1), threads(asked), work)?;
         if parts.len() == 1 {
             return Ok(parts.swap_remove(0));
         }
@@ -130,7 +130,7 @@ impl Designs {
     }
 
     /// The stability of all designs as columns.
-    fn fill(&self, py: Python<'_>, layout: &Layout, asked: Option<usize>) -> PyResult<Sheet> {
+    fn fill(&self, py: Python<'_>, layout: &Layout, asked: Option<Threads>) -> PyResult<Sheet> {
         let held = Held::new(py, &self.columns)?;
         let columns = held.values()?;
         let mut sheet = Sheet::new(layout, self.count());
@@ -145,7 +145,7 @@ impl Designs {
             part.fill(layout, range, |index, look| self.visit(&columns, index, &mut row, look));
             Ok(())
         };
-        in_parts(py, self.count(), size, threads(asked)?, work)?;
+        in_parts(py, self.count(), size, threads(asked), work)?;
         drop(parts);
         Ok(sheet)
     }
@@ -185,7 +185,7 @@ struct Options {
     /// Each design at a speed of its own.
     paired: bool,
     /// As many as there are cores, unless it is said.
-    threads: Option<usize>,
+    threads: Option<Threads>,
     /// How long one speed takes, in some fractions of a microsecond.
     cost: usize,
 }
@@ -206,7 +206,7 @@ impl Designs {
     }
 
     /// Each matrix of the form, in the order M, C-1, C0, C1, Kc, K0, K1, K2.
-    fn matrices<'py>(&self, py: Python<'py>, threads: Option<usize>) -> PyResult<Vec<Array<'py, f64>>> {
+    fn matrices<'py>(&self, py: Python<'py>, threads: Option<Threads>) -> PyResult<Vec<Array<'py, f64>>> {
         let arrays: [Vec<f64>; 8] = self.collect(py, threads, 1, at_speeds::matrices)?;
         let n = self.coordinates();
         arrays.into_iter().map(|numbers| self.array(py, numbers, &[&[n, n]])).collect()
@@ -218,7 +218,7 @@ impl Designs {
         py: Python<'py>,
         v: Speeds,
         paired: bool,
-        threads: Option<usize>,
+        threads: Option<Threads>,
     ) -> PyResult<Vec<Array<'py, f64>>> {
         let (arrays, shape) = self.at(py, v, Options { paired, threads, cost: 1 }, at_speeds::system)?;
         let n = self.coordinates();
@@ -231,7 +231,7 @@ impl Designs {
         py: Python<'py>,
         v: Speeds,
         paired: bool,
-        threads: Option<usize>,
+        threads: Option<Threads>,
     ) -> PyResult<(Array<'py, f64>, Array<'py, f64>)> {
         let ([a, b], shape) = self.at(py, v, Options { paired, threads, cost: 1 }, at_speeds::state_space)?;
         let (states, inputs) = (self.states(), self.coordinates());
@@ -244,7 +244,7 @@ impl Designs {
         py: Python<'py>,
         v: Speeds,
         paired: bool,
-        threads: Option<usize>,
+        threads: Option<Threads>,
     ) -> PyResult<Array<'py, Complex<f64>>> {
         let ([values], shape) = self.at(py, v, Options { paired, threads, cost: 1 }, at_speeds::eigenvalues)?;
         self.array(py, values, &[&shape, &[self.states()]])
@@ -256,7 +256,7 @@ impl Designs {
         py: Python<'py>,
         v: Speeds,
         paired: bool,
-        threads: Option<usize>,
+        threads: Option<Threads>,
     ) -> PyResult<Vec<Array<'py, Complex<f64>>>> {
         let (arrays, shape) = self.at(py, v, Options { paired, threads, cost: 8 }, at_speeds::eigenvectors)?;
         let (states, coordinates) = ([self.states()], [self.states(), self.coordinates()]);
@@ -270,7 +270,7 @@ impl Designs {
         &self,
         py: Python<'py>,
         speeds: Vec<f64>,
-        threads: Option<usize>,
+        threads: Option<Threads>,
     ) -> PyResult<(Vec<SheetColumn<'py>>, Vec<Option<String>>)> {
         let Sheet { headings, cells, present, errors } = self.fill(py, &Layout::new(self.model, speeds), threads)?;
         let columns = headings.into_iter().zip(cells.into_iter().zip(present));

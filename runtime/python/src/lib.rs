@@ -61,6 +61,7 @@ fn _carvallo(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(comparing::compare, module)?)?;
     module.add_function(wrap_pyfunction!(comparing::compare_svg, module)?)?;
     module.add_function(wrap_pyfunction!(control::frequency_response, module)?)?;
+    module.add_function(wrap_pyfunction!(control::minimal, module)?)?;
     module.add("VERDICTS", carvallo_plot::analysis::columns::VERDICTS)?;
     module.add("__version__", env!("CARGO_PKG_VERSION"))
 }

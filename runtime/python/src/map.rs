@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use crate::columns::Held;
 use crate::designs::Designs;
 use crate::loaded::raise;
-use crate::parts::{in_parts, threads};
+use crate::parts::{Threads, in_parts, threads};
 
 /// Designs in a part, where one takes some microseconds.
 const PART: usize = 512;
@@ -18,7 +18,7 @@ type Varied = (usize, Vec<f64>, Option<f64>);
 #[pymethods]
 impl Designs {
     /// Where the stable range of designs is, of which the first axis varies one parameter and the second another, as SVG.
-    fn map_svg(&self, py: Python<'_>, name: &str, varied: [Varied; 2], asked: Option<usize>) -> PyResult<String> {
+    fn map_svg(&self, py: Python<'_>, name: &str, varied: [Varied; 2], asked: Option<Threads>) -> PyResult<String> {
         let [rows, columns] = varied.each_ref().map(|(_, values, _)| values.len());
         if rows * columns > MOST_CELLS {
             return Err(raise(Failure::usage(format!("a map shows at most {MOST_CELLS} designs"))));
@@ -42,7 +42,7 @@ impl Designs {
             // The cells of a column of the map stand together.
             Ok(range.map(|place| cell(place % rows * columns + place / rows)).collect::<Vec<_>>())
         };
-        let cells = in_parts(py, rows * columns, PART, threads(asked)?, work)?.concat();
+        let cells = in_parts(py, rows * columns, PART, threads(asked), work)?.concat();
         let axis =
             |(position, values, base): &Varied| MapAxis::new(&self.model.info.parameters[*position], values, *base);
         let [upward, across] = varied.each_ref().map(axis);

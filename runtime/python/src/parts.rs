@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
 
-use pyo3::exceptions::PyValueError;
+use pyo3::exceptions::{PyOverflowError, PyValueError};
 use pyo3::prelude::*;
 
 use crate::signals::Signals;
@@ -15,16 +15,28 @@ static CORES: OnceLock<usize> = OnceLock::new();
 /// Less than this is done at once: other threads would begin when it is over.
 const AT_ONCE: usize = 256;
 
+/// A number of threads that was asked for.
+#[derive(Clone, Copy)]
+pub struct Threads(usize);
+
+impl<'a, 'py> FromPyObject<'a, 'py> for Threads {
+    type Error = PyErr;
+
+    fn extract(asked: Borrowed<'a, 'py, PyAny>) -> PyResult<Self> {
+        match asked.extract::<usize>() {
+            Ok(threads) if threads > 0 => Ok(Self(threads)),
+            Err(error) if !error.is_instance_of::<PyOverflowError>(asked.py()) => Err(error),
+            Ok(_) | Err(_) => Err(PyValueError::new_err(format!("`threads` is {}; it must be >= 1", asked.str()?))),
+        }
+    }
+}
+
 /// How many threads to use: as many as there are cores, unless it is said. To ask for the cores takes longer than the eigenvalues of
 /// a design, and is done once.
-///
-/// # Errors
-/// If it is said to be none.
-pub fn threads(asked: Option<usize>) -> PyResult<usize> {
+pub fn threads(asked: Option<Threads>) -> usize {
     match asked {
-        Some(0) => Err(PyValueError::new_err("`threads` is 0; it must be >= 1")),
-        Some(threads) => Ok(threads),
-        None => Ok(*CORES.get_or_init(|| thread::available_parallelism().map_or(1, |cores| cores.get()))),
+        Some(Threads(threads)) => threads,
+        None => *CORES.get_or_init(|| thread::available_parallelism().map_or(1, |cores| cores.get())),
     }
 }
 

@@ -42,6 +42,22 @@ def test_python_control_agrees(benchmark):
     assert margins.stable == bool((control.feedback(system, 1).poles().real < 0.0).all())
 
 
+def test_a_constant_input_comes_to_the_static_gain(benchmark):
+    A, B, C, _ = benchmark.state_space(5.0, inputs="Tdelta", outputs="phi")
+    expected = float((-C @ np.linalg.solve(A, B)).item())
+    assert benchmark.transfer_function(5.0, "Tdelta", "phi").static_gain == pytest.approx(expected, rel=1e-12)
+    # The yaw angle goes on growing.
+    assert benchmark.transfer_function(5.0, "Tdelta", "psi").static_gain is None
+
+
+def test_what_cancels_is_left_out():
+    function = carvallo.TransferFunction(np.array([-2.0, -1.0]), np.array([-3.0, -1.0, 0.0]), 6.0).minimal()
+    assert function.zeros.tolist() == [-2.0] and function.poles.tolist() == [-3.0, 0.0] and function.static_gain is None
+    # 6 (s + 2)/(s + 3) at zero.
+    cancelled = carvallo.TransferFunction(np.array([-2.0, -1.0]), np.array([-3.0, -1.0]), 6.0)
+    assert cancelled.static_gain == 4.0 and cancelled.minimal().static_gain == 4.0
+
+
 def test_transmission_zeros_are_those_of_python_control(benchmark):
     control = pytest.importorskip("control", reason="python-control is not installed")
     ports = {"inputs": ["Tphi", "Tdelta"], "outputs": ["phi_acceleration", "psi"]}

@@ -80,8 +80,9 @@ def test_paired_speeds_are_of_one_design_each(benchmark):
 def test_threads_change_nothing(benchmark):
     designs = benchmark.replace(mB=np.linspace(60.0, 120.0, 10_000))
     np.testing.assert_array_equal(designs.eigenvalues([3.0, 5.0], threads=1), designs.eigenvalues([3.0, 5.0], threads=4))
-    with pytest.raises(ValueError, match="`threads` is 0; it must be >= 1"):
-        designs.eigenvalues(3.0, threads=0)
+    for threads in 0, -1, -2**70:
+        with pytest.raises(ValueError, match=f"`threads` is {threads}; it must be >= 1"):
+            designs.eigenvalues(3.0, threads=threads)
 
 
 def test_columns_are_not_copied(benchmark):

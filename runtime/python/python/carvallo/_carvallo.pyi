@@ -38,6 +38,7 @@ __all__ = [
     "example",
     "frequency_response",
     "measure",
+    "minimal",
     "read",
     "rider",
 ]
@@ -52,6 +53,9 @@ def compare_svg(designs: Sequence[tuple[Designs, About, str]], of: str) -> str |
 def frequency_response(
     zeros: Sequence[complex], poles: Sequence[complex], gain: float, frequencies: Sequence[float] | None
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]: ...
+def minimal(
+    zeros: Sequence[complex], poles: Sequence[complex], gain: float
+) -> tuple[NDArray[np.complex128], NDArray[np.complex128], float | None]: ...
 def measure(path: str) -> Loaded: ...
 def rider(path: str) -> str: ...
 def example(of: str) -> str: ...

@@ -79,6 +79,20 @@ class TransferFunction(NamedTuple):
         value: NDArray[np.complex128] = self.gain * np.prod(at - self.zeros, axis=-1) / np.prod(at - self.poles, axis=-1)
         return value
 
+    @property
+    def static_gain(self) -> float | None:
+        """What a constant input of one comes to where the motion is stable, the value at zero; ``None`` where a pole is there."""
+        return self._minimal()[2]
+
+    def minimal(self) -> TransferFunction:
+        """The same function without the poles and zeros that cancel each other. Those poles are modes that the input does not
+        excite, or that the output does not show."""
+        zeros, poles, _ = self._minimal()
+        return TransferFunction(zeros, poles, self.gain)
+
+    def _minimal(self) -> tuple[NDArray[np.complex128], NDArray[np.complex128], float | None]:
+        return _carvallo.minimal(self.zeros.tolist(), self.poles.tolist(), self.gain)
+
     def bode(self, omega: ArrayLike | None = None) -> Response:
         """The response at frequencies in rad/s; without them at those that show all of it."""
         asked = None if omega is None else np.asarray(omega, dtype=np.float64).ravel().tolist()
