@@ -1,5 +1,6 @@
 // The designs that are shown, as buttons, and the list of what a design can start from.
 
+import { models } from "carvallo/models.js";
 import { MOST, design, state } from "carvallo/state.js";
 import { saved } from "carvallo/saved.js";
 import { escaped } from "carvallo/svg.js";
@@ -47,11 +48,11 @@ function remove(index) {
 }
 
 /** What a design can start from: what is kept here, the bicycles, and the other models with their sets. */
-export function showBases(catalogue) {
+export function showBases() {
   const option = (value, text) => `<option value="${escaped(JSON.stringify(value))}">${escaped(text)}</option>`;
   const group = (label, options) => (options.length > 0 ? `<optgroup label="${escaped(label)}">${options.join("")}</optgroup>` : "");
   const own = Object.entries(saved()).map(([name, text]) => option({ label: name, text }, name));
-  const groups = catalogue.map(({ name, sets }) => {
+  const groups = models.map(({ name, sets }) => {
     const options = sets.map((set) => option({ model: name, set: set.name }, set.kind && name === "Whipple" ? `${set.name} – ${set.kind}` : set.name));
     return [name === "Whipple" ? "Bicycles" : name, options];
   });

@@ -1,29 +1,22 @@
-// The page as a whole: what happens when something is changed, and what is drawn then.
+// The page as a whole: what happens when something is changed.
 
 import { analyze, eigenvalues } from "carvallo/analysis.js";
 import { onBase, showBase, showBases, showTabs } from "carvallo/choice.js";
-import { drawCurves } from "carvallo/curves.js";
-import { Mistake, ask, load } from "carvallo/engine.js";
+import { Mistake, load } from "carvallo/engine.js";
 import { blameFeedback, onFeedback, showFeedback } from "carvallo/feedback.js";
+import { draw, initial, measure, widthOf } from "carvallo/figures.js";
 import { onFile, showDownloads, toml } from "carvallo/files.js";
-import { drawLocus } from "carvallo/locus.js";
-import { drawMotion, simulate, usual } from "carvallo/motion.js";
-import { drawNumbers, sentence } from "carvallo/numbers.js";
+import { loadModels, parametersOf } from "carvallo/models.js";
+import { sentence } from "carvallo/numbers.js";
 import { blame, list, show } from "carvallo/parameters.js";
 import { forget, save, saved } from "carvallo/saved.js";
-import { drawSide } from "carvallo/side.js";
-import { MOST, active, design, fromHash, state, toHash } from "carvallo/state.js";
+import { MOST, active, design, fromHash, state, toHash, withChanges } from "carvallo/state.js";
 
 const at = (id) => document.getElementById(id);
-let catalogue = [];
 /** Of what the list of parameters is made. */
 let listed;
 
-/** The parameters of an analyzed design: those of its model, or its own. */
-const parametersOf = (known) => known.parameters ?? catalogue.find(({ name }) => name === known.model).parameters;
 const isBicycle = (parameters) => ["w", "c", "lam", "rR", "rF"].every((name) => parameters.some((parameter) => parameter.name === name));
-const coordinatesOf = (known) => known.coordinates;
-const initial = (known) => state.initial || usual(coordinatesOf(known));
 
 /** Computes everything anew, and shows it; a mistake is told, and what was there before stays. */
 function update() {
@@ -71,9 +64,6 @@ function titles() {
   at("forget").hidden = !(active().base.label in saved());
 }
 
-/** A design that was changed is not what its name says. */
-const withChanges = (title, { changes }) => (Object.keys(changes).length > 0 ? `${title}, changed` : title);
-
 function showParameters(known) {
   const parameters = parametersOf(known);
   const key = parameters.map(({ name }) => name).join(" ");
@@ -107,57 +97,6 @@ function showSpeed(known) {
   slider.value = state.speed;
   slider.setAttribute("aria-valuetext", `${state.speed} m/s`);
   if (document.activeElement !== at("speed-field")) at("speed-field").value = state.speed;
-}
-
-const drawing = (id) => document.querySelector(`#${id} .drawing`);
-const widthOf = (id) => Math.max(240, Math.floor(drawing(id).clientWidth));
-/** Before anything is written: a size that is read after that waits for the layout of the whole page, each time. */
-const measure = () => Object.fromEntries(["eigenvalues", "locus", "motion"].map((id) => [id, widthOf(id)]));
-
-/** What stands in each drawing: a browser takes its time even where the same is written again. */
-const written = {};
-
-function fill(id, content) {
-  if (written[id] === content) return;
-  drawing(id).innerHTML = written[id] = content;
-}
-
-function draw(known, beside, widths) {
-  const map = (of) => new Map(parametersOf(of).map(({ name }, index) => [name, of.values[index]]));
-  const title = withChanges(known.title, active());
-  const named = { ...known, title };
-  const thin = beside.map(({ known: other, other: of, place }) => ({ known: { ...other, title: withChanges(other.title, of) }, place }));
-  const side = drawSide(title, map(known), beside.map(({ known: other, place }) => ({ values: map(other), place })), widths.eigenvalues);
-  at("side").hidden = side === undefined;
-  fill("side", side ?? "");
-  fill("eigenvalues", drawCurves(named, thin, state.speed, widths.eigenvalues));
-  fill("locus", drawLocus(named, thin, state.speed, widths.locus));
-  fill("numbers", drawNumbers(named, state.speed));
-  move(named, thin, widths.motion);
-}
-
-function move(known, beside, width) {
-  const start = initial(known);
-  const error = at("motion-error");
-  if (document.activeElement !== at("initial")) at("initial").value = start;
-  if (document.activeElement !== at("duration")) at("duration").value = state.duration;
-  at("initial-hint").textContent = `Positions and rates, such as ${usual(coordinatesOf(known))}, or phi=5 deg; with commas between them.`;
-  try {
-    const motion = simulate(active(), start);
-    const others = beside.flatMap(({ known: other, place }) => {
-      try {
-        return [{ motion: simulate(state.designs[place], start), title: other.title, place }];
-      } catch {
-        // Another model may have no such quantities.
-        return [];
-      }
-    });
-    fill("motion", drawMotion(known.title, motion, others, width));
-    error.hidden = true;
-  } catch (mistake) {
-    if (!(mistake instanceof Mistake)) throw mistake;
-    Object.assign(error, { textContent: mistake.message, hidden: false });
-  }
 }
 
 function fail(message) {
@@ -231,7 +170,7 @@ function listen() {
   at("forget").addEventListener("click", () => {
     const { label } = active().base;
     forget(label);
-    showBases(catalogue);
+    showBases();
     changed();
     say(`${label} is no longer kept in this browser.`);
   });
@@ -266,7 +205,7 @@ function keep(event) {
     if (!name) throw new Error("a name is missing, under which the design is kept");
     const text = toml(name);
     save(name, text);
-    showBases(catalogue);
+    showBases();
     start({ label: name, text });
     say(`${name} is kept in this browser.`);
   } catch (error) {
@@ -302,8 +241,8 @@ function open() {
 
 try {
   await load();
-  catalogue = ask({ ask: "catalogue" }).reply;
-  showBases(catalogue);
+  loadModels();
+  showBases();
   showDownloads(() => initial(analyze(active())), () => analyze(active()).title, fail);
   listen();
   open();

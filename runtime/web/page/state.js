@@ -32,6 +32,9 @@ export function subject({ base, changes, feedback }) {
 
 export const active = () => state.designs[state.active];
 
+/** A design that was changed is not what its name says. */
+export const withChanges = (title, { changes }) => (Object.keys(changes).length > 0 ? `${title}, changed` : title);
+
 /** What stands behind `#`. */
 export function toHash() {
   const parts = state.designs.map(({ base, changes, feedback }) => {
