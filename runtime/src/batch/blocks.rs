@@ -1,5 +1,8 @@
 //! Numbers of many designs, laid out for lanes.
 
+#[cfg(feature = "rayon")]
+use rayon::prelude::*;
+
 use super::{BatchError, InLanes};
 use crate::model::Model;
 
@@ -123,6 +126,19 @@ impl<T: InLanes> Blocks<T> {
     pub(super) fn numbers_mut(&mut self) -> &mut [T] {
         let size = self.size();
         &mut self.numbers[self.start..][..size]
+    }
+
+    /// So many designs after so many, a multiple of those in a block, for one core after the other.
+    #[cfg(feature = "rayon")]
+    pub(super) fn parts(&self, designs: usize) -> impl IndexedParallelIterator<Item = &[T]> {
+        self.numbers().par_chunks((self.width * designs).max(1))
+    }
+
+    /// So many designs after so many, a multiple of those in a block, for one core after the other.
+    #[cfg(feature = "rayon")]
+    pub(super) fn parts_mut(&mut self, designs: usize) -> impl IndexedParallelIterator<Item = &mut [T]> {
+        let numbers = (self.width * designs).max(1);
+        self.numbers_mut().par_chunks_mut(numbers)
     }
 
     fn size(&self) -> usize {

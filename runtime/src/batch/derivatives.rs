@@ -87,23 +87,50 @@ impl Batch {
         entries: &mut Blocks<M::Scalar>,
         derivatives: &mut Blocks<M::Scalar>,
     ) -> Result<(), BatchError> {
-        check_blocks::<N, M>(parameters, entries)?;
-        let (expected, found) = (Values::<N, M>::COUNT, derivatives.width());
-        if expected != found {
-            return Err(BatchError::Columns { model: M::INFO.name, what: "derivatives", expected, found });
-        }
-        BatchError::require_room("derivative", parameters.len(), derivatives.len())?;
+        check_room::<N, M>(parameters, entries, derivatives)?;
+        self.differentiate::<N, M>(parameters.numbers(), entries.numbers_mut(), derivatives.numbers_mut());
+        Ok(())
+    }
+
+    /// As [`Batch::jacobians`], by all cores.
+    ///
+    /// # Errors
+    /// As [`Batch::jacobians`].
+    #[cfg(feature = "rayon")]
+    pub fn parallel_jacobians<const N: usize, M: Differentiable<N, Scalar: InLanes>>(
+        &self,
+        parameters: &Blocks<M::Scalar>,
+        entries: &mut Blocks<M::Scalar>,
+        derivatives: &mut Blocks<M::Scalar>,
+    ) -> Result<(), BatchError> {
+        use rayon::prelude::*;
+
+        /// Some ten microseconds of work.
+        const DESIGNS: usize = 256;
+        check_room::<N, M>(parameters, entries, derivatives)?;
+        let results = entries.parts_mut(DESIGNS).zip(derivatives.parts_mut(DESIGNS));
+        parameters.parts(DESIGNS).zip(results).for_each(|(parameters, (entries, derivatives))| {
+            self.differentiate::<N, M>(parameters, entries, derivatives);
+        });
+        Ok(())
+    }
+
+    /// Whole blocks of parameters into whole blocks of entries and derivatives.
+    fn differentiate<const N: usize, M: Differentiable<N, Scalar: InLanes>>(
+        &self,
+        parameters: &[M::Scalar],
+        entries: &mut [M::Scalar],
+        derivatives: &mut [M::Scalar],
+    ) {
         let [inputs, outputs, values] =
-            [parameters.width(), entries.width(), derivatives.width()].map(block_of::<M::Scalar>);
-        let blocks = parameters.numbers().chunks_exact(inputs);
-        let derivatives = derivatives.numbers_mut().chunks_exact_mut(values);
-        let results = entries.numbers_mut().chunks_exact_mut(outputs).zip(derivatives);
+            [M::INFO.parameters.len(), M::INFO.entries.len(), Values::<N, M>::COUNT].map(block_of::<M::Scalar>);
+        let results = entries.chunks_exact_mut(outputs).zip(derivatives.chunks_exact_mut(values));
+        let blocks = parameters.chunks_exact(inputs).zip(results);
         dispatch!(self.level, simd => {
-            for (parameters, (entries, derivatives)) in blocks.zip(results) {
+            for (parameters, (entries, derivatives)) in blocks {
                 block::<_, N, M>(simd, parameters, entries, derivatives);
             }
         });
-        Ok(())
     }
 
     /// The same for a block of designs after the other, in one place: each is given to a function, and then forgotten.
@@ -156,6 +183,20 @@ impl Batch {
         }
         Ok(())
     }
+}
+
+/// Whether there is a number for each parameter, entry and derivative of as many designs.
+fn check_room<const N: usize, M: Differentiable<N, Scalar: InLanes>>(
+    parameters: &Blocks<M::Scalar>,
+    entries: &Blocks<M::Scalar>,
+    derivatives: &Blocks<M::Scalar>,
+) -> Result<(), BatchError> {
+    check_blocks::<N, M>(parameters, entries)?;
+    let (expected, found) = (Values::<N, M>::COUNT, derivatives.width());
+    if expected != found {
+        return Err(BatchError::Columns { model: M::INFO.name, what: "derivatives", expected, found });
+    }
+    BatchError::require_room("derivative", parameters.len(), derivatives.len())
 }
 
 /// How many numbers a block has; one that has none is never filled.

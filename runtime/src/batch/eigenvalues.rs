@@ -39,6 +39,25 @@ impl Batch {
         Ok(())
     }
 
+    /// As [`Batch::eigenvalues`], by all cores.
+    ///
+    /// # Errors
+    /// As [`Batch::eigenvalues`].
+    #[cfg(feature = "rayon")]
+    pub fn parallel_eigenvalues(
+        &self,
+        systems: &[System<2>],
+        eigenvalues: &mut [Eigenvalues],
+    ) -> Result<(), BatchError> {
+        use rayon::prelude::*;
+
+        /// Some ten microseconds of work.
+        const SYSTEMS: usize = 512;
+        BatchError::require_room("result", systems.len(), eigenvalues.len())?;
+        let parts = systems.par_chunks(SYSTEMS).zip(eigenvalues.par_chunks_mut(SYSTEMS));
+        parts.try_for_each(|(systems, eigenvalues)| self.eigenvalues(systems, eigenvalues))
+    }
+
     /// The eigenvalues of one design at each forward speed in m/s, under a gravitational field strength in N/kg, into a
     /// slice as long as that of the speeds.
     ///

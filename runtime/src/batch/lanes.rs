@@ -73,6 +73,12 @@ impl<S: Simd, T: InLanes> Lanes<S, T> {
         self.0.store_slice(numbers);
     }
 
+    /// The numbers side by side.
+    #[inline(always)]
+    pub(crate) fn numbers(&self) -> &[T] {
+        self.0.as_slice()
+    }
+
     /// Replaces the number in a lane.
     #[cfg(feature = "std")]
     #[inline(always)]

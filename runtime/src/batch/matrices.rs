@@ -25,7 +25,7 @@ impl Batch {
         entries: &mut Blocks<M::Scalar>,
     ) -> Result<(), BatchError> {
         check_blocks::<N, M>(parameters, entries)?;
-        dispatch!(self.level, simd => blocks::<_, N, M>(simd, parameters.numbers(), entries.numbers_mut()));
+        self.fill::<N, M>(parameters.numbers(), entries.numbers_mut());
         Ok(())
     }
 
@@ -44,12 +44,14 @@ impl Batch {
         /// Some ten microseconds of work.
         const DESIGNS: usize = 2048;
         check_blocks::<N, M>(parameters, entries)?;
-        let [inputs, outputs] = [parameters.width(), entries.width()].map(|width| (width * DESIGNS).max(1));
-        let parts = parameters.numbers().par_chunks(inputs).zip(entries.numbers_mut().par_chunks_mut(outputs));
-        parts.for_each(|(parameters, entries)| {
-            dispatch!(self.level, simd => blocks::<_, N, M>(simd, parameters, entries));
-        });
+        let parts = parameters.parts(DESIGNS).zip(entries.parts_mut(DESIGNS));
+        parts.for_each(|(parameters, entries)| self.fill::<N, M>(parameters, entries));
         Ok(())
+    }
+
+    /// Whole blocks of parameters into whole blocks of entries.
+    fn fill<const N: usize, M: Model<N, Scalar: InLanes>>(&self, parameters: &[M::Scalar], entries: &mut [M::Scalar]) {
+        dispatch!(self.level, simd => blocks::<_, N, M>(simd, parameters, entries));
     }
 }
 

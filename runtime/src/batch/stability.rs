@@ -33,6 +33,28 @@ impl Batch {
         dispatch!(Level::baseline(), simd => of_designs(simd, coefficients, gravity, stability));
         Ok(())
     }
+
+    /// As [`Batch::stability`], by all cores.
+    ///
+    /// # Errors
+    /// As [`Batch::stability`].
+    #[cfg(feature = "rayon")]
+    pub fn parallel_stability(
+        &self,
+        coefficients: &[Coefficients<f64, 2>],
+        gravity: &[f64],
+        stability: &mut [Result<Stability, SystemError>],
+    ) -> Result<(), BatchError> {
+        use rayon::prelude::*;
+
+        /// Some ten microseconds of work and more.
+        const DESIGNS: usize = 32;
+        BatchError::require_room("gravity", coefficients.len(), gravity.len())?;
+        BatchError::require_room("result", coefficients.len(), stability.len())?;
+        let designs = coefficients.par_chunks(DESIGNS).zip(gravity.par_chunks(DESIGNS));
+        let parts = designs.zip(stability.par_chunks_mut(DESIGNS));
+        parts.try_for_each(|((coefficients, gravity), stability)| self.stability(coefficients, gravity, stability))
+    }
 }
 
 /// How a design is computed.

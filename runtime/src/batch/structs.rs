@@ -1,5 +1,7 @@
 //! Slices of designs, which are brought into lanes and back in registers.
 
+use core::marker::PhantomData;
+
 use fearless_simd::Simd;
 
 use super::transpose::{MOST, transpose};
@@ -20,8 +22,7 @@ pub fn structs<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
     let lanes = Lanes::<S, M::Scalar>::COUNT;
     let whole = designs.len() - designs.len() % lanes;
     for (designs, coefficients) in designs.chunks_exact(lanes).zip(coefficients.chunks_exact_mut(lanes)) {
-        let rows = parameters::<S, N, M>(simd, designs).rows();
-        write::<S, N, M>(&rows, coefficients);
+        write::<S, N, M>(parameters::<S, N, M>(simd, designs).rows(), coefficients);
     }
     for (design, coefficients) in designs[whole..].iter().zip(&mut coefficients[whole..]) {
         *coefficients = design.coefficients();
@@ -62,43 +63,74 @@ fn parameters<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
     )
 }
 
+/// Numbers of a design that are brought side by side: the more, the more rounds it takes; a matrix of two coordinates has four.
+const GROUP: usize = 4;
+
 /// Writes what lanes hold as the matrices of one design after the other.
 #[inline(always)]
 fn write<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
-    rows: &[Rows<Lanes<S, M::Scalar>, N>; 8],
+    mut matrices: [Rows<Lanes<S, M::Scalar>, N>; 8],
     coefficients: &mut [Coefficients<M::Scalar, N>],
 ) {
     let lanes = Lanes::<S, M::Scalar>::COUNT;
-    // By columns, as matrices lie in memory.
-    let mut columns = *rows;
-    for (columns, rows) in columns.iter_mut().zip(rows) {
-        for (row, numbers) in rows.iter().enumerate() {
-            for (column, number) in numbers.iter().enumerate() {
-                columns[column][row] = *number;
+    let group = lanes.min(GROUP);
+    for (matrix, is_there) in matrices.iter_mut().zip(Matrices::<N, M>::ARE_THERE) {
+        if is_there {
+            // By columns, as matrices lie in memory.
+            let mut columns = *matrix;
+            for (row, numbers) in matrix.iter().enumerate() {
+                for (column, number) in numbers.iter().enumerate() {
+                    columns[column][row] = *number;
+                }
             }
+            columns.as_flattened_mut().chunks_exact_mut(group).for_each(transpose);
+            *matrix = columns;
         }
     }
-    let columns = columns.as_flattened_mut().as_flattened_mut();
-    for square in columns.chunks_exact_mut(lanes) {
-        transpose(square);
-    }
-    let squares = columns.chunks_exact(lanes);
-    let rest = squares.remainder();
     let states = core::array::from_fn(|coordinate| M::INFO.coordinates[coordinate].states);
     for (lane, coefficients) in coefficients.iter_mut().enumerate() {
-        let mut matrices = [[[M::Scalar::from_f64(0.0); N]; N]; 8];
-        let (places, places_of_rest) =
-            matrices.as_flattened_mut().as_flattened_mut().split_at_mut(8 * N * N - rest.len());
-        for (square, places) in squares.clone().zip(places.chunks_exact_mut(lanes)) {
-            square[lane].store(places);
-        }
-        for (numbers, place) in rest.iter().zip(places_of_rest) {
-            *place = numbers.lane(lane);
-        }
+        // Each register of a group has the numbers of so many designs.
+        let designs = lanes / group;
         let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, states: of_all } = coefficients;
-        for (matrix, columns) in [m, cm1, c0, c1, kc, k0, k1, k2].into_iter().zip(&matrices) {
-            matrix.as_mut_slice().copy_from_slice(columns.as_flattened());
+        for ((matrix, columns), is_there) in
+            [m, cm1, c0, c1, kc, k0, k1, k2].into_iter().zip(&matrices).zip(Matrices::<N, M>::ARE_THERE)
+        {
+            if !is_there {
+                matrix.fill(M::Scalar::from_f64(0.0));
+                continue;
+            }
+            let groups = columns.as_flattened().chunks_exact(group);
+            let mut places = matrix.as_mut_slice().chunks_exact_mut(group);
+            let rest = groups.remainder();
+            for (group_of_all, places) in groups.zip(&mut places) {
+                let numbers = group_of_all[lane / designs].numbers();
+                places.copy_from_slice(&numbers[lane % designs * group..][..group]);
+            }
+            for (numbers, place) in rest.iter().zip(places.into_remainder()) {
+                *place = numbers.lane(lane);
+            }
         }
         *of_all = states;
     }
+}
+
+/// The matrices of a model.
+struct Matrices<const N: usize, M>(PhantomData<M>);
+
+impl<const N: usize, M: Model<N>> Matrices<N, M> {
+    /// Which of them have entries that are not always zero.
+    const ARE_THERE: [bool; 8] = {
+        let mut are_there = [false; 8];
+        let mut entry = 0;
+        while entry < M::INFO.entries.len() {
+            let places = M::INFO.entries[entry].places;
+            let mut place = 0;
+            while place < places.len() {
+                are_there[places[place].0 as usize] = true;
+                place += 1;
+            }
+            entry += 1;
+        }
+        are_there
+    };
 }

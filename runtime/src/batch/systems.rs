@@ -56,6 +56,25 @@ impl Batch {
         Ok(())
     }
 
+    /// As [`Batch::eigenvalues_of_any`], by all cores.
+    ///
+    /// # Errors
+    /// As [`Batch::eigenvalues_of_any`].
+    #[cfg(feature = "rayon")]
+    pub fn parallel_eigenvalues_of_any<const N: usize>(
+        &self,
+        systems: &[System<N>],
+        eigenvalues: &mut [Eigenvalues],
+    ) -> Result<(), BatchError> {
+        use rayon::prelude::*;
+
+        /// Some ten microseconds of work and more.
+        const SYSTEMS: usize = 32;
+        BatchError::require_room("result", systems.len(), eigenvalues.len())?;
+        let parts = systems.par_chunks(SYSTEMS).zip(eigenvalues.par_chunks_mut(SYSTEMS));
+        parts.try_for_each(|(systems, eigenvalues)| self.eigenvalues_of_any(systems, eigenvalues))
+    }
+
     /// Not generic, so that it is compiled once: from the entries of M, C and K by columns, and from what a system has alone.
     fn find<'a>(
         &self,

@@ -2,6 +2,7 @@
 
 mod along_parameter;
 mod batch;
+mod batch_cores;
 mod batch_derivatives;
 mod batch_eigenvalues;
 mod batch_motion;

@@ -69,7 +69,7 @@ impl Batch {
         outcomes: &mut [Outcome],
     ) -> Result<(), BatchError> {
         ensemble.check::<N, M>(parameters, states, outcomes)?;
-        dispatch!(self.level, simd => run::<_, N, M>(simd, ensemble, (parameters, 0), states.numbers_mut(), outcomes));
+        self.run::<N, M>(ensemble, (parameters, 0), states.numbers_mut(), outcomes);
         Ok(())
     }
 
@@ -90,13 +90,22 @@ impl Batch {
         /// So many that the last ones, for which there are more lanes than motions, do not count.
         const MOTIONS: usize = 1024;
         ensemble.check::<N, M>(parameters, states, outcomes)?;
-        let numbers = MOTIONS * states.width();
-        let parts = states.numbers_mut().par_chunks_mut(numbers.max(1)).zip(outcomes.par_chunks_mut(MOTIONS));
-        parts.enumerate().for_each(|(part, (states, outcomes))| {
-            let parameters = (parameters, part * MOTIONS);
-            dispatch!(self.level, simd => run::<_, N, M>(simd, ensemble, parameters, states, outcomes));
+        let parts = states.parts_mut(MOTIONS).zip(outcomes.par_chunks_mut(MOTIONS)).enumerate();
+        parts.for_each(|(part, (states, outcomes))| {
+            self.run::<N, M>(ensemble, (parameters, part * MOTIONS), states, outcomes);
         });
         Ok(())
+    }
+
+    /// Simulates the motions of whole blocks, with the parameters of one design or of those from one on.
+    fn run<const N: usize, M: Nonlinear<N, Scalar: InLanes>>(
+        &self,
+        ensemble: &Ensemble,
+        parameters: (&Blocks<M::Scalar>, usize),
+        states: &mut [M::Scalar],
+        outcomes: &mut [Outcome],
+    ) {
+        dispatch!(self.level, simd => run::<_, N, M>(simd, ensemble, parameters, states, outcomes));
     }
 }
 

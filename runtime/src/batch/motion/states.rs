@@ -35,7 +35,7 @@ impl<T: InLanes> Blocks<T> {
     }
 }
 
-fn width_of_states(info: &MotionInfo) -> usize {
+pub(super) fn width_of_states(info: &MotionInfo) -> usize {
     info.positions.len() + info.speeds.len() + info.forces.len()
 }
 
