@@ -1,21 +1,24 @@
-//! Derivatives, nonlinear equations and nonlinear motions of many bicycles, in lanes and one after the other.
+//! Derivatives, nonlinear equations, eigenvalues and nonlinear motions of many, in lanes and one after the other.
 
 use std::hint::black_box;
 
-use carvallo::Scalar;
-use carvallo::batch::{Arrival, Batch, Blocks, Ensemble, InLanes, Limit};
+use carvallo::batch::{Arrival, Batch, Blocks, Eigenvalues, Ensemble, InLanes, Limit};
 use carvallo::motion::Unchecked;
 use carvallo::simulation::{Simulation, State};
+use carvallo::{Scalar, System};
 use carvallo_compare::Task;
 use carvallo_models::{Whipple, WhippleDerivatives, WhippleMatrices, WhippleMechanism, WhippleMechanismMotion};
 use carvallo_tests::designs;
 
 use crate::Summary;
+use crate::systems::random;
 
 /// Designs in the cache: 70 kB with their derivatives.
 const IN_CACHE: usize = 64;
-/// Designs whose derivatives, of a kilobyte each, are in memory.
+/// Designs whose derivatives, of a kilobyte each, are in memory; as many states with their rates have 10 MB.
 const IN_MEMORY: usize = 50_000;
+/// Systems whose eigenvalues are computed in one run.
+const SYSTEMS_IN_A_RUN: usize = 5_000;
 /// Motions in one run.
 const RIDES: usize = 64;
 
@@ -27,8 +30,11 @@ pub fn add(summary: &mut Summary) {
         let task = derivatives(Task::new(name, count), "f64", &designs[..count]);
         summary.run(derivatives(task, "f32", &singles[..count]));
     }
-    let task = Task::new(format!("Rates of positions and speeds, {IN_CACHE} bicycles in the cache"), IN_CACHE);
-    summary.run(equations::<f32>(equations::<f64>(task, "f64"), "f32"));
+    for (count, kind) in [(IN_CACHE, "in the cache"), (IN_MEMORY, "in memory")] {
+        let task = Task::new(format!("Rates of positions and speeds, {count} bicycles {kind}"), count);
+        summary.run(equations::<f32>(equations::<f64>(task, "f64", count), "f32", count));
+    }
+    eigenvalues(summary);
     falls(summary);
 }
 
@@ -64,25 +70,25 @@ fn derivatives<'a, T: InLanes>(task: Task<'a>, scalar: &str, designs: &'a [Whipp
     })
 }
 
-/// Positions, speeds and forces of the state of a number, in a turn.
+/// Positions, speeds and forces of the state of a number, in one of as many turns as are in the cache.
 fn state<T: Scalar>(number: usize) -> [T; 13] {
-    let share = number as f64 / IN_CACHE as f64;
+    let share = (number % IN_CACHE) as f64 / IN_CACHE as f64;
     [0.0, 0.0, 0.3, 0.4 * share, 0.01, -0.2 * share, 0.0, 0.0, -0.6, -0.5 * share, -9.0, 0.0, 0.0].map(T::from_f64)
 }
 
-fn equations<'a, T: InLanes>(task: Task<'a>, scalar: &str) -> Task<'a> {
+fn equations<'a, T: InLanes>(task: Task<'a>, scalar: &str, count: usize) -> Task<'a> {
     let batch = Batch::new();
     let design = WhippleMechanism::BENCHMARK.cast::<T>();
-    let motions = [design.motion(); IN_CACHE];
-    let states: Vec<[T; 13]> = (0..IN_CACHE).map(state).collect();
-    let mut blocks = Blocks::for_states::<2, WhippleMechanism<T>>(IN_CACHE);
+    let motions = vec![design.motion(); count];
+    let states: Vec<[T; 13]> = (0..count).map(state).collect();
+    let mut blocks = Blocks::for_states::<2, WhippleMechanism<T>>(count);
     for (place, state) in states.iter().enumerate() {
         state.iter().enumerate().for_each(|(position, number)| blocks.set(place, position, *number));
     }
-    let mut results = vec![([T::from_f64(0.0); 8], [T::from_f64(0.0); 3]); IN_CACHE];
-    let mut derivatives = Blocks::for_motion_derivatives::<2, WhippleMechanism<T>>(IN_CACHE);
+    let mut results = vec![([T::from_f64(0.0); 8], [T::from_f64(0.0); 3]); count];
+    let mut derivatives = Blocks::for_motion_derivatives::<2, WhippleMechanism<T>>(count);
     let one = Blocks::of_designs(&[design]);
-    let all = Blocks::of_designs(&[design; IN_CACHE]);
+    let all = Blocks::of_designs(&vec![design; count]);
     let (again, mut of_each) = (blocks.clone(), derivatives.clone());
     task.contender(named(scalar, "one by one"), move || {
         for ((result, state), motion) in results.iter_mut().zip(black_box(&states)).zip(black_box(&motions)) {
@@ -106,6 +112,49 @@ fn equations<'a, T: InLanes>(task: Task<'a>, scalar: &str) -> Task<'a> {
         done.expect("blocks that fit");
         black_box(&of_each);
     })
+}
+
+/// Systems of two coordinates: 12 kB with their eigenvalues, and 88 MB.
+fn eigenvalues(summary: &mut Summary) {
+    for (count, kind) in [(IN_CACHE, "in the cache"), (summary.designs / 2, "in memory")] {
+        let systems = random::<2>(count as u64);
+        let in_a_run = count.min(SYSTEMS_IN_A_RUN);
+        let name = format!("Eigenvalues of {count} random systems of two coordinates, {kind}");
+        let task = Task::new(name, in_a_run)
+            .contender(
+                "ours, one by one",
+                in_turn(&systems, 0, in_a_run, |systems, found| {
+                    for (found, system) in found.iter_mut().zip(systems) {
+                        *found = system.quartic_eigenvalues();
+                    }
+                }),
+            )
+            // So far ahead that it does not find in a cache what the other one has read.
+            .contender(
+                "ours, batch",
+                in_turn(&systems, count / 2, in_a_run, |systems, found| {
+                    Batch::new().eigenvalues(systems, found).expect("slices of equal length");
+                }),
+            );
+        summary.run(task);
+    }
+}
+
+/// So many systems from one on, and the next ones in the next run.
+fn in_turn(
+    systems: &[System<2>],
+    first: usize,
+    in_a_run: usize,
+    compute: fn(&[System<2>], &mut [Eigenvalues]),
+) -> impl FnMut() {
+    let mut found = vec![Ok(Default::default()); systems.len()];
+    let portions = systems.len() / in_a_run;
+    let mut turn = first / in_a_run;
+    move || {
+        let portion = turn % portions * in_a_run..(turn % portions + 1) * in_a_run;
+        turn += 1;
+        compute(black_box(&systems[portion.clone()]), black_box(&mut found[portion]));
+    }
 }
 
 /// The benchmark bicycle at 3 m/s, pushed: it falls within two seconds.

@@ -3,10 +3,12 @@
 use std::hint::black_box;
 use std::process::ExitCode;
 
-use carvallo::batch::{Batch, Blocks, Eigenvalues};
+use carvallo::batch::Eigenvalues;
 use carvallo::{Model, Sensitivity, Stability, System};
 use carvallo_models::{Whipple, WhippleLeaning, WhippleMechanism};
 use carvallo_tests::{designs, hand_written};
+
+use crate::batches::{DESIGNS, blocks, columns, jacobians, of_level, rates, structs};
 
 /// An evaluator.
 pub struct Evaluator {
@@ -19,9 +21,6 @@ pub struct Evaluator {
 
 /// A process that valgrind runs ends so if the processor cannot do what is asked for.
 pub const NOT_ON_THIS_PROCESSOR: u8 = 3;
-
-/// Designs in a batch.
-const DESIGNS: usize = 64;
 
 pub const EVALUATORS: &[Evaluator] = &[
     Evaluator {
@@ -62,8 +61,52 @@ pub const EVALUATORS: &[Evaluator] = &[
         calls: 1000,
         run: |calls| one(calls, &bicycle(), Whipple::matrices_and_derivatives),
     },
-    Evaluator { name: "matrices from bodies, batch, SSE2", calls: 6400, run: |calls| batch(calls, "SSE2") },
-    Evaluator { name: "matrices from bodies, batch, AVX2", calls: 6400, run: |calls| batch(calls, "AVX2") },
+    Evaluator {
+        name: "matrices and Jacobian from bodies, f32",
+        calls: 1000,
+        run: |calls| {
+            let design = designs::narrowed(&bicycle()).to_array();
+            one(calls, &WhippleMechanism::from_array(design), WhippleMechanism::matrices_and_derivatives)
+        },
+    },
+    Evaluator {
+        name: "matrices and Jacobian from formulas, f32",
+        calls: 1000,
+        run: |calls| one(calls, &designs::narrowed(&bicycle()), Whipple::matrices_and_derivatives),
+    },
+    Evaluator { name: "matrices from bodies, batch, SSE2", calls: 6400, run: |calls| blocks(calls, "SSE2") },
+    Evaluator { name: "matrices from bodies, batch, AVX2", calls: 6400, run: |calls| blocks(calls, "AVX2") },
+    Evaluator {
+        name: "matrices from bodies, batch of structs, SSE2",
+        calls: 6400,
+        run: |calls| structs(calls, "SSE2", WhippleMechanism::BENCHMARK),
+    },
+    Evaluator {
+        name: "matrices from bodies, batch of structs, AVX2",
+        calls: 6400,
+        run: |calls| structs(calls, "AVX2", WhippleMechanism::BENCHMARK),
+    },
+    Evaluator {
+        name: "matrices from bodies, batch of structs, f32, AVX2",
+        calls: 6400,
+        run: |calls| structs(calls, "AVX2", WhippleMechanism::BENCHMARK.to_f32()),
+    },
+    Evaluator {
+        name: "matrices from bodies, batch of columns, AVX2",
+        calls: 6400,
+        run: |calls| columns(calls, "AVX2"),
+    },
+    Evaluator {
+        name: "matrices and Jacobian from bodies, batch, SSE2",
+        calls: 6400,
+        run: |calls| jacobians(calls, "SSE2"),
+    },
+    Evaluator {
+        name: "matrices and Jacobian from bodies, batch, AVX2",
+        calls: 6400,
+        run: |calls| jacobians(calls, "AVX2"),
+    },
+    Evaluator { name: "rates of positions and speeds, batch, AVX2", calls: 6400, run: |calls| rates(calls, "AVX2") },
     Evaluator { name: "eigenvalues of two coordinates", calls: 2010, run: eigenvalues },
     Evaluator { name: "eigenvalues, batch along the speed, SSE2", calls: 2010, run: |calls| along(calls, "SSE2") },
     Evaluator { name: "eigenvalues, batch along the speed, AVX2", calls: 2010, run: |calls| along(calls, "AVX2") },
@@ -163,21 +206,6 @@ fn along(calls: usize, level: &str) -> Option<()> {
         let (coefficients, speeds) = (black_box(&coefficients), black_box(&speeds));
         let done = batch.eigenvalues_along(coefficients, bicycle().g, speeds, black_box(&mut found));
         done.expect("slices of equal length");
-    }
-    Some(())
-}
-
-fn of_level(level: &str) -> Option<Batch> {
-    Batch::levels().find(|batch| batch.to_string().starts_with(level))
-}
-
-fn batch(calls: usize, level: &str) -> Option<()> {
-    let batch = of_level(level)?;
-    let parameters = Blocks::of_designs(&[WhippleMechanism::BENCHMARK; DESIGNS]);
-    let mut entries = Blocks::for_entries::<2, WhippleMechanism>(DESIGNS);
-    for _ in 0..calls / DESIGNS {
-        let done = batch.matrices::<2, WhippleMechanism>(black_box(&parameters), black_box(&mut entries));
-        done.expect("blocks that fit");
     }
     Some(())
 }

@@ -6,6 +6,7 @@
 //! `cargo run --profile bench -p carvallo-tools --no-default-features --bin instructions`
 
 mod baseline;
+mod batches;
 mod count;
 mod evaluators;
 
