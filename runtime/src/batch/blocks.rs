@@ -10,8 +10,8 @@ use crate::model::Model;
 /// blocks of as many designs as the widest registers hold: eight in `f64`, sixteen in `f32`.
 ///
 /// A block holds the first number of its designs, then their second numbers, and so on. So lanes are loaded as they
-/// lie, the last one as fast as the first, and memory is read in one stream: columns of millions of numbers, one for each
-/// parameter, are twice as slow to read. Blocks begin at multiples of 64 bytes.
+/// lie, the last one as fast as the first, and memory is read in one stream. Columns, one for each parameter, take up to twice as
+/// long in the cache, and from memory between as long and a fifth longer. Blocks begin at multiples of 64 bytes.
 #[derive(Clone, Debug)]
 pub struct Blocks<T = f64> {
     numbers: Vec<T>,

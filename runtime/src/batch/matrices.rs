@@ -59,7 +59,7 @@ impl Batch {
     /// The matrices of designs that are given by columns, one for each parameter, into columns, one for each of the
     /// [entries](crate::ModelInfo::entries) of the model's matrices.
     ///
-    /// All columns are of equal length, the number of designs. Blocks are read faster. The parameters are not validated.
+    /// All columns are of equal length, the number of designs. In the cache blocks are faster. The parameters are not validated.
     ///
     /// # Errors
     /// If there is not a column for each parameter and each entry, or if they differ in length. Nothing is written then.
