@@ -1,6 +1,7 @@
 //! The command line of Carvallo: stability of bicycles, and of every other model that ships.
 
 mod commands;
+mod delivery;
 mod frequencies;
 mod limits;
 mod options;

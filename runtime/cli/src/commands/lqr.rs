@@ -1,13 +1,12 @@
 //! `carvallo lqr`: gains of a linear quadratic regulator, scheduled along speeds.
 
-use std::path::PathBuf;
-
 use carvallo_control::{Code, Ports, Schedule, Weights};
 use carvallo_design::number::shortest;
 use carvallo_design::{Design, Failure, Place};
 use carvallo_plot::data;
 use clap::{Args, ValueEnum};
 
+use crate::delivery::Delivery;
 use crate::options::{DesignOptions, Format, Speeds, UnitOptions};
 use crate::output::documents;
 use crate::ports;
@@ -68,17 +67,14 @@ pub struct Options {
     /// Of an output or an input; may be given several times [default: 1 for each state and each input]
     #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
     weight: Vec<String>,
-    /// table, markdown, latex, json or csv
-    #[arg(long, value_enum, default_value = "table", hide_possible_values = true, conflicts_with = "emit")]
-    format: Format,
+    #[command(flatten)]
+    delivery: Delivery,
     /// Source text with the gains in the place of a table: rust or c
-    #[arg(long, value_name = "LANGUAGE", hide_possible_values = true)]
+    #[arg(long, value_name = "LANGUAGE", hide_possible_values = true, conflicts_with = "format")]
     emit: Option<Language>,
     /// Tells also what each parameter changes about the gains; with table, markdown, latex or json
     #[arg(long, conflicts_with = "emit")]
     sensitivity: bool,
-    #[arg(long, value_name = "FILE", help = "Where the result goes [default: stdout]")]
-    output: Option<PathBuf>,
 }
 
 /// A language of source text.
@@ -88,12 +84,30 @@ enum Language {
     C,
 }
 
-pub fn run(options: &Options) -> Result<(), Failure> {
-    let path = options.output.as_deref();
-    if let Some(path) = path.filter(|path| options.design.request().reads(path)) {
-        let place = Place::Option(format!("--output {}", path.display()));
-        return Err(Failure::at(place, "the parameters are read from this file"));
+impl Language {
+    /// That a file which is named has an ending of the language.
+    fn ends(self, delivery: &Delivery) -> Result<(), Failure> {
+        let (endings, words) = match self {
+            Self::Rust => (&["rs"][..], ".rs"),
+            Self::C => (&["c", "h"][..], ".c or .h"),
+        };
+        let Some(path) = delivery.path() else { return Ok(()) };
+        match path.extension().and_then(|ending| ending.to_str()) {
+            Some(ending) if endings.iter().any(|own| ending.eq_ignore_ascii_case(own)) => Ok(()),
+            _ => Err(delivery.problem(&format!("the name of this source text must end in {words}"))),
+        }
     }
+}
+
+pub fn run(options: &Options) -> Result<(), Failure> {
+    let path = options.delivery.path();
+    if path.is_some_and(|path| options.design.request().reads(path)) {
+        return Err(options.delivery.problem("the parameters are read from this file"));
+    }
+    let format = match options.emit {
+        Some(language) => language.ends(&options.delivery).map(|()| Format::Table),
+        None => options.delivery.format(),
+    }?;
     let shown = options.units.shown()?;
     if options.emit.is_some() && !options.units.units()?.is_si() {
         return Err(Failure::at(Place::Option("--units".to_owned()), "with --emit all is in units of the SI"));
@@ -111,7 +125,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         );
         note(WARNING, "note", &text);
     }
-    if options.sensitivity && options.format == Format::Csv {
+    if options.sensitivity && format == Format::Csv {
         let place = Place::Option("--sensitivity".to_owned());
         return Err(Failure::at(place, "CSV has no place for it; table, markdown, latex and json have"));
     }
@@ -120,7 +134,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         by_parameter.iter_mut().for_each(|gains| *gains = regulator.gains_in_units(gains, &shown));
     }
     let (sensitivities, schedule) = (sensitivities.as_deref(), schedule.in_units(&shown));
-    let text = match (options.emit, options.format) {
+    let text = match (options.emit, format) {
         (Some(Language::Rust), _) => schedule.code(Code::Rust, &design, &weights),
         (Some(Language::C), _) => schedule.code(Code::C, &design, &weights),
         (None, Format::Json) => {

@@ -8,9 +8,9 @@ use carvallo_design::{Failure, Place, Problem};
 use carvallo_plot::data;
 use clap::Args;
 
+use crate::delivery::format_of;
 use crate::options::{Format, problem};
 use crate::output::documents;
-use crate::output::typeset::Language;
 use crate::ports::PortOptions;
 use crate::terminal::{deliver, save};
 
@@ -80,11 +80,7 @@ impl FromStr for File {
         let kind = match ending.as_str() {
             "npz" => Kind::Npz,
             "mat" => Kind::Mat,
-            "json" => Kind::Text(Format::Json),
-            "csv" => Kind::Text(Format::Csv),
-            "txt" => Kind::Text(Format::Table),
-            "md" => Kind::Text(Format::Document(Language::Markdown)),
-            "tex" => Kind::Text(Format::Document(Language::Latex)),
+            _ if let Some(format) = format_of(&path) => Kind::Text(format),
             _ => {
                 let outputs = format!("; an output of the state space is --outputs {text}");
                 let hint = if ending.is_empty() { outputs.as_str() } else { "" };

@@ -1,13 +1,12 @@
 //! `carvallo turns`: the circles that a bicycle runs in by itself.
 
-use std::path::PathBuf;
-
 use carvallo_design::quantity::{self, Context, Mistake, Reason, check_units, no_names};
 use carvallo_design::{Failure, Place};
 use carvallo_plot::analysis::turns::Families;
 use carvallo_plot::{data, picture};
 use clap::Args;
 
+use crate::delivery::Delivery;
 use crate::options::{DesignOptions, Format, Picture, UnitOptions};
 use crate::output::{self, documents};
 use crate::terminal::{WARNING, deliver, note};
@@ -45,11 +44,8 @@ pub struct Options {
         help = "Only the turns at these steers: a list, in rad or as `5 deg` [default: along the curve]"
     )]
     steer: Option<String>,
-    /// table, markdown, latex, json or csv
-    #[arg(long, value_enum, default_value = "table", hide_possible_values = true)]
-    format: Format,
-    #[arg(long, value_name = "FILE", help = "Where the result goes [default: stdout]")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    delivery: Delivery,
     /// Draws lean, steer and radius against the speed; .svg or .png
     #[arg(long, value_name = "FILE")]
     plot: Option<Picture>,
@@ -58,6 +54,10 @@ pub struct Options {
 pub fn run(options: &Options) -> Result<(), Failure> {
     if let Some(picture) = &options.plot {
         picture.check(&options.design)?;
+    }
+    let format = options.delivery.format()?;
+    if options.delivery.path().is_some_and(|path| options.design.request().reads(path)) {
+        return Err(options.delivery.problem("the parameters are read from this file"));
     }
     let steers = options.steer.as_deref().map(steers).transpose()?;
     let (units, shown) = (options.units.units()?, options.units.shown()?);
@@ -75,7 +75,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
              which speeds straight running is stable",
         );
     }
-    deliver(options.output.as_deref(), |output| match options.format {
+    deliver(options.delivery.path(), |output| match format {
         Format::Table => output.write_all(output::turns::render_table(&families, steers.is_some(), &units).as_bytes()),
         Format::Document(language) => {
             output.write_all(documents::of_turns(&families, steers.is_some(), &units).write(language).as_bytes())

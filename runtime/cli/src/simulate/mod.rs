@@ -34,7 +34,8 @@ const DRAWN: u32 = 600;
 /// # Errors
 /// Everything that is wrong with the request; that there is no motion; or that a file cannot be read or written.
 pub fn run(options: &Options) -> Result<(), Failure> {
-    let default_rows = if options.format.is_read() { COARSE } else { FINE };
+    let format = options.delivery.format()?;
+    let default_rows = if format.is_read() { COARSE } else { FINE };
     readable(&options.force)?;
     let times = times::times(&options.duration, options.step.as_deref(), default_rows);
     let speed = options.speed.as_deref().map(speed).transpose();
@@ -45,7 +46,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         Err(Failure::Input(found)) => return Err(Failure::Input([problems, found].concat())),
         design => design?,
     };
-    let asked = Asked { design: &design, options, times, speed, problems };
+    let asked = Asked { design: &design, options, format, times, speed, problems };
     if options.linear {
         return asked.simulate(&Linear::new(&design));
     }
@@ -65,6 +66,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 struct Asked<'a> {
     design: &'a Design,
     options: &'a Options,
+    format: Format,
     times: Result<Vec<f64>, Vec<Problem>>,
     speed: Result<Option<f64>, Problem>,
     problems: Vec<Problem>,
@@ -73,7 +75,7 @@ struct Asked<'a> {
 impl Asked<'_> {
     /// Solves the equations of motion, and tells the motion.
     fn simulate(self, solver: &dyn Solver) -> Result<(), Failure> {
-        let Self { design, options, times, speed, mut problems } = self;
+        let Self { design, options, format, times, speed, mut problems } = self;
         let (Ok(times), Ok(speed), true) = (times, speed, problems.is_empty()) else {
             problems.extend(read(solver, design, &options.initial, &options.force, 0.0).err().into_iter().flatten());
             return Err(Failure::Input(problems));
@@ -83,8 +85,8 @@ impl Asked<'_> {
         let speed = required_speed(solver, design, speed)?;
         let units = options.units.units()?;
         let motion = solved(solver, design, &given, speed, &times)?;
-        let motion = if options.format.is_read() { motion } else { units::in_units(motion, &units) };
-        tell(&motion, &units, options)?;
+        let motion = if format.is_read() { motion } else { units::in_units(motion, &units) };
+        tell(&motion, &units, format, options.delivery.path())?;
         motion.notes.iter().chain(&motion.end).for_each(|text| note(WARNING, "note", text));
         if let Some(picture) = &options.plot {
             if end == 0.0 {
@@ -137,8 +139,8 @@ fn beside<'a>(
     }
 }
 
-fn tell(motion: &Motion, units: &Units, options: &Options) -> Result<(), Failure> {
-    deliver(options.output.as_deref(), |output| match options.format {
+fn tell(motion: &Motion, units: &Units, format: Format, path: Option<&Path>) -> Result<(), Failure> {
+    deliver(path, |output| match format {
         Format::Table => output.write_all(output::motion::render_table(motion, units).as_bytes()),
         Format::Document(language) => output.write_all(documents::of_motion(motion, units).write(language).as_bytes()),
         Format::Json => data::motion::write_json(motion, output),
@@ -166,7 +168,7 @@ fn files(options: &Options) -> Vec<Problem> {
     {
         found.into_iter().for_each(|found| problem(found.place.file().to_owned(), &found.message));
     }
-    if let Some(path) = &options.output {
+    if let Some(path) = options.delivery.path() {
         let option = format!("--output {}", path.display());
         if options.design.request().reads(path) {
             problem(option.clone(), "the parameters are read from this file");

@@ -1,10 +1,9 @@
 //! The command line of a simulation.
 
-use std::path::PathBuf;
-
 use clap::Args;
 
-use crate::options::{DesignOptions, Format, Picture, UnitOptions};
+use crate::delivery::Delivery;
+use crate::options::{DesignOptions, Picture, UnitOptions};
 
 const HELP: &str = "\
 A bicycle moves by the nonlinear equations of its four bodies; so do other models that have such equations, and with --linear,
@@ -28,7 +27,7 @@ Examples:
                                                 The benchmark bicycle, pushed
   carvallo simulate pista --speed '18 km/h' --initial 'phi=5 deg' --duration 5 --plot ride.svg
                                                 A measured one, with its picture
-  carvallo simulate --speed 5 --force delta=torque.csv --duration 8 --step 0.01 --format csv --output ride.csv
+  carvallo simulate --speed 5 --force delta=torque.csv --duration 8 --step 0.01 --output ride.csv
                                                 Steered by a torque
   carvallo simulate --speed 3 --initial phi_rate=0.5 --duration 4 --feedback 'Tdelta = 10*(4.7 - v)*phi_rate'
                                                 With a motor that steers into the fall; v is the speed at the moment
@@ -72,11 +71,8 @@ pub struct Options {
     /// Solves the linear equations, not the nonlinear ones
     #[arg(long)]
     pub linear: bool,
-    /// table, markdown, latex, json or csv
-    #[arg(long, value_enum, default_value = "table", hide_possible_values = true)]
-    pub format: Format,
-    #[arg(long, value_name = "FILE", help = "Where the result goes [default: stdout]")]
-    pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub delivery: Delivery,
     /// Draws the motion against time, and the paths of wheels; .svg or .png
     #[arg(long, value_name = "FILE")]
     pub plot: Option<Picture>,

@@ -214,3 +214,34 @@ fn what_is_in_a_file_counts_more_than_its_ending() {
         directory.run(&["analyze", name, "--gravity", "9.81"]).ok();
     }
 }
+
+/// As of `statespace`; any text may be in a file of text.
+#[test]
+fn the_ending_of_a_file_names_the_format() {
+    let directory = Directory::of_this_test();
+    let commands = [
+        &["simulate", "--speed", "5", "--duration", "1", "--step", "0.5"][..],
+        &["turns", "--steer", "5 deg"],
+        &["lqr", "--inputs", "Tdelta", "--speeds", "5"],
+    ];
+    for command in commands {
+        for (name, format) in
+            [("a.csv", "csv"), ("a.json", "json"), ("a.md", "markdown"), ("a.tex", "latex"), ("a.txt", "table")]
+        {
+            let run = directory.run(&[command, &["--output", name]].concat());
+            assert_eq!(run.code, Some(0), "{}", run.stderr);
+            let asked = directory.run(&[command, &["--format", format]].concat()).ok();
+            assert_eq!(std::fs::read_to_string(directory.0.join(name)).unwrap(), asked, "{command:?} {format}");
+        }
+        let run = directory.run(&[command, &["--output", "other.txt", "--format", "latex"]].concat());
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+        assert_eq!(directory.run(&[command, &["--output", "a.dat", "--format", "csv"]].concat()).code, Some(0));
+        let message = "error: --output a.dat: the name must end in .json, .csv, .md, .tex or .txt\n";
+        directory.run(&[command, &["--output", "a.dat"]].concat()).fails(2, message);
+        let message = "error: --output a.csv: the ending of its name is that of another format than --format\n";
+        directory.run(&[command, &["--output", "a.csv", "--format", "json"]].concat()).fails(2, message);
+    }
+    let emit = ["lqr", "--inputs", "Tdelta", "--speeds", "5", "--emit", "c", "--output", "gains.csv"];
+    let message = "error: --output gains.csv: the name of this source text must end in .c or .h\n";
+    directory.run(&emit).fails(2, message);
+}
