@@ -78,5 +78,18 @@ fn mistakes_are_told_at_their_place() {
     );
     assert!(of("[0.5829, -1.0207]", "0.5829").contains("`hands` is no place; expected x and z in m"));
     assert!(of("chest_girth = 0.94", "chest_girth = 0.6").contains("make a torso"));
+    assert_eq!(
+        of("upper_leg = 0.46", "upper_leg = 46"),
+        at("`upper_leg` is 46 m; it must be at most 3 m: if it is in cm, write \"46 cm\"")
+    );
+    assert!(
+        of("[0.5829, -1.0207]", "[582.9, -1020.7]")
+            .contains("`x of hands` is 582.9 m; it must be at most 3 m: if it is in mm")
+    );
+    assert!(
+        of("[0.5829, -1.0207]", "[0.5829, 1.0207]")
+            .contains("`z of hands` is 1.0207 m, below the ground; z is counted down")
+    );
+    assert!(of("mass = 72 ", "mass = 72000 ").contains("`mass` is 72000 kg; it must be at most 500 kg; is it in g?"));
     assert!(of("lean = 82.9", "lean = 200").contains("`lean` is"));
 }

@@ -71,7 +71,7 @@ impl<'a> Problem<'a> {
         let columns: Vec<_> = ranges.iter().map(|range| Some(&range.varying)).collect();
         let varied = Varied::new(design, &naming, &columns)
             .map_err(|message| Failure::usage(format!("{}: {message}", design.title())))?;
-        if let Some(message) = varied.conflict() {
+        if let Some(message) = varied.conflict().or_else(|| varied.fixed()) {
             return Err(Failure::usage(message));
         }
         if !matches!(goal.measure, Measure::Parameter(..)) && !design.model.depends_on_speed() {

@@ -1,5 +1,6 @@
 //! Maps of the stable range over two parameters.
 
+use carvallo_design::units::Units;
 use carvallo_design::{Equations, Failure};
 use carvallo_plot::picture::{MOST_CELLS, MapAxis, MapCell, draw_map};
 use pyo3::prelude::*;
@@ -43,10 +44,13 @@ impl Designs {
             Ok(range.map(|place| cell(place % rows * columns + place / rows)).collect::<Vec<_>>())
         };
         let cells = in_parts(py, rows * columns, PART, threads(asked), work)?.concat();
-        let axis =
-            |(position, values, base): &Varied| MapAxis::new(&self.model.info.parameters[*position], values, *base);
+        let units = Units::default();
+        let axis = |(position, values, base): &Varied| {
+            let info = &self.model.info.parameters[*position];
+            MapAxis::new(info, values, *base, &units.or(info.unit, (info.unit == "rad").then_some("deg")))
+        };
         let [upward, across] = varied.each_ref().map(axis);
         let model = if self.model.is_whipple() { String::new() } else { format!("{} ", self.model.info.name) };
-        Ok(draw_map(&format!("{model}{name}"), &[across, upward], &cells).svg())
+        Ok(draw_map(&format!("{model}{name}"), &[across, upward], &cells, &units.of("m/s")).svg())
     }
 }

@@ -2,6 +2,7 @@
 
 use carvallo::StableRange;
 use carvallo_design::Design;
+use carvallo_design::units::Units;
 use carvallo_plot::picture::{self, MapAxis, MapCell, Scene};
 
 use super::plan::Plan;
@@ -25,8 +26,8 @@ impl Map {
         self.cells.extend(results.errors.iter().zip(&results.stable).map(cell));
     }
 
-    /// The map, with the design that was varied where it belongs.
-    pub fn draw(&self, design: &Design, plan: &Plan) -> Scene {
+    /// The map, with the design that was varied where it belongs; angles in degrees unless another unit is asked for.
+    pub fn draw(&self, design: &Design, plan: &Plan, units: &Units) -> Scene {
         let axes = match &plan.source {
             Source::Generated(generator) => generator.vary.as_slice(),
             Source::File(_) => &[],
@@ -38,9 +39,11 @@ impl Map {
             .map(|(column, axis)| {
                 let own = axis.parameter.position().map(|at| values[at]);
                 let own = own.or_else(|| plan.task.varied.start(column));
-                MapAxis::new(&axis.parameter.info, &axis.values, own)
+                let unit = axis.parameter.info.unit;
+                let shown = units.or(unit, (unit == "rad").then_some("deg"));
+                MapAxis::new(&axis.parameter.info, &axis.values, own, &shown)
             })
             .collect();
-        picture::draw_map(&design.title(), &axes, &self.cells)
+        picture::draw_map(&design.title(), &axes, &self.cells, &units.of("m/s"))
     }
 }

@@ -1,5 +1,6 @@
 //! A sweep from its plan to its end.
 
+use carvallo_design::units::Units;
 use carvallo_design::{Design, Failure};
 use carvallo_plot::picture::Scene;
 
@@ -17,6 +18,7 @@ pub struct Sweep<'a> {
     batches: Batches<'a>,
     destination: Destination,
     map: Option<Map>,
+    units: Units,
 }
 
 /// What came of a sweep.
@@ -42,7 +44,8 @@ impl<'a> Sweep<'a> {
     pub fn open(design: &'a Design, plan: &'a Plan, request: &Request) -> Result<Self, Failure> {
         let destination = Destination::open(request, plan)?;
         let batches = Batches::new(&plan.source)?;
-        Ok(Self { design, plan, batches, destination, map: request.map.as_ref().map(|_| Map::default()) })
+        let (map, units) = (request.map.as_ref().map(|_| Map::default()), request.units.clone());
+        Ok(Self { design, plan, batches, destination, map, units })
     }
 
     /// How many designs there are, where that is known before all are read.
@@ -61,13 +64,13 @@ impl<'a> Sweep<'a> {
     /// # Errors
     /// If a file cannot be read or written. Designs without an answer are no failure: their rows say why.
     pub fn run(self, done: &(dyn Fn(usize) + Sync)) -> Result<Option<Outcome>, Failure> {
-        let Self { design, plan, batches, mut destination, mut map } = self;
+        let Self { design, plan, batches, mut destination, mut map, units } = self;
         let before = destination.designs();
         let Some((designs, computed)) = pipeline::run(plan, batches, &mut destination, map.as_mut(), done)? else {
             return Ok(None);
         };
         let errors = destination.finish(plan)?;
-        let map = map.map(|map| map.draw(design, plan));
+        let map = map.map(|map| map.draw(design, plan, &units));
         Ok(Some(Outcome { designs, done: before.min(designs), computed, errors, map }))
     }
 }

@@ -7,7 +7,7 @@ use clap::Args;
 
 use crate::options::{DesignOptions, Format, Picture, UnitOptions};
 use crate::output::{self, documents};
-use crate::terminal::{print, write};
+use crate::terminal::{WARNING, note, print, write};
 
 const HELP: &str = "\
 Ranks the parameters by how much 1 % of each changes the weave and capsize speeds (m/s), with the derivatives beside it
@@ -57,6 +57,17 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let units = options.units.in_tables(options.format)?;
     let shown = Box::new(move |declared: &str| units.of(declared));
     let changes = Changes { shown, ..Changes::new(options.design.load()?)? };
+    if !changes.design.model.depends_on_speed() {
+        let model = changes.design.info().name;
+        note(
+            WARNING,
+            "note",
+            &format!(
+                "nothing in the model {model} depends on the speed, so that there are no critical speeds to rank by; what a \
+                 parameter does to the eigenvalues is in `carvallo analyze --model {model} --along NAME=LOW:HIGH`"
+            ),
+        );
+    }
     if let Some(picture) = &options.plot {
         let nothing = || {
             let title = changes.design.title();

@@ -42,7 +42,7 @@ pub struct Column {
     pub cells: Vec<String>,
 }
 
-/// Time, speed, and the positions; of a few coordinates their rates as well. Angles are in degrees, unless another unit is asked for.
+/// Time, speed, and the positions; of a few coordinates their rates as well, and of a state alone the accelerations. Angles are in degrees, unless another unit is asked for.
 pub fn columns(motion: &Motion, units: &Units) -> Vec<Column> {
     let column = |heading: String, cell: &dyn Fn(&Row) -> String| Column {
         heading,
@@ -58,9 +58,8 @@ pub fn columns(motion: &Motion, units: &Units) -> Vec<Column> {
         }));
     }
     let told = |quantity: &&Quantity| !(has_speed && matches!(quantity.name, "thetaR" | "thetaF"));
-    let place = |quantity: &Quantity| motion.position(quantity.name).unwrap_or(0);
     for quantity in motion.quantities.iter().filter(told) {
-        let place = place(quantity);
+        let place = place(motion, quantity);
         let shown = shown(quantity, units);
         let unit = unit(&shown);
         // What is longer explains more than there is room for.
@@ -76,19 +75,39 @@ pub fn columns(motion: &Motion, units: &Units) -> Vec<Column> {
     }
     if !has_speed {
         for quantity in &motion.quantities {
-            let place = place(quantity);
+            let place = place(motion, quantity);
             let shown = shown(quantity, units);
-            let unit = match (quantity.unit, shown.written.as_str()) {
-                ("rad", "deg") => "°/s".to_owned(),
-                _ if shown.is_declared() => quantity.unit_per_time(1),
-                (_, written) => format!("{written}/s"),
-            };
+            let unit = by_time(quantity, &shown, 1);
             columns.push(column(format!("{}' ({unit})", quantity.name), &|row| {
                 four_decimals(shown.value(row.rates[place]))
             }));
         }
     }
+    // Of a state alone, what it does next is all that there is to know.
+    let is_state = matches!(motion.rows[..], [Row { t: 0.0, .. }]);
+    if is_state {
+        for quantity in motion.quantities.iter().filter(told) {
+            let (place, shown) = (place(motion, quantity), shown(quantity, units));
+            columns.push(column(format!("{}'' ({})", quantity.name, by_time(quantity, &shown, 2)), &|row| {
+                four_decimals(shown.value(row.accelerations[place]))
+            }));
+        }
+    }
     columns
+}
+
+fn place(motion: &Motion, quantity: &Quantity) -> usize {
+    motion.position(quantity.name).unwrap_or(0)
+}
+
+/// The unit of a rate, or with the order 2 of an acceleration.
+fn by_time(quantity: &Quantity, shown: &DisplayUnit, order: u32) -> String {
+    let times = if order == 1 { "/s" } else { "/s²" };
+    match (quantity.unit, shown.written.as_str()) {
+        ("rad", "deg") => format!("°{times}"),
+        _ if shown.is_declared() => number::unit(&quantity.unit_per_time(order)),
+        _ => format!("{}{times}", shown.unit()),
+    }
 }
 
 fn shown(quantity: &Quantity, units: &Units) -> DisplayUnit {

@@ -179,3 +179,22 @@ fn mistakes_are_told() {
         .run(&["compare", "--model", "Motorcycle", "standard", "standard:Rf=0.31", "--side-view", "v.svg"])
         .fails(2, "error: --side-view v.svg: there is a side view of bicycles alone, and not all of these are\n");
 }
+
+/// There and back through another convention a parameter differs by rounding alone.
+#[test]
+fn rounding_is_no_difference() {
+    let directory = Directory::of_this_test();
+    for convention in ["moore", "geometry", "pydy", "principal"] {
+        let there = directory.run(&["convert", "browser", "--to", convention]).stdout;
+        directory.write("there.toml", there);
+        let run = directory.run(&["compare", "browser", "there.toml"]);
+        assert!(
+            run.stdout.contains("\nParameters that differ\n  those that all have are the same\n"),
+            "{}",
+            run.stdout
+        );
+        assert!(run.stdout.contains("there is no difference to explain"), "{}", run.stdout);
+    }
+    let run = directory.run(&["compare", "browser", "browser:w=1.1210000001"]);
+    assert!(run.stdout.contains("  w           m"), "{}", run.stdout);
+}

@@ -258,8 +258,8 @@ fn other_models_of_two_coordinates_have_theirs() {
         assert!((term("r") + 2.0 * inertias - 0.5 * speed).abs() <= 1e-13 * speed, "{critical}");
         assert!(inertias.abs() > 0.01 * speed, "{critical}");
     }
-    let text = directory.run(&["sensitivity", "--model", "DoublePendulum"]).ok();
-    assert!(text.contains("there is no such speed"), "{text}");
+    let run = directory.run(&["sensitivity", "--model", "DoublePendulum"]);
+    assert!(run.stdout.contains("there is no such speed"), "{}", run.stdout);
 }
 
 /// A car that oversteers diverges at the root of `L^2 Cf Cr / (m (a Cf - b Cr))` (Riekert & Schunck 1940).
@@ -375,4 +375,14 @@ fn json_is_a_parameter_file() {
         directory.write("result.json", &json);
         assert_eq!(directory.run(&["sensitivity", "result.json", "--format", "json"]).ok(), json);
     }
+}
+
+#[test]
+fn machines_without_a_speed_are_told_to_have_nothing_to_rank_by() {
+    let directory = Directory::of_this_test();
+    let run = directory.run(&["sensitivity", "--model", "Pendulum"]);
+    let note =
+        "note: nothing in the model Pendulum depends on the speed, so that there are no critical speeds to rank by; ";
+    assert!(run.code == Some(0) && run.stderr.starts_with(note), "{}", run.stderr);
+    assert_eq!(directory.run(&["sensitivity"]).stderr, "");
 }

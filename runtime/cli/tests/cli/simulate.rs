@@ -135,14 +135,14 @@ fn forces_come_from_files() {
 fn results_go_to_files() {
     let directory = Directory::of_this_test();
     let ride = ["--linear", "--speed", "5", "--initial", "phi=0.1", "--duration", "2"];
-    for format in ["table", "csv", "json"] {
+    for (format, file) in [("table", "ride.txt"), ("csv", "ride.csv"), ("json", "ride")] {
         let printed = simulate(&directory, &[&ride[..], &["--format", format]].concat()).ok();
-        let written = simulate(&directory, &[&ride[..], &["--format", format, "--output", "ride.txt"]].concat());
+        let written = simulate(&directory, &[&ride[..], &["--format", format, "--output", file]].concat());
         assert_eq!(
             (written.code, written.stdout.as_str(), written.stderr.as_str()),
-            (Some(0), "", "wrote: ride.txt\n")
+            (Some(0), "", format!("wrote: {file}\n").as_str())
         );
-        assert_eq!(std::fs::read_to_string(directory.0.join("ride.txt")).expect("a file"), printed);
+        assert_eq!(std::fs::read_to_string(directory.0.join(file)).expect("a file"), printed);
     }
 }
 
@@ -448,4 +448,25 @@ fn pictures_do_without_linear_motions_that_there_are_not() {
     assert!(run.stderr.contains("note: the picture has no linear motion, which knows no --initial thetaL=0.1\n"));
     let svg = std::fs::read_to_string(directory.0.join("ride.svg")).expect("a picture");
     assert!(!svg.contains("the same by the linear equations"));
+}
+
+/// theta'' = -k sin(theta) - d theta' of a pendulum at rest at 0.1 rad, by its linear equations: -9.81*1.988/1.976072*0.1 rad/s^2. Of the
+/// benchmark bicycle the table has what JSON has, in degrees.
+#[test]
+fn a_state_has_its_accelerations_in_the_table() {
+    let directory = Directory::of_this_test();
+    let run = directory.run(&["simulate", "--model", "Pendulum", "--initial", "theta=0.1", "--duration", "0"]);
+    let expected = -(9.81 * 1.988 / 1.976072_f64 * 0.1).to_degrees();
+    let last: Vec<&str> = run.stdout.lines().last().unwrap().split_whitespace().collect();
+    assert!(run.stdout.contains("theta'' (°/s²)"), "{}", run.stdout);
+    assert_eq!(last, ["0", "5.7296", "0.0000", format!("{expected:.4}").as_str()]);
+    let bicycle = ["simulate", "--speed", "5", "--initial", "phi=0.1", "--duration", "0"];
+    let table = directory.run(&bicycle).ok();
+    let json: serde_json::Value =
+        serde_json::from_str(&directory.run(&[&bicycle[..], &["--format", "json"]].concat()).stdout).unwrap();
+    for (name, factor) in [("phi", 180.0 / std::f64::consts::PI), ("x", 1.0)] {
+        let value = json["rows"][0]["accelerations"][name].as_f64().unwrap();
+        assert!(table.contains(&format!("{:.4}", factor * value)), "{name}: {value}\n{table}");
+    }
+    assert!(!directory.run(&["simulate", "--speed", "5", "--duration", "1"]).ok().contains("''"));
 }

@@ -16,6 +16,9 @@ use crate::number::with_unit;
 /// More names than this are not listed.
 const LISTED: usize = 6;
 
+/// How far beside a value another one is tried, relatively.
+const BESIDE: f64 = 1e-3;
+
 /// What is given twice may differ by so much, relatively.
 const SAME: f64 = 1e-6;
 
@@ -143,6 +146,23 @@ impl Varied {
         let names: Vec<&str> = columns.iter().map(|(_, name)| name.name).collect();
         let (name, vary) = (self.info.parameters[*position].name, if names.len() == 1 { "varies" } else { "vary" });
         Some(format!("`{name}` follows from {}, which {vary}, too; both cannot be held", list(&names)))
+    }
+
+    /// Why one of the columns cannot vary by itself, if that is so: with no other value near its own there is such a bicycle, as
+    /// where it says what others say, too.
+    pub fn fixed(&self) -> Option<String> {
+        let Foreign { convention, start, columns, .. } = self.foreign.as_ref()?;
+        (convention.to_paper)(start).ok()?;
+        columns.iter().enumerate().find_map(|(at, (_, name))| {
+            let own = start.iter().nth(at)?.1.value;
+            let beside = |step: f64| {
+                let mut values = start.clone();
+                values.set(at, own + step * own.abs().max(0.1));
+                (convention.to_paper)(&values).err()
+            };
+            let reason = beside(BESIDE).and(beside(-BESIDE))?;
+            Some(format!("`{}` cannot vary by itself in {}: {reason}", name.name, convention.title))
+        })
     }
 
     /// Whether a parameter of the model follows from those of the convention that vary.

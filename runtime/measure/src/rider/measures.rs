@@ -2,6 +2,7 @@
 
 use carvallo::{Bound, Domain, ParameterInfo, Sources, Uncertain};
 use carvallo_design::input::{Named, Node, Raw, Value};
+use carvallo_design::number::{shortest, with_unit};
 use carvallo_design::{Failure, Given, Place, Problem, nearest};
 
 use crate::table::in_degrees;
@@ -24,6 +25,10 @@ const LENGTHS: [ParameterInfo; 13] = [
 ];
 /// Places of the bicycle, in the order of [`Measures::places`].
 const PLACES: [&str; 3] = ["pedals", "saddle", "hands"];
+
+/// No rider has a length, and no bicycle a place, of more than this in m, and nobody a larger mass in kg.
+const FARTHEST: f64 = 3.0;
+const HEAVIEST: f64 = 500.0;
 
 const MASS: ParameterInfo = ParameterInfo::new("mass", "kg", Domain::POSITIVE);
 const LEAN: ParameterInfo =
@@ -108,8 +113,12 @@ impl<'a> Reader<'a> {
 
     fn judge(&mut self, Named { name, node: Node { place, value } }: Named, info: &ParameterInfo) -> Uncertain<'a> {
         let value = if info.unit == "rad" { in_degrees(value) } else { value };
+        let (called, found_at) = (name.clone(), place.clone());
         match (Named { name, node: Node { place, value } }).judge(info) {
             Ok(Given { value, deviation, .. }) => {
+                if let Some(message) = doubt(&called, value, info) {
+                    self.problems.push(Problem { place: found_at, message });
+                }
                 self.sources.measured(value, deviation.map_or(0.0, |deviation| deviation.value))
             }
             Err(found) => {
@@ -138,5 +147,24 @@ impl<'a> Reader<'a> {
         };
         [(x, &X), (z, &Z)]
             .map(|(node, info)| self.judge(Named { name: format!("{} of {name}", info.name), node }, info))
+    }
+}
+
+/// What no rider on a bicycle has, most likely for being in another unit or counted the other way.
+fn doubt(name: &str, value: f64, info: &ParameterInfo) -> Option<String> {
+    let shown = with_unit(value, info.unit);
+    match info.unit {
+        "m" if value.abs() > FARTHEST => {
+            let unit = if value.abs() > 100.0 * FARTHEST { "mm" } else { "cm" };
+            let number = shortest(value);
+            Some(format!(
+                "`{name}` is {shown}; it must be at most {FARTHEST} m: if it is in {unit}, write \"{number} {unit}\""
+            ))
+        }
+        "kg" if value > HEAVIEST => Some(format!("`{name}` is {shown}; it must be at most {HEAVIEST} kg; is it in g?")),
+        "m" if info.name == "z" && value > 0.0 => Some(format!(
+            "`{name}` is {shown}, below the ground; z is counted down, so that what is above it is negative"
+        )),
+        _ => None,
     }
 }

@@ -104,7 +104,8 @@ impl Plan {
         let fail = |message: String| Failure::usage(format!("{}: {message}", design.title()));
         let varied = Varied::new(design, &naming, &parameters).map_err(fail)?;
         // Rows of a file may well have both, if they agree.
-        if let (Source::Generated(_), Some(message)) = (&source, varied.conflict()) {
+        let impossible = || varied.conflict().or_else(|| varied.fixed());
+        if let (Source::Generated(_), Some(message)) = (&source, impossible()) {
             return Err(Failure::usage(message));
         }
         let warnings = slips::warnings(design, &source, &parameters, &varied)?;

@@ -76,7 +76,7 @@ pub fn critical_speeds(comparison: &Comparison, units: &Units) -> Table {
 
 fn parameters(comparison: &Comparison, all: bool, units: &Units) -> Table {
     let shown = comparison.parameters(all);
-    let row = |Parameter { info, values }: &Parameter| {
+    let row = |Parameter { info, values, .. }: &Parameter| {
         let unit = units.of(info.unit);
         let shown = |value: f64| shortest(unit.value(value) + 0.0);
         let value = |value: &Option<f64>| Cell::number(value.map_or("-".to_owned(), shown));

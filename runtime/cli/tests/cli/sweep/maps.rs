@@ -81,3 +81,22 @@ fn labels_of_narrow_and_large_ranges_can_be_read() {
         }
     }
 }
+
+/// The trail in mm goes from 50 to 100, speeds to km/h; a name that says it all stands once.
+#[test]
+fn maps_are_in_the_units_that_are_asked_for() {
+    let vary = ["--vary", "trail=0.05:0.1:0.01", "--vary", "head_angle=68 deg:74 deg:2 deg"];
+    let (plain, _) = map(&vary);
+    let (shown, _) = map(&[&vary[..], &["--units", "mm,km/h,rad"]].concat());
+    for (texts, expected) in [
+        (&plain, ["trail (m)", "angle of the steer axis from the ground head_angle (°)", "stable from (m/s)", "0.10"]),
+        (
+            &shown,
+            ["trail (mm)", "angle of the steer axis from the ground head_angle (rad)", "stable from (km/h)", "100"],
+        ),
+    ] {
+        for expected in expected {
+            assert!(texts.iter().any(|text| text == expected), "{expected} is not in {texts:?}");
+        }
+    }
+}

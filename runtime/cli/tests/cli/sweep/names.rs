@@ -279,6 +279,12 @@ fn what_cannot_be_meant_is_refused() {
         "--random measured: what was measured are parameters of the paper, which would replace what follows from the \
          geometry that manufacturers print: beside it only the paper's can vary",
     );
+    // With everything else held there is one head angle; 0.1 % less of 72 degrees is 71.928.
+    let message = "`htangle` cannot vary by itself in the names of PyDy's bicycle: `htangle` is 71.9280 deg, but 72.0000 deg with \
+                   framelength, forklength and forkoffset";
+    fails(&["--vary", "htangle=1.2,1.3"], message);
+    let optimize = ["optimize", "--vary", "htangle=1.2:1.3", "--minimize", "weave-speed"];
+    directory.run(&optimize).fails(2, &format!("error: {message}\n"));
     let run = directory.run(&["sweep", "--vary", "head_angle=1,4"]);
     assert_eq!(table(run).text(1, "error"), "`head_angle` is 4 rad; it must be > 0 and < 3.141592653589793");
 }

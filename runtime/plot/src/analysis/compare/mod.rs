@@ -5,7 +5,7 @@ mod path;
 mod tracks;
 
 use carvallo::{CriticalKind, CriticalSpeed};
-use carvallo_design::Failure;
+use carvallo_design::{Design, Failure};
 
 use self::contributions::integrate;
 use self::path::Path;
@@ -143,7 +143,9 @@ impl Comparison {
                         let is_same = design.info().parameters[position].unit == info.unit;
                         is_same.then(|| design.parameters[position].value)
                     };
-                    parameters.push(Parameter { info, values: self.designs.iter().map(value).collect() });
+                    let values = self.designs.iter().map(value).collect();
+                    let designs = self.designs.iter().map(|compared| &compared.analysis.design);
+                    parameters.push(Parameter { info, values, largest: largest(designs, info.unit) });
                 }
             }
         }
@@ -158,6 +160,26 @@ pub struct Parameter {
     pub info: &'static carvallo::ParameterInfo,
     /// Its value in each design that has it.
     pub values: Vec<Option<f64>>,
+    /// The largest of all designs in its unit.
+    largest: f64,
+}
+
+/// Values that differ by such a share of them, or such a part of the largest in their unit, differ by rounding, as that of a
+/// parameter which was converted there and back.
+const ROUNDING: [f64; 2] = [1e-12, 1e-14];
+
+/// Whether two values differ by no more than rounding.
+pub fn is_rounding(one: f64, other: f64, largest: f64) -> bool {
+    (one - other).abs() <= ROUNDING[0] * one.abs().max(other.abs()) + ROUNDING[1] * largest
+}
+
+/// The largest value in a unit.
+pub fn largest<'a>(designs: impl IntoIterator<Item = &'a Design>, unit: &str) -> f64 {
+    let of = |design: &Design| {
+        let all = design.info().parameters.iter().zip(&design.parameters);
+        all.filter(|(info, _)| info.unit == unit).fold(0.0, |most: f64, (_, given)| most.max(given.value.abs()))
+    };
+    designs.into_iter().map(of).fold(0.0, f64::max)
 }
 
 impl Parameter {
@@ -168,7 +190,11 @@ impl Parameter {
 
     /// Whether it has not the same value in all designs.
     pub fn differs(&self) -> bool {
-        self.values.iter().any(|value| *value != self.values[0])
+        let differs = |value: &Option<f64>| match (*value, self.values[0]) {
+            (Some(value), Some(first)) => !is_rounding(value, first, self.largest),
+            (value, first) => value != first,
+        };
+        self.values.iter().any(differs)
     }
 }
 

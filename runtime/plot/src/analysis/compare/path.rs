@@ -3,6 +3,7 @@
 use carvallo::{CriticalDerivative, CriticalSpeed};
 use carvallo_design::{Design, Shipped};
 
+use super::{is_rounding, largest};
 use crate::analysis::sensitivity::decides;
 
 /// From the parameters of one design, at 0, to those of another one, at 1.
@@ -61,8 +62,13 @@ impl Path {
         if laws(from) != laws(to) {
             return Err("the laws of feedback are others, and no parameters lead from one to the other".to_owned());
         }
+        let designs = [from, to];
         let (model, from, to) = (from.model, from.values(), to.values());
-        let parameters = (0..from.len()).filter(|&index| from[index] != to[index]).collect();
+        let differs = |index: &usize| {
+            let unit = model.info.parameters[*index].unit;
+            from[*index] != to[*index] && !is_rounding(from[*index], to[*index], largest(designs, unit))
+        };
+        let parameters = (0..from.len()).filter(differs).collect();
         Ok(Self { model, from, to, parameters })
     }
 

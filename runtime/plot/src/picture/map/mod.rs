@@ -5,7 +5,7 @@ mod scale;
 use std::ops::Range;
 
 use carvallo::{ParameterInfo, StableRange};
-use carvallo_design::number;
+use carvallo_design::DisplayUnit;
 
 use self::scale::{ENDLESS, ERROR, Scale, Shade, UNSTABLE};
 use super::axes::{self, Axes, INK};
@@ -43,20 +43,14 @@ pub enum MapCell {
 }
 
 impl MapAxis {
-    /// Of a parameter with values in its unit; `base` is that of the design that was varied, if there is one. Angles are shown in
-    /// degrees.
-    pub fn new(info: &ParameterInfo, values: &[f64], base: Option<f64>) -> Self {
+    /// Of a parameter with values in its unit, and in what they are shown; `base` is that of the design that was varied, if there is
+    /// one.
+    pub fn new(info: &ParameterInfo, values: &[f64], base: Option<f64>, shown: &DisplayUnit) -> Self {
         let label = label(info);
-        let (factor, unit) = match info.unit {
-            "rad" => (180.0 / std::f64::consts::PI, "°".to_owned()),
-            unit => (1.0, number::unit(unit)),
-        };
+        let unit = if shown.written == "deg" { "°".to_owned() } else { shown.unit() };
         let label = if unit.is_empty() { label } else { format!("{label} ({unit})") };
-        Self {
-            label,
-            values: values.iter().map(|value| value * factor).collect(),
-            base: base.map(|base| base * factor),
-        }
+        let values = values.iter().map(|value| shown.value(*value)).collect();
+        Self { label, values, base: base.map(|base| shown.value(base)) }
     }
 
     /// Where the cells of the values end: in the middle between neighbours.
@@ -88,11 +82,17 @@ fn label(info: &ParameterInfo) -> String {
     let docs = info.docs.trim().split([':', '.', ',', ';', '\n']).next().unwrap_or_default();
     let mut chars = docs.chars();
     match chars.next() {
+        // A name that says it all is not said twice.
+        Some(_) if letters(docs) == letters(info.symbol) => docs.to_lowercase(),
         Some(first) if docs.chars().count() <= 50 => {
             format!("{}{} {}", first.to_lowercase(), chars.as_str(), info.symbol)
         }
         _ => info.symbol.to_owned(),
     }
+}
+
+fn letters(text: &str) -> String {
+    text.chars().filter(|sign| !matches!(sign, ' ' | '_' | '-')).collect::<String>().to_lowercase()
 }
 
 /// What a panel shows of the stable ranges.
@@ -102,18 +102,18 @@ struct Panel {
 }
 
 const PANELS: [Panel; 2] = [
-    Panel { title: "stable from (m/s)", value: |range| Some(range.from) },
-    Panel { title: "width of the stable range (m/s)", value: |range| range.to.map(|to| to - range.from) },
+    Panel { title: "stable from", value: |range| Some(range.from) },
+    Panel { title: "width of the stable range", value: |range| range.to.map(|to| to - range.from) },
 ];
 
 /// Two panels: where the stable range begins, and how wide it is. Of the axes the first is horizontal; the cells of each of
-/// its values stand together.
-pub fn draw_map(name: &str, axes: &[MapAxis], cells: &[MapCell]) -> Scene {
+/// its values stand together. Speeds are shown in a unit.
+pub fn draw_map(name: &str, axes: &[MapAxis], cells: &[MapCell], speed: &DisplayUnit) -> Scene {
     let [x_axis, y_axis] = axes else { return Scene::new(String::new(), 1.0, 1.0) };
     let edges = [x_axis.edges(), y_axis.edges()];
     let [x_range, y_range] = [MapAxis::extent(&edges[0]), MapAxis::extent(&edges[1])];
     let left = axes::margin(y_range);
-    let scales = PANELS.each_ref().map(|panel| Scale::of(values(panel, cells)));
+    let scales = PANELS.each_ref().map(|panel| Scale::of(values(panel, cells, speed)));
     let [first_right, second_right] = scales.each_ref().map(Scale::room);
     let second_left = left + SIDE + first_right + BETWEEN + left;
     let width = second_left + SIDE + second_right;
@@ -123,9 +123,17 @@ pub fn draw_map(name: &str, axes: &[MapAxis], cells: &[MapCell]) -> Scene {
     for ((panel, scale), left) in PANELS.iter().zip(scales).zip([left, second_left]) {
         let area = [left, TOP, left + SIDE, TOP + SIDE - 40.0];
         let axes = Axes::even(x_range, y_range, area);
-        scene.text((left + SIDE / 2.0, TOP - 14.0), Anchor::Middle, 15.0, INK, panel.title);
+        scene.text(
+            (left + SIDE / 2.0, TOP - 14.0),
+            Anchor::Middle,
+            15.0,
+            INK,
+            &format!("{} ({})", panel.title, speed.unit()),
+        );
         fill(&mut scene, &axes, &edges, cells, |cell| match cell {
-            MapCell::Stable(range) => (panel.value)(range).map_or(Shade::Endless, |value| scale.shade(value)),
+            MapCell::Stable(range) => {
+                (panel.value)(range).map_or(Shade::Endless, |value| scale.shade(speed.value(value)))
+            }
             MapCell::Unstable => Shade::Unstable,
             MapCell::Error => Shade::Error,
         });
@@ -147,9 +155,9 @@ pub fn draw_map(name: &str, axes: &[MapAxis], cells: &[MapCell]) -> Scene {
 }
 
 /// What a panel shows in colours.
-fn values(panel: &Panel, cells: &[MapCell]) -> impl Iterator<Item = f64> {
+fn values(panel: &Panel, cells: &[MapCell], speed: &DisplayUnit) -> impl Iterator<Item = f64> {
     cells.iter().filter_map(|cell| match cell {
-        MapCell::Stable(range) => (panel.value)(range),
+        MapCell::Stable(range) => (panel.value)(range).map(|value| speed.value(value)),
         _ => None,
     })
 }
