@@ -432,7 +432,7 @@ fn settings_may_be_in_another_convention_than_the_file() {
     }
     directory
         .run(&["analyze", "moore.toml", "--set", "trial=60 mm"])
-        .fails(2, "error: --set trial=60 mm: `trial` is not a parameter of Whipple\n");
+        .fails(2, "error: --set trial=60 mm: `trial` is not a parameter of Whipple; did you mean `trail`?\n");
     // A script of MATLAB under another ending.
     let script = directory.run(&["convert", "pista", "--to", "jbike6"]).stdout;
     directory.write("script.toml", script);

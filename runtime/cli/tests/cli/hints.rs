@@ -66,3 +66,33 @@ fn values_in_other_units_are_warned_of() {
     assert_eq!((run.code, run.stderr.as_str()), (Some(0), warning));
     Directory::of_this_test().run(&["analyze", "--set", "w=1020 mm", "--set", "rR=300 mm"]).ok();
 }
+
+/// What others call a parameter is told to be theirs; what is nearly called so is hinted at, in files as in options.
+#[test]
+fn names_of_others_are_hinted_at() {
+    let geometry = "is not a parameter of Whipple; it is one of the geometry that manufacturers print, in which a file has all parameters; \
+                    `--set head_angle=…` changes it of another bicycle";
+    let directory = Directory::of_this_test();
+    let run = directory.write("mine.toml", "head_angle = 1.2\n").run(&["analyze", "mine.toml"]);
+    assert!(
+        run.code == Some(2) && run.stderr.contains(&format!("mine.toml:1: `head_angle` {geometry}")),
+        "{}",
+        run.stderr
+    );
+    let trial = "`trial` is not a parameter of Whipple; did you mean `trail`?";
+    check_options(&["--set", "trial=0.05"], &format!("--set trial=0.05: {trial}"));
+    let run = directory.write("mine.txt", "w = 1.02\ntrial = 0.08\n").run(&["analyze", "mine.txt"]);
+    assert!(run.stderr.contains(&format!("mine.txt:2: {trial}")), "{}", run.stderr);
+}
+
+/// Their centres are hypot(0.6, 0.05) m apart, of wheels of 0.3 and 0.35 m.
+#[test]
+fn wheels_that_overlap_are_warned_of() {
+    let directory = Directory::of_this_test();
+    let run = directory.run(&["show", "benchmark", "--set", "w=0.6"]);
+    let warning = "warning: benchmark: the wheels overlap: with `w` their centres are 0.6021 m apart, and `rR` and `rF` are 0.6500 m \
+                   together\n";
+    assert_eq!((run.code, run.stderr.as_str()), (Some(0), warning));
+    // hypot(0.65, 0.05) m is more than 0.65 m.
+    assert_eq!(directory.run(&["show", "benchmark", "--set", "w=0.65"]).stderr, "");
+}

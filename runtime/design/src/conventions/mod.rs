@@ -40,6 +40,7 @@ mod write;
 
 pub use self::convert::{Converted, Parameter, convert};
 pub use self::name::{Name, Need};
+pub(crate) use self::naming::hint;
 pub use self::naming::{Naming, Varying, folded, spelled};
 pub use self::quantity::Quantity;
 pub use self::read::Reading;

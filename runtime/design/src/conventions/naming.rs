@@ -212,6 +212,22 @@ impl Varying {
     }
 }
 
+/// Of a name that a model does not have, whose it is or what was probably meant, as the end of a sentence.
+pub fn hint(name: &str, info: &ModelInfo) -> Option<String> {
+    if !has_paper(info) {
+        return None;
+    }
+    if let Some(convention) = only(&entries(&[name.to_owned()])) {
+        return Some(format!(
+            "; it is one of {}, in which a file has all parameters; `--set {name}=…` changes it of another bicycle",
+            convention.title
+        ));
+    }
+    let names = OTHERS.iter().flat_map(|convention| convention.names).map(|known| known.name);
+    let meant = nearest(name, names).filter(|meant| *meant != name)?;
+    Some(format!("; did you mean `{meant}`?"))
+}
+
 /// A name that a model or a convention has, if this is one but for its spaces, hyphens and capitals.
 pub fn spelled(name: &str, info: &ModelInfo) -> Option<String> {
     let is_known = |name: &str| {

@@ -136,8 +136,10 @@ pub struct Missing<'a> {
 
 /// That there is no parameter of this name, and what may have been meant.
 pub fn unknown(entry: &Entry, info: &ModelInfo, hint: Option<&str>) -> Problem {
-    let hint = hint.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default();
-    let message = format!("`{}` is not a parameter of {}{hint}", entry.name, info.name);
+    let hint = hint.map(|name| format!("; did you mean `{name}`?"));
+    #[cfg(feature = "full")]
+    let hint = hint.or_else(|| crate::conventions::hint(&entry.name, info));
+    let message = format!("`{}` is not a parameter of {}{}", entry.name, info.name, hint.unwrap_or_default());
     Problem { place: entry.place.clone(), message }
 }
 

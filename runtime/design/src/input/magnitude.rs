@@ -85,8 +85,7 @@ fn slips(info: &ModelInfo, values: &[f64]) -> Vec<Slip> {
     for Kind { names, ordinary: (low, high), largest, units } in KINDS {
         for &name in names {
             let Some(size) = value(name).filter(|size| size.abs() > largest) else { continue };
-            let fits = |(_, factor): &&(&str, f64)| (low..=high).contains(&(size * factor).abs());
-            found.extend(units.iter().find(fits).map(|&(unit, _)| Slip { unit, name, size }));
+            found.extend(likeliest(units, size, [low, high]).map(|unit| Slip { unit, name, size }));
         }
     }
     for (names, mass, length) in BODIES {
@@ -99,6 +98,14 @@ fn slips(info: &ModelInfo, values: &[f64]) -> Vec<Slip> {
         }
     }
     found
+}
+
+/// The unit in which a size is ordinary: of several the one in which it is nearest to the middle, so that 34 of a radius are cm.
+fn likeliest(units: &[(&'static str, f64)], size: f64, [low, high]: [f64; 2]) -> Option<&'static str> {
+    let middle = (low * high).sqrt();
+    let off = |factor: f64| ((size * factor).abs() / middle).ln().abs();
+    let fits = |(_, factor): &&(&str, f64)| (low..=high).contains(&(size * factor).abs());
+    units.iter().filter(fits).min_by(|a, b| off(a.1).total_cmp(&off(b.1))).map(|(unit, _)| *unit)
 }
 
 fn warning<'a>(unit: &str, found: impl Iterator<Item = &'a Slip>) -> Option<String> {
@@ -162,6 +169,14 @@ mod tests {
         assert_eq!(warnings(WHIPPLE.info, &values), [message]);
         values[0] = 102.0;
         assert_eq!(warnings(WHIPPLE.info, &values), [message.replace("mm", "cm").replace("1020", "102")]);
+        // Neither a radius of 34 mm nor a depth of 90 mm is meant.
+        values[0] = 1.02;
+        let [radius, depth] = ["rR", "zB"].map(|name| WHIPPLE.info.position(name).unwrap());
+        (values[radius], values[depth]) = (34.0, -90.0);
+        let both =
+            "`rR`, `zB` are too large for a bicycle, and ordinary in cm; write that unit behind each, as in `34 cm`";
+        assert_eq!(warnings(WHIPPLE.info, &values), [both]);
+        (values[radius], values[depth]) = (0.3, -0.9);
         values[0] = 7.0;
         values[3] = 981.0;
         let gravity = "`g` is too large for a bicycle, and ordinary in cm/s^2; write that unit behind it, as in \

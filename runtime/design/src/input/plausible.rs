@@ -11,7 +11,7 @@ use crate::number::{fixed, shortest};
 const TOLERANCE: f64 = 1e-9;
 
 /// What deserves a warning: a steer axis that is tilted by 45 degrees or more, as by a head angle in the place of the tilt;
-/// a centre of mass below the ground; and in any body a moment of inertia that exceeds the sum
+/// a centre of mass below the ground; wheels that overlap; and in any body a moment of inertia that exceeds the sum
 /// of the other two, or is negative. Bodies with a product of inertia are judged by their principal moments.
 pub fn warnings(info: &ModelInfo, values: &[f64]) -> Vec<String> {
     let value = |name: &str| info.position(name).and_then(|position| values.get(position)).copied();
@@ -40,7 +40,20 @@ pub fn warnings(info: &ModelInfo, values: &[f64]) -> Vec<String> {
         }
         _ => None,
     });
-    inertias.chain(below).chain(tilt).collect()
+    let wheels = ["w", "rR", "rF"].map(value);
+    inertias.chain(below).chain(tilt).chain(overlap(wheels)).collect()
+}
+
+/// That the wheels, which stand on one level, reach into each other.
+fn overlap(wheels: [Option<f64>; 3]) -> Option<String> {
+    let [Some(w), Some(rear), Some(front)] = wheels else { return None };
+    let apart = w.hypot(rear - front);
+    (apart < rear + front).then(|| {
+        let [apart, both] = [apart, rear + front].map(|length| fixed(length, 4));
+        format!(
+            "the wheels overlap: with `w` their centres are {apart} m apart, and `rR` and `rF` are {both} m together"
+        )
+    })
 }
 
 fn check_moments(body: &str, mut moments: [f64; 3]) -> Option<String> {
