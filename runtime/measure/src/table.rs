@@ -77,10 +77,11 @@ impl<'a> Table<'a> {
                             table.fitted.extend(fitted);
                             member
                         }
-                        Err(problem) => {
-                            table.problems.get_mut().push(problem);
+                        Err(Failure::Input(found)) => {
+                            table.problems.get_mut().extend(found);
                             continue;
                         }
+                        Err(unreadable) => return Err(unreadable),
                     };
                     match mean(member, info, sources) {
                         Ok(number) => drop(table.numbers.insert(info.name, number)),
@@ -186,26 +187,33 @@ fn name_of(label: &str) -> String {
 }
 
 /// A measurement with the periods of recordings in their places, and what is said of each.
-fn with_periods(Named { name, node }: Named, label: &str) -> Result<(Named, Vec<String>), Problem> {
+///
+/// # Errors
+/// What is wrong with a recording, or that it cannot be read.
+fn with_periods(Named { name, node }: Named, label: &str) -> Result<(Named, Vec<String>), Failure> {
     let mut fitted = Vec::new();
     let is_period = known(&name).is_some_and(|info| info.unit == "s");
     let mut fit = |Node { place, value }: Node| {
         let Some(recording) = Recording::of(&value).filter(|_| is_period) else { return Ok(Node { place, value }) };
-        match recording.and_then(|recording| recording.period(label)) {
-            Ok((Oscillation { r_squared, .. }, said)) if r_squared < NOISE => {
-                let message = format!(
-                    "`{name}`: no decaying sine is in this signal, of which it explains {r_squared:.2}: {said}"
-                );
-                Err(Problem { place, message })
+        let found = recording.map_err(Failure::usage).and_then(|recording| recording.period(label));
+        let (Oscillation { period, deviation, r_squared, .. }, said) = found.map_err(|failure| match failure {
+            Failure::Input(problems) => {
+                let of = |problem: Problem| Problem {
+                    place: place.clone(),
+                    message: format!("`{name}`: {}", problem.message),
+                };
+                Failure::Input(problems.into_iter().map(of).collect())
             }
-            Ok((Oscillation { period, deviation, r_squared, .. }, said)) => {
-                let doubt = if r_squared < DOUBTFUL { "; it is hardly a decaying sine" } else { "" };
-                fitted.push(format!("`{name}` is {said}{doubt}"));
-                let text = format!("{}+/-{}", shortest(period), shortest(deviation));
-                Ok(Node { place, value: Value::Text(text) })
-            }
-            Err(message) => Err(Problem { place, message: format!("`{name}`: {message}") }),
+            Failure::Run(message) => Failure::Run(format!("{place}: `{name}`: {message}")),
+        })?;
+        if r_squared < NOISE {
+            let message =
+                format!("`{name}`: no decaying sine is in this signal, of which it explains {r_squared:.2}: {said}");
+            return Err(Failure::at(place, message));
         }
+        let doubt = if r_squared < DOUBTFUL { "; it is hardly a decaying sine" } else { "" };
+        fitted.push(format!("`{name}` is {said}{doubt}"));
+        Ok(Node { place, value: Value::Text(format!("{}+/-{}", shortest(period), shortest(deviation))) })
     };
     let node = match node {
         Node { place, value: Value::List(nodes) } => {

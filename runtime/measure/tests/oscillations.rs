@@ -181,7 +181,7 @@ fn files_stand_in_the_place_of_periods() {
     let percent = format!("beside a drift of the zero by {:.2} % of the amplitude", 100.0 * drift * period / amplitude);
     assert!(notes.iter().any(|note| note.contains(&percent)), "{percent}: {notes:?}");
     for (value, message) in [
-        ("'none.csv'", "none.csv: "),
+        ("'none.csv'", "there is no file "),
         ("{ file = 'long.csv', column = 'gyro' }", "`furlong` is no unit of time"),
         ("{ file = 'more.csv' }", "it has 3 columns; give that of the signal as `column`, by its name or its number"),
         ("{ file = 'more.csv', column = 'giro' }", "there is no column `giro`; there are t [ms], other, gyro [V]"),

@@ -172,6 +172,17 @@ fn exit_codes_of_files_are_the_same_everywhere() {
             assert!(found.stderr.contains(message), "{arguments:?} {file}: {}", found.stderr);
         }
     }
+    // A recording is named in a file, at a line of which it is missing.
+    let example = directory.run(&["measure", "--example"]).ok();
+    let line = example.lines().find(|line| line.trim_start().starts_with("TtR1")).unwrap();
+    for (file, code, message) in [
+        ("missing.csv", 2, "`TtR1`: there is no file missing.csv"),
+        ("folder.csv", 1, "`TtR1`: cannot read folder.csv: Is a directory"),
+    ] {
+        directory.write("measured.toml", example.replace(line, &format!("TtR1 = '{file}'")));
+        let found = directory.run(&["measure", "measured.toml"]);
+        assert!(found.code == Some(code) && found.stderr.contains(message), "{file}: {}", found.stderr);
+    }
     run(&["sweep", "--designs", "FILE"], "missing.csv").fails(2, "error: there is no file missing.csv\n");
     let writing: [&[&str]; 8] = [
         &["analyze", "--plot", "none/a.svg"],

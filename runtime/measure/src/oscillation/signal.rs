@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use carvallo_design::Failure;
 use carvallo_design::input::{Named, Node, Value};
 use carvallo_design::number::{fixed, shortest};
 use carvallo_design::quantity::{Context, Mistake, Reason, no_names, number};
@@ -84,14 +85,17 @@ impl Recording {
     /// The oscillation in the file, which is beside the one that names it; and what is said of it.
     ///
     /// # Errors
-    /// If the file cannot be read, or there is no oscillation in it.
-    pub fn period(&self, beside: &str) -> Result<(Oscillation, String), String> {
+    /// If there is no such file, it cannot be read, or there is no oscillation in it.
+    pub fn period(&self, beside: &str) -> Result<(Oscillation, String), Failure> {
         let path = Path::new(beside).parent().unwrap_or(Path::new("")).join(&self.file);
         let shown = path.display();
-        let bytes = std::fs::read(&path).map_err(|error| format!("cannot read {shown}: {error}"))?;
-        let (times, signal) =
-            self.samples(&String::from_utf8_lossy(&bytes)).map_err(|error| format!("{shown}: {error}"))?;
-        let found = fit(&times, &signal).map_err(|error| format!("{shown}: {error}"))?;
+        let wrong = |error: &dyn std::fmt::Display| Failure::usage(format!("{shown}: {error}"));
+        if !path.exists() {
+            return Err(Failure::usage(format!("there is no file {shown}")));
+        }
+        let bytes = std::fs::read(&path).map_err(|error| Failure::Run(format!("cannot read {shown}: {error}")))?;
+        let (times, signal) = self.samples(&String::from_utf8_lossy(&bytes)).map_err(|error| wrong(&error))?;
+        let found = fit(&times, &signal).map_err(|error| wrong(&error))?;
         let Oscillation { period, deviation, decay, samples, periods, r_squared, drift, amplitude, .. } = found;
         let percent = 100.0 * (drift * period / amplitude).abs();
         let drift = match drift {
