@@ -320,3 +320,21 @@ pub fn points(line: &str) -> Vec<(f64, f64)> {
     points.dedup();
     points
 }
+
+/// Titles, legends and notes of designs with long names end in dots at the edge; readers that cannot see them have all of it.
+#[test]
+fn long_names_do_not_leave_a_picture() {
+    let directory = Directory::of_this_test();
+    let name = "a bicycle with a name that is much longer than any picture is wide, by far, and goes on ".repeat(3);
+    let shown = directory.run(&["show", "benchmark", "--set", "mB=60", "--set", "w=1.1"]).stdout;
+    directory.write("long.toml", shown.replace("name = \"benchmark\"", &format!("name = \"{}\"", name.trim())));
+    for option in ["--plot", "--side-view", "--contributions"] {
+        let run = directory.run(&["compare", "benchmark", "long.toml", option, "picture.svg"]);
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+        let svg = std::fs::read_to_string(directory.0.join("picture.svg")).unwrap();
+        let width: f64 = svg.split_once("width=\"").unwrap().1.split_once('"').unwrap().0.parse().unwrap();
+        let all: Vec<(&str, [f64; 2])> = svg.lines().filter_map(labelled).collect();
+        assert!(all.iter().any(|(text, _)| text.contains(name.trim()) || text.contains("long.toml")), "{all:?}");
+        assert!(all.iter().all(|(_, [low, high])| *low >= 0.0 && *high <= width), "{all:?}");
+    }
+}

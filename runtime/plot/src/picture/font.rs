@@ -1,6 +1,7 @@
 //! The outlines of the text in a drawing, from the one font that ships with the program: a part of Roboto, Apache License
 //! 2.0.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
@@ -57,6 +58,21 @@ impl Font {
 pub fn width(text: &str, size: f32) -> f32 {
     let scale = size / FONT.units_per_em;
     text.chars().map(|char| scale * FONT.glyph(char).advance).sum()
+}
+
+/// A line of text, or as much of it as has room, with dots behind it.
+pub fn fitted(text: &str, size: f32, room: f32) -> Cow<'_, str> {
+    const DOTS: &str = "...";
+    if width(text, size) <= room {
+        return Cow::Borrowed(text);
+    }
+    let mut left = room - width(DOTS, size);
+    let has_room = |char: &char| {
+        left -= width(char.encode_utf8(&mut [0; 4]), size);
+        left >= 0.0
+    };
+    let kept: String = text.chars().take_while(has_room).collect();
+    Cow::Owned(kept.trim_end().to_owned() + DOTS)
 }
 
 /// The outlines of a line of text that starts at the origin.

@@ -4,6 +4,9 @@ use tiny_skia_path::{Path, PathBuilder, Rect, Transform};
 
 use super::font;
 
+/// What stays free between a text and the edge of a drawing.
+const EDGE: f32 = 2.0;
+
 /// Red, green, blue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Color(pub u8, pub u8, pub u8);
@@ -109,34 +112,40 @@ impl Scene {
         self.add(builder, Paint::Fill, color);
     }
 
-    /// Text with its baseline at the point.
+    /// Text with its baseline at the point; what would leave the drawing ends in dots.
     pub(super) fn text(&mut self, (x, y): (f32, f32), anchor: Anchor, size: f32, color: Color, text: &str) {
+        let room = match anchor {
+            Anchor::Start => self.width - x,
+            Anchor::Middle => 2.0 * x.min(self.width - x),
+            Anchor::End => x,
+        };
+        let drawn = font::fitted(text, size, room - EDGE);
         let shift = match anchor {
             Anchor::Start => 0.0,
-            Anchor::Middle => font::width(text, size) / 2.0,
-            Anchor::End => font::width(text, size),
+            Anchor::Middle => font::width(&drawn, size) / 2.0,
+            Anchor::End => font::width(&drawn, size),
         };
-        self.glyphs(Transform::from_translate(x - shift, y), size, color, text);
+        self.glyphs(Transform::from_translate(x - shift, y), size, color, [&drawn, text]);
     }
 
     /// Text that runs upwards, centred at the point.
     pub(super) fn upward_text(&mut self, (x, y): (f32, f32), size: f32, color: Color, text: &str) {
         let shift = font::width(text, size) / 2.0;
-        self.glyphs(Transform::from_row(0.0, -1.0, 1.0, 0.0, x, y + shift), size, color, text);
+        self.glyphs(Transform::from_row(0.0, -1.0, 1.0, 0.0, x, y + shift), size, color, [text; 2]);
     }
 
     /// Text in the middle of the point, with an edge that keeps what is behind it off its letters.
     pub(super) fn edged_text(&mut self, (x, y): (f32, f32), size: f32, color: Color, edge: Color, text: &str) {
         let place = Transform::from_translate(x - font::width(text, size) / 2.0, y);
         self.edge(place, size, edge, text);
-        self.glyphs(place, size, color, text);
+        self.glyphs(place, size, color, [text; 2]);
     }
 
     /// The same for text that runs upwards.
     pub(super) fn edged_upward_text(&mut self, (x, y): (f32, f32), size: f32, color: Color, edge: Color, text: &str) {
         let place = Transform::from_row(0.0, -1.0, 1.0, 0.0, x, y + font::width(text, size) / 2.0);
         self.edge(place, size, edge, text);
-        self.glyphs(place, size, color, text);
+        self.glyphs(place, size, color, [text; 2]);
     }
 
     fn edge(&mut self, place: Transform, size: f32, color: Color, text: &str) {
@@ -145,8 +154,9 @@ impl Scene {
         }
     }
 
-    fn glyphs(&mut self, place: Transform, size: f32, color: Color, text: &str) {
-        if let Some(path) = font::outline(text, size).finish().and_then(|path| path.transform(place)) {
+    /// A text as it is drawn, and all of it.
+    fn glyphs(&mut self, place: Transform, size: f32, color: Color, [drawn, text]: [&str; 2]) {
+        if let Some(path) = font::outline(drawn, size).finish().and_then(|path| path.transform(place)) {
             self.items.push(Item { path, paint: Paint::Fill, color, text: Some(text.to_owned()) });
         }
     }
