@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod behind;
 pub mod conventions;
 pub mod explain;
 pub mod given;

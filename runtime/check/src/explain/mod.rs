@@ -1,7 +1,9 @@
 //! The search for what makes the numbers that were given.
 
 mod double;
+mod linear;
 mod pairs;
+mod set;
 mod slips;
 mod solve;
 mod unknown;

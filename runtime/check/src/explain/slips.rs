@@ -1,14 +1,16 @@
 //! Two slips in the formulas that together make the matrices.
 //!
-//! Ten thousand slips have fifty million pairs. Only those are evaluated that may be it by the entries in which each of them is
+//! Ten thousand slips have fifty million pairs. Only those are evaluated that may be it by the numbers in which each of them is
 //! seen: what is wrong beside one slip the other one must change, and the other way round.
 
 use std::collections::BTreeMap;
 
-use carvallo_slips::{FormulaSlip, Values, index};
+use carvallo_slips::{FormulaSlip, Values};
 
+use super::linear::{Linear, Term, terms};
+use super::set::Set;
 use super::{Cause, DoubleSlip, Found, double};
-use crate::given::Quantity;
+use crate::behind;
 use crate::machine::Machine;
 use crate::predict::Predictor;
 
@@ -20,9 +22,13 @@ const KEPT: usize = 100;
 const SAME: f64 = 1e-12;
 
 /// All pairs of slips in two formulas, or in that of one entry, with which everything fits: of those that make sense by their
-/// units where there are any, else of all. None where no entry of a matrix is given that does not agree.
+/// units where there are any, else of all. None where nothing is given that does not agree and is linear in the entries of
+/// matrices: these themselves, C and K at a speed, or what stands behind a state matrix with the mass matrix as it is.
 pub fn find<'a>(machine: &'a Machine, predictor: &Predictor) -> Vec<Found<'a>> {
-    let Some(search) = Search::new(machine, predictor) else { return Vec::new() };
+    let given = behind::state_matrices(machine, predictor).unwrap_or_default();
+    let behind = Predictor::new(&given, machine);
+    let search = [predictor, &behind].into_iter().find_map(|linear| Search::new(machine, linear, predictor));
+    let Some(search) = search else { return Vec::new() };
     let mut found = Vec::new();
     for has_sense in [true, false] {
         found = search.pairs(has_sense);
@@ -36,29 +42,10 @@ pub fn find<'a>(machine: &'a Machine, predictor: &Predictor) -> Vec<Found<'a>> {
     found
 }
 
-/// Some of the entries that are given.
-#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-struct Set(Vec<u64>);
-
-impl Set {
-    fn insert(&mut self, at: usize) {
-        self.0.resize(self.0.len().max(at / 64 + 1), 0);
-        self.0[at / 64] |= 1 << (at % 64);
-    }
-
-    fn contains(&self, at: usize) -> bool {
-        self.0.get(at / 64).is_some_and(|word| word >> (at % 64) & 1 == 1)
-    }
-
-    fn is_within(&self, other: &Self) -> bool {
-        self.0.iter().enumerate().all(|(at, word)| word & !other.0.get(at).copied().unwrap_or(0) == 0)
-    }
-}
-
-/// Slips in the same formulas that are seen in the same entries.
+/// Slips in the same formulas that are seen in the same numbers.
 struct Class<'a> {
     formulas: &'a [usize],
-    /// The entries that they change, and those that are wrong with one of them alone.
+    /// The numbers that they change, and those that are wrong with one of them alone.
     changed: Set,
     wrong: Set,
     slips: Vec<&'a FormulaSlip>,
@@ -66,25 +53,29 @@ struct Class<'a> {
 
 struct Search<'a, 'b> {
     machine: &'a Machine,
+    /// Of the linear numbers, and of all that must fit.
     predictor: &'b Predictor<'b>,
-    /// The entries that are given: of which formula, at which place among all, and by which number.
-    entries: Vec<(usize, usize, usize)>,
-    /// Those that are wrong.
+    whole: &'b Predictor<'b>,
+    numbers: Vec<Linear>,
+    /// What the feedback adds to each entry: it is in what is given, and not in the formulas.
+    closing: Vec<f64>,
+    /// The numbers that are wrong.
     wrong: Set,
     classes: Vec<Class<'a>>,
 }
 
 impl<'a, 'b> Search<'a, 'b> {
-    fn new(machine: &'a Machine, predictor: &'b Predictor<'b>) -> Option<Self> {
-        let count = machine.formulas.count;
-        let numbers = predictor.numbers().iter().enumerate();
-        let entries: Vec<(usize, usize, usize)> = numbers
-            .filter_map(|(number, (quantity, _))| {
-                let Quantity::Entry(matrix, row, column) = *quantity else { return None };
-                Some((machine.formulas.entry(matrix, row, column)?, index(matrix, row, column, count), number))
-            })
-            .collect();
-        let mut own = Self { machine, predictor, entries, wrong: Set::default(), classes: Vec::new() };
+    fn new(machine: &'a Machine, predictor: &'b Predictor<'b>, whole: &'b Predictor<'b>) -> Option<Self> {
+        let here = machine.world();
+        let closed = predictor.closed_entries(&here);
+        let closing = closed.iter().zip(&here.entries).map(|(closed, open)| closed - open).collect();
+        let all = predictor.numbers().iter().enumerate();
+        let numbers = all.filter_map(|(number, (quantity, _))| {
+            let terms = terms(machine, predictor, *quantity, here.gravity);
+            (!terms.is_empty()).then_some(Linear { number, terms })
+        });
+        let (numbers, wrong, classes) = (numbers.collect(), Set::default(), Vec::new());
+        let mut own = Self { machine, predictor, whole, numbers, closing, wrong, classes };
         own.wrong = own.wrong(&machine.values.entries);
         if own.wrong == Set::default() {
             return None;
@@ -101,30 +92,29 @@ impl<'a, 'b> Search<'a, 'b> {
         Some(own)
     }
 
-    fn set(&self, is_in: impl Fn(usize, usize) -> bool) -> Set {
+    fn set(&self, is_in: impl Fn(&Linear) -> bool) -> Set {
         let mut set = Set::default();
-        let all = self.entries.iter().enumerate();
-        all.filter(|(_, (_, place, number))| is_in(*place, *number)).for_each(|(at, _)| set.insert(at));
+        let all = self.numbers.iter().enumerate();
+        all.filter(|(_, number)| is_in(number)).for_each(|(at, _)| set.insert(at));
         set
     }
 
+    /// What a number is with these entries of the open loop.
+    fn value(&self, number: &Linear, entries: &[f64]) -> f64 {
+        number.terms.iter().map(|own| own.factor * (entries[own.place] + self.closing[own.place])).sum()
+    }
+
     fn wrong(&self, entries: &[f64]) -> Set {
-        // The feedback is in what is given, and not in the formulas.
-        let here = &self.machine.world();
-        let closed = |place: usize, number: usize| {
-            let quantity = self.predictor.numbers()[number].0;
-            self.predictor.entry(quantity, here).unwrap_or_default() - here.entries[place] + entries[place]
-        };
-        self.set(|place, number| !self.predictor.agrees(number, closed(place, number)))
+        self.set(|number| !self.predictor.agrees(number.number, self.value(number, entries)))
     }
 
     fn changed(&self, entries: &[f64]) -> Set {
         let here = &self.machine.values.entries;
-        let differs = |place: usize| {
+        let differs = |&Term { place, .. }: &Term| {
             let difference = (entries[place] - here[place]).abs();
             difference.is_nan() || difference > SAME * here[place].abs()
         };
-        self.set(|place, _| differs(place))
+        self.set(|number| number.terms.iter().any(differs))
     }
 
     /// Slips in two formulas, the first of which does not depend on the second.
@@ -155,23 +145,22 @@ impl<'a, 'b> Search<'a, 'b> {
     ) {
         let Machine { formulas, parameters, values: base, .. } = self.machine;
         let all = formulas.affected(first.formulas.iter().chain(second.formulas).copied());
-        // One entry first, that is made of the fewest formulas, of those that both change, or else of those that are wrong.
-        let made_of =
-            |entry: usize| -> Vec<usize> { all.iter().copied().filter(|&own| formulas.feeds(own, entry)).collect() };
+        // One number first, that is made of the fewest formulas, of those that both change, or else of those that are wrong.
+        let made_of = |number: &Linear| -> Vec<usize> {
+            let feeds =
+                |own: &usize| number.terms.iter().any(|term| term.formula.is_some_and(|at| formulas.feeds(*own, at)));
+            all.iter().copied().filter(feeds).collect()
+        };
         let is_in = |at: &usize, both: bool| {
             let [a, b] = [&first.changed, &second.changed].map(|own| own.contains(*at));
             if both { a && b } else { a || b }
         };
         let pivot = |both: bool| {
-            let entries = (0..self.entries.len()).filter(move |at| is_in(at, both));
-            entries.map(|at| (at, made_of(self.entries[at].0))).min_by_key(|(_, made_of)| made_of.len())
+            let numbers = (0..self.numbers.len()).filter(move |at| is_in(at, both));
+            numbers.map(|at| (at, made_of(&self.numbers[at]))).min_by_key(|(_, made_of)| made_of.len())
         };
         let Some((pivot, made_of)) = pivot(true).or_else(|| pivot(false)) else { return };
-        let (_, place, number) = self.entries[pivot];
-        let closed = {
-            let here = self.machine.world();
-            self.predictor.entry(self.predictor.numbers()[number].0, &here).unwrap_or_default() - here.entries[place]
-        };
+        let pivot = &self.numbers[pivot];
         let is_meant = |slip: &&&FormulaSlip| slip.makes_sense || !has_sense;
         let mut values: Values = base.clone();
         for b in second.slips.iter().filter(is_meant) {
@@ -186,13 +175,14 @@ impl<'a, 'b> Search<'a, 'b> {
                 let both = [(&a.formulas[..], &a.changed), (&b.formulas[..], &b.changed)];
                 values.clone_from(base);
                 formulas.change_both(both, &made_of, parameters, &mut values);
-                if !self.predictor.agrees(number, values.entries[place] + closed) || (uses(a, b) && uses(b, a)) {
+                let value = self.value(pivot, &values.entries);
+                if !self.predictor.agrees(pivot.number, value) || (uses(a, b) && uses(b, a)) {
                     continue;
                 }
                 values.clone_from(base);
                 formulas.change_both(both, &all, parameters, &mut values);
                 let world = self.machine.world_from(values.entries.clone(), parameters);
-                if self.predictor.fits(&world) {
+                if self.whole.fits(&world) {
                     found.push(Found { causes: vec![Cause::Slip(a), Cause::Slip(b)], world });
                 }
             }
@@ -202,23 +192,33 @@ impl<'a, 'b> Search<'a, 'b> {
     /// Two slips in the formula of one entry, or of several that have the same.
     fn doubles(&self, has_sense: bool) -> Vec<Found<'a>> {
         let formulas = &self.machine.formulas;
-        let wrong: Vec<usize> = (0..self.entries.len()).filter(|at| self.wrong.contains(*at)).collect();
-        let own: Vec<usize> = wrong.iter().map(|&at| self.entries[at].0).collect();
-        let shared = &formulas.formulas[own[0]].shared;
-        let is_one = own.iter().all(|formula| shared.contains(formula));
-        if !is_one {
-            return Vec::new();
+        let has = |number: &Linear, own: &[usize]| number.terms.iter().any(|term| term.is_of(own));
+        // Those whose change makes all wrong numbers other ones, and no right ones.
+        let explains = |own: &[usize]| !own.is_empty() && self.set(|number| has(number, own)) == self.wrong;
+        let mut groups: Vec<Vec<usize>> = Vec::new();
+        for shared in formulas.formulas.iter().map(|formula| &formula.shared) {
+            let is_wrong = |at: &usize| self.set(|number| has(number, &[*at])).is_within(&self.wrong);
+            let is_given = |at: &usize| self.numbers.iter().any(|number| has(number, &[*at]));
+            // Also where the others of them are not given.
+            let wrong: Vec<usize> = shared.iter().copied().filter(|at| is_wrong(at) && is_given(at)).collect();
+            let is_shared = shared.iter().all(|at| wrong.contains(at) || !is_given(at));
+            let meant = if is_shared { shared.clone() } else { wrong };
+            if explains(&meant) && !groups.contains(&meant) {
+                groups.push(meant);
+            }
         }
-        // Also where the others of them are not given.
-        let given: Vec<usize> = self.entries.iter().map(|(formula, ..)| *formula).collect();
-        let is_shared = shared.iter().all(|formula| own.contains(formula) || !given.contains(formula));
-        let meant = if is_shared { shared.clone() } else { own };
-        let (_, place, number) = self.entries[wrong[0]];
-        let here = self.machine.world();
-        let (quantity, reading) = self.predictor.numbers()[number];
-        let closed = self.predictor.entry(quantity, &here).unwrap_or_default() - here.entries[place];
-        let (value, tolerance) = (reading.value - closed, self.predictor.tolerances()[number]);
-        let found = double::find(self.machine, self.predictor, &meant, (value, tolerance));
+        let mut found = Vec::new();
+        for meant in groups {
+            let Some(number) = self.numbers.iter().find(|number| has(number, &meant)) else { continue };
+            let own = || number.terms.iter().filter(|term| term.is_of(&meant));
+            let factor: f64 = own().map(|term| term.factor).sum();
+            let here = self.value(number, &self.machine.values.entries);
+            let now: f64 = own().map(|term| term.factor * self.machine.values.entries[term.place]).sum();
+            let wanted = self.predictor.numbers()[number.number].1.value - (here - now);
+            let tolerance = self.predictor.tolerances()[number.number];
+            let value = (wanted / factor, (tolerance / factor).abs());
+            found.extend(double::find(self.machine, self.whole, &meant, value));
+        }
         found.into_iter().filter(|own| !has_sense || double_has_sense(self.machine, own)).collect()
     }
 }

@@ -1,6 +1,5 @@
 //! What comes of a check.
 
-mod behind;
 mod display;
 mod groups;
 mod suspects;

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use super::behind;
 use super::words::words;
+use crate::behind;
 use crate::explain::{Cause, written};
 use crate::given::Quantity;
 use crate::machine::Machine;
