@@ -80,6 +80,8 @@ pub fn draw_overlay(comparison: &Comparison, limits: Option<(f64, f64)>) -> Resu
 /// What the colours mean, each with a bar over the speeds at which the design is stable; the height below.
 fn write_legend(comparison: &Comparison, x: (f64, f64), left: f32, scene: &mut Scene) -> f32 {
     let widest = comparison.designs.iter().map(|compared| font::width(&compared.label, TEXT_SIZE)).fold(0.0, f32::max);
+    // What is behind the names has its room, too.
+    let widest = widest.min(0.5 * WIDTH);
     let place = |speed: f64| left + ((speed - x.0) / (x.1 - x.0)) as f32 * (RIGHT - left);
     let mut top = TOP;
     for (index, Compared { label, analysis }) in comparison.designs.iter().enumerate() {
@@ -95,7 +97,7 @@ fn write_legend(comparison: &Comparison, x: (f64, f64), left: f32, scene: &mut S
             .collect();
         let stable =
             if stable.is_empty() { "stable at no speed".to_owned() } else { format!("stable {}", stable.join(", ")) };
-        scene.text((left + 30.0, base), Anchor::Start, TEXT_SIZE, color, label);
+        scene.text_within((left + 30.0, base), widest, TEXT_SIZE, color, label);
         scene.text((left + 30.0 + widest + 24.0, base), Anchor::Start, TEXT_SIZE, INK.lighter(0.3), &stable);
         top += ROW;
     }

@@ -128,6 +128,12 @@ impl Scene {
         self.glyphs(Transform::from_translate(x - shift, y), size, color, [&drawn, text]);
     }
 
+    /// Text that begins at the point, and ends in dots where it has no more room.
+    pub(super) fn text_within(&mut self, (x, y): (f32, f32), room: f32, size: f32, color: Color, text: &str) {
+        let drawn = font::fitted(text, size, room);
+        self.glyphs(Transform::from_translate(x, y), size, color, [&drawn, text]);
+    }
+
     /// Text that runs upwards, centred at the point.
     pub(super) fn upward_text(&mut self, (x, y): (f32, f32), size: f32, color: Color, text: &str) {
         let shift = font::width(text, size) / 2.0;
