@@ -1,5 +1,5 @@
-//! What `carvallo check` makes of every slip in the formulas of the Whipple bicycle, and of two of them at once: somebody has them,
-//! and has numbers of the benchmark bicycle that come from them.
+//! What `carvallo check` makes of every slip in the formulas of the Whipple bicycle or in the attributes of its mechanism, and of two of
+//! them at once: somebody has them, and has numbers of the benchmark bicycle that come from them.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -9,7 +9,7 @@ use carvallo_check::explain::{Cause, DoubleSlip};
 use carvallo_check::given::{CriticalSpeed, Eigenvalues, Given, Reading};
 use carvallo_check::machine::Machine;
 use carvallo_check::{Explanation, check_machine, words};
-use carvallo_models::Whipple;
+use carvallo_models::{Whipple, WhippleMechanism};
 use carvallo_slips::{FormulaSlip, Kind, Slip, slips};
 
 /// What somebody has of the bicycle.
@@ -144,6 +144,22 @@ pub fn benchmark() -> Machine {
     Machine::with(Whipple::<f64>::INFO, &Whipple::<f64>::BENCHMARK.to_array()).expect("formulas that can be read")
 }
 
+/// The same bicycle as a mechanism, with all slips of its attributes.
+///
+/// # Panics
+/// If its formulas cannot be read.
+pub fn mechanism() -> Machine {
+    let parameters = WhippleMechanism::<f64>::BENCHMARK.to_array();
+    Machine::with(WhippleMechanism::<f64>::INFO, &parameters).expect("formulas that can be read")
+}
+
+/// What comes of every so many of the slips in the attributes of a mechanism, on all processors.
+pub fn measure_attributes(machine: &Machine, evidence: Evidence, every: usize) -> Tally {
+    let is_of_attribute = |own: &&FormulaSlip| machine.formulas.formulas[own.formulas[0]].is_of_mechanism;
+    let slips: Vec<&FormulaSlip> = plain(machine).filter(is_of_attribute).step_by(every).collect();
+    on_all_processors(&slips, &|slip| judge(machine, evidence, slip))
+}
+
 /// How many slips there are, those among them that are no formulas.
 pub fn count(machine: &Machine) -> usize {
     let of = |text: &str| slips(text, &machine.formulas.names).into_iter().filter(is_plain).count();
@@ -225,7 +241,7 @@ pub fn judge_pair(machine: &Machine, evidence: Evidence, [a, b]: [&FormulaSlip; 
         }
         let slips = [first.slip.clone(), second.slip.clone()];
         let double = DoubleSlip { formulas: a.formulas.clone(), slips };
-        let changed = formulas.parse(&double.apply(formulas.formulas[a.formulas[0]].text));
+        let changed = formulas.parse(a.formulas[0], &double.apply(formulas.formulas[a.formulas[0]].text));
         let Some(changed) = changed.filter(|changed| !formulas.is_circular(&a.formulas, changed)) else {
             return (Outcome::NoNumbers, 0);
         };

@@ -1,4 +1,4 @@
-//! Prints how many slips in the formulas of the Whipple bicycle `carvallo check` names, from what somebody has of the benchmark
+//! Prints how many slips in the formulas of the Whipple bicycle, and in the attributes of its mechanism, `carvallo check` names, from what somebody has of the benchmark
 //! bicycle who made them, one at a time and two at once.
 //!
 //! ```text
@@ -9,7 +9,9 @@
 
 use std::time::Instant;
 
-use carvallo_tests::explained::{Evidence, FULL, Outcome, Tally, benchmark, count, measure, measure_pairs};
+use carvallo_tests::explained::{
+    Evidence, FULL, Outcome, Tally, benchmark, count, measure, measure_attributes, measure_pairs, mechanism,
+};
 
 fn main() {
     let every = std::env::args().nth(1).map_or(1, |every| every.parse().expect("a number: every so many slips"));
@@ -23,6 +25,10 @@ fn main() {
     println!("|{}", " ---: |".repeat(13));
     for evidence in Evidence::ALL.into_iter().filter(|_| every > 0) {
         row(&evidence.to_string(), &|| measure(&machine, evidence, every));
+    }
+    let bodies = mechanism();
+    for evidence in Evidence::ALL.into_iter().filter(|_| every > 0) {
+        row(&format!("attributes of the mechanism: {evidence}"), &|| measure_attributes(&bodies, evidence, every));
     }
     for (of, has_sense) in [("that make sense by their units", true), ("of all", false)] {
         for evidence in [Evidence::Matrices(FULL), Evidence::Matrices(4)] {

@@ -571,6 +571,7 @@ impl<T: Scalar> Model<4> for CantileveredPipe<T> {
             FormulaInfo::entry(&[(MatrixName::K2, 3, 2)], "kg/m^2", "4*flow*(n3 - n4)/(-1 - (lam4/lam3)^2)"),
             FormulaInfo::entry(&[(MatrixName::K2, 3, 3)], "kg/m^2", "flow*n4*(2 - n4)"),
         ],
+        attributes: &[],
         gravity: None,
     };
 

@@ -326,6 +326,7 @@ impl<T: Scalar> Model<2> for Car<T> {
             FormulaInfo::entry(&[(MatrixName::Cm1, 1, 1)], "kg*m^3/s^2", "a^2*Cf + b^2*Cr"),
             FormulaInfo::entry(&[(MatrixName::C1, 0, 1)], "kg", "m"),
         ],
+        attributes: &[],
         gravity: None,
     };
 

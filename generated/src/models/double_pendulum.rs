@@ -737,6 +737,41 @@ impl<T: Scalar> Model<2> for DoublePendulum<T> {
                 "Sz_theta2",
             ),
         ],
+        attributes: &[
+            FormulaInfo::attribute("lower_mass", "the mass of the body lower", "kg", "m1"),
+            FormulaInfo::attribute("lower_z", "z of the centre of mass of the body lower", "m", "-a1"),
+            FormulaInfo::attribute("lower_Ixx", "the inertia xx of the body lower", "kg*m^2", "I1"),
+            FormulaInfo::attribute("upper_mass", "the mass of the body upper", "kg", "m2"),
+            FormulaInfo::attribute("upper_z", "z of the centre of mass of the body upper", "m", "-l1 - a2"),
+            FormulaInfo::attribute("upper_Ixx", "the inertia xx of the body upper", "kg*m^2", "I2"),
+            FormulaInfo::attribute("theta2_through_z", "z of the point of the joint theta2", "m", "-l1"),
+            FormulaInfo::definition("Jxx_theta2", "kg*m^2", "upper_mass*(upper_z - theta2_through_z)^2 + upper_Ixx"),
+            FormulaInfo::definition("Sz_theta2", "kg*m", "upper_mass*(upper_z - theta2_through_z)"),
+            FormulaInfo::definition(
+                "Jxx_theta1",
+                "kg*m^2",
+                "lower_mass*lower_z^2 + lower_Ixx + 2*theta2_through_z*((1/2)*upper_mass*theta2_through_z + Sz_theta2) + Jxx_theta2",
+            ),
+            FormulaInfo::definition(
+                "Sz_theta1",
+                "kg*m",
+                "lower_mass*lower_z + upper_mass*theta2_through_z + Sz_theta2",
+            ),
+            FormulaInfo::definition("M_theta1_theta2", "kg*m^2", "theta2_through_z*Sz_theta2 + Jxx_theta2"),
+            FormulaInfo::entry(&[(MatrixName::M, 0, 0)], "kg*m^2", "Jxx_theta1"),
+            FormulaInfo::entry(&[(MatrixName::M, 0, 1), (MatrixName::M, 1, 0)], "kg*m^2", "M_theta1_theta2"),
+            FormulaInfo::entry(&[(MatrixName::M, 1, 1)], "kg*m^2", "Jxx_theta2"),
+            FormulaInfo::entry(&[(MatrixName::K0, 0, 0)], "kg*m", "Sz_theta1"),
+            FormulaInfo::entry(
+                &[
+                    (MatrixName::K0, 0, 1),
+                    (MatrixName::K0, 1, 0),
+                    (MatrixName::K0, 1, 1),
+                ],
+                "kg*m",
+                "Sz_theta2",
+            ),
+        ],
         gravity: Some(7),
     };
 

@@ -288,6 +288,7 @@ impl<T: Scalar> Model<2> for JeffcottRotor<T> {
             FormulaInfo::entry(&[(MatrixName::K1, 0, 1)], "kg/m/s", "circulation"),
             FormulaInfo::entry(&[(MatrixName::K1, 1, 0)], "kg/m/s", "-circulation"),
         ],
+        attributes: &[],
         gravity: None,
     };
 

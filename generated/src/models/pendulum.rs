@@ -254,6 +254,7 @@ impl<T: Scalar> Model<1> for Pendulum<T> {
             FormulaInfo::entry(&[(MatrixName::C0, 0, 0)], "kg*m^2/s", "c"),
             FormulaInfo::entry(&[(MatrixName::K0, 0, 0)], "kg*m", "m*l"),
         ],
+        attributes: &[],
         gravity: Some(3),
     };
 

@@ -462,6 +462,7 @@ impl<T: Scalar> Model<3> for ThreePipes<T> {
             FormulaInfo::entry(&[(MatrixName::K2, 0, 0), (MatrixName::K2, 1, 1)], "kg", "-f*l"),
             FormulaInfo::entry(&[(MatrixName::K2, 0, 2), (MatrixName::K2, 1, 2)], "kg", "f*l"),
         ],
+        attributes: &[],
         gravity: Some(5),
     };
 

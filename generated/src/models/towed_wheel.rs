@@ -305,6 +305,7 @@ impl<T: Scalar> Model<2> for TowedWheel<T> {
             FormulaInfo::entry(&[(MatrixName::Kc, 0, 1)], "kg*m/s^2", "l*k"),
             FormulaInfo::entry(&[(MatrixName::K1, 1, 0)], "1", "-1"),
         ],
+        attributes: &[],
         gravity: None,
     };
 

@@ -377,6 +377,7 @@ impl<T: Scalar> Model<2> for TwoPipes<T> {
             FormulaInfo::entry(&[(MatrixName::K2, 0, 0)], "kg", "-f*l"),
             FormulaInfo::entry(&[(MatrixName::K2, 0, 1)], "kg", "f*l"),
         ],
+        attributes: &[],
         gravity: Some(5),
     };
 

@@ -359,6 +359,7 @@ impl<T: Scalar> Model<2> for TypicalSection<T> {
             FormulaInfo::entry(&[(MatrixName::K2, 0, 1)], "kg/m", "lift"),
             FormulaInfo::entry(&[(MatrixName::K2, 1, 1)], "kg", "-lift*arm"),
         ],
+        attributes: &[],
         gravity: None,
     };
 

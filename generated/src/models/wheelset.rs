@@ -340,6 +340,7 @@ impl<T: Scalar> Model<2> for Wheelset<T> {
             FormulaInfo::entry(&[(MatrixName::Kc, 1, 0)], "kg*m/s^2", "2*f11*b*lam/r"),
             FormulaInfo::entry(&[(MatrixName::Kc, 1, 1)], "kg*m^2/s^2", "kpsi"),
         ],
+        attributes: &[],
         gravity: None,
     };
 

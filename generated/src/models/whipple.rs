@@ -847,6 +847,7 @@ impl<T: Scalar> Model<2> for Whipple<T> {
             FormulaInfo::entry(&[(MatrixName::K2, 0, 1)], "kg", "((ST - mT*zT)/w)*cos(lam)"),
             FormulaInfo::entry(&[(MatrixName::K2, 1, 1)], "kg", "((SA + SF*sin(lam))/w)*cos(lam)"),
         ],
+        attributes: &[],
         gravity: Some(3),
     };
 

@@ -47,6 +47,8 @@ pub struct Model {
     pub symmetric: Vec<MatrixName>,
     /// The definitions that the matrices depend on, and their entries, as people read them.
     pub formulas: Vec<Written>,
+    /// The same matrices by the attributes of a mechanism, each of which has a name of its own; empty for other models.
+    pub attributes: Vec<Written>,
     /// Forces and torques that follow from the motion, which are in the matrices.
     pub feedback: Vec<Feedback>,
     /// Rates and forces, of a model that is a mechanism.

@@ -3,10 +3,11 @@
 use std::fmt;
 
 use crate::check::{Checked, Units};
-use crate::derivation::Derived;
+use crate::derivation::{Attributes, Derived};
 use crate::equations::Equations;
-use crate::formula::Formula;
+use crate::formula::{Formula, Names};
 use crate::matrix_name::MatrixName;
+use crate::model::Matrices;
 use crate::states::States;
 use crate::syntax::Matrix;
 
@@ -26,6 +27,8 @@ pub struct Written {
 pub enum Of {
     /// A definition by its name.
     Definition(String),
+    /// An attribute of a mechanism by its name in other formulas, with what it is in words.
+    Attribute(String, String),
     /// The entries of a matrix that have it, by rows and columns from zero.
     Entries(MatrixName, Vec<[usize; 2]>),
 }
@@ -34,47 +37,102 @@ pub enum Of {
 /// declared, or as they are derived.
 pub fn write_formulas(checked: &Checked<'_>, derived: &Derived, units: &Units) -> Vec<Written> {
     let declaration = checked.declaration;
-    let entries: Vec<Formula> = derived.matrices.iter().flat_map(|(_, rows)| rows.iter().flatten()).cloned().collect();
-    let needed = Equations::of_formulas(checked.domains.len(), &derived.definitions, entries).origins;
-    let text = |formula: &Formula| derived.names.text_in_order(formula).to_string();
-    let definitions = needed.into_iter().map(|index| Written {
-        of: Of::Definition(derived.names.definitions[index].to_string()),
-        unit: units.of_definition(index),
-        text: match checked.order.get(index) {
-            Some(declared) => declaration.definitions[*declared].value.to_string(),
-            None => text(&derived.definitions[index]),
-        },
-    });
-    let mut formulas: Vec<Written> = definitions.collect();
-    for (name, rows) in &derived.matrices {
-        let declared = declaration.matrices.iter().find(|matrix: &&Matrix| matrix.name == *name);
-        let places = (0..rows.len()).flat_map(|row| (0..rows.len()).map(move |column| [row, column]));
-        let mut found: Vec<(&Formula, Vec<[usize; 2]>)> = Vec::new();
-        for [row, column] in places {
-            let entry = &rows[row][column];
-            match found.iter_mut().find(|(known, _)| *known == entry) {
-                _ if entry.is_zero() => {}
-                Some((_, places)) => places.push([row, column]),
-                None => found.push((entry, vec![[row, column]])),
-            }
-        }
-        formulas.extend(found.into_iter().map(|(entry, places)| {
-            let [row, column] = places[0];
-            Written {
-                of: Of::Entries(*name, places),
-                // The row of a coordinate of first order may be multiplied by anything.
-                unit: match derived.states.get(row) {
-                    Some(States::Position) => units.of(entry),
-                    _ => units.of_entry(*name, row, column),
-                },
-                text: match declared.filter(|_| !derived.fed.contains(&(*name, row, column))) {
-                    Some(matrix) => matrix.rows[row].1[column].to_string(),
-                    None => text(entry),
-                },
-            }
-        }));
-    }
+    let Derived { definitions, names, matrices, states, fed, .. } = derived;
+    let declared = |matrix: MatrixName, row: usize, column: usize| {
+        let declared = declaration.matrices.iter().find(|declared: &&Matrix| declared.name == matrix);
+        let declared = declared.filter(|_| !fed.contains(&(matrix, row, column)));
+        declared.map(|declared| declared.rows[row].1[column].to_string())
+    };
+    let writer = Writer { checked, definitions, names, units, states };
+    let mut formulas = writer.definitions(matrices, &[]);
+    formulas.extend(writer.entries(matrices, declared));
     formulas
+}
+
+/// The same by the attributes of a mechanism.
+pub fn write_attributes(
+    checked: &Checked<'_>,
+    Attributes { definitions, names, whats, matrices }: &Attributes,
+    states: &[States],
+) -> Vec<Written> {
+    let units = &checked.units.with_derived(definitions);
+    let parameters = checked.declaration.parameters.iter().map(|parameter| parameter.name.clone()).collect();
+    let names = &Names { parameters, definitions: names.clone() };
+    let writer = Writer { checked, definitions, names, units, states };
+    let mut formulas = writer.definitions(matrices, whats);
+    formulas.extend(writer.entries(matrices, |_, _, _| None));
+    formulas
+}
+
+struct Writer<'a> {
+    checked: &'a Checked<'a>,
+    definitions: &'a [Formula],
+    names: &'a Names,
+    units: &'a Units,
+    states: &'a [States],
+}
+
+impl Writer<'_> {
+    fn text(&self, formula: &Formula) -> String {
+        self.names.text_in_order(formula).to_string()
+    }
+
+    /// Those that the matrices depend on; behind those of the declaration are the attributes of a mechanism, which are this.
+    fn definitions(&self, matrices: &Matrices, whats: &[String]) -> Vec<Written> {
+        let entries = matrices.iter().flat_map(|(_, rows)| rows.iter().flatten()).cloned().collect();
+        let needed = Equations::of_formulas(self.checked.domains.len(), self.definitions, entries).origins;
+        let first = self.checked.definitions.len();
+        let written = needed.into_iter().map(|index| {
+            let name = self.names.definitions[index].to_string();
+            let what = index.checked_sub(first).and_then(|index| whats.get(index));
+            Written {
+                of: match what {
+                    Some(what) => Of::Attribute(name, what.clone()),
+                    None => Of::Definition(name),
+                },
+                unit: self.units.of_definition(index),
+                text: match self.checked.order.get(index).filter(|_| index < first) {
+                    Some(declared) => self.checked.declaration.definitions[*declared].value.to_string(),
+                    None => self.text(&self.definitions[index]),
+                },
+            }
+        });
+        written.collect()
+    }
+
+    /// The entries that are not zero, those of one formula together.
+    fn entries(
+        &self,
+        matrices: &Matrices,
+        declared: impl Fn(MatrixName, usize, usize) -> Option<String>,
+    ) -> Vec<Written> {
+        let mut formulas = Vec::new();
+        for (name, rows) in matrices {
+            let places = (0..rows.len()).flat_map(|row| (0..rows.len()).map(move |column| [row, column]));
+            let mut found: Vec<(&Formula, Vec<[usize; 2]>)> = Vec::new();
+            for [row, column] in places {
+                let entry = &rows[row][column];
+                match found.iter_mut().find(|(known, _)| *known == entry) {
+                    _ if entry.is_zero() => {}
+                    Some((_, places)) => places.push([row, column]),
+                    None => found.push((entry, vec![[row, column]])),
+                }
+            }
+            formulas.extend(found.into_iter().map(|(entry, places)| {
+                let [row, column] = places[0];
+                Written {
+                    of: Of::Entries(*name, places),
+                    // The row of a coordinate of first order may be multiplied by anything.
+                    unit: match self.states.get(row) {
+                        Some(States::Position) => self.units.of(entry),
+                        _ => self.units.of_entry(*name, row, column),
+                    },
+                    text: declared(*name, row, column).unwrap_or_else(|| self.text(entry)),
+                }
+            }));
+        }
+        formulas
+    }
 }
 
 /// Reads `ITxz = IBxz + IHxz [kg*m^2]` or `M_12 = M_21 = IAlx + mu*ITxz [kg*m^2]`, as the runtime's `FormulaInfo` does.
@@ -82,7 +140,7 @@ impl fmt::Display for Written {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { of, unit, text } = self;
         match of {
-            Of::Definition(name) => write!(f, "{name} = ")?,
+            Of::Definition(name) | Of::Attribute(name, _) => write!(f, "{name} = ")?,
             Of::Entries(matrix, places) => {
                 for [row, column] in places {
                     let comma = if *row.max(column) > 8 { "," } else { "" };

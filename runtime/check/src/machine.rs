@@ -66,7 +66,7 @@ impl Machine {
     }
 
     fn closed(info: &'static ModelInfo, parameters: &[f64], feedback: &[Law]) -> Result<Self, String> {
-        let formulas = Formulas::new(info)?;
+        let formulas = Formulas::with_attributes(info)?;
         let values = formulas.values(parameters);
         let gravity = info.gravity.map_or(0.0, |at| parameters[at]);
         // Of a closed loop the sign of its feedback is the likeliest.
@@ -153,7 +153,7 @@ impl Machine {
     pub fn place(&self, formula: usize) -> Option<usize> {
         match self.formulas.formulas[formula].subject {
             Subject::Entry(matrix, row, column) => Some(index(matrix, row, column, self.formulas.count)),
-            Subject::Definition(_) => None,
+            Subject::Definition(_) | Subject::OfMechanism(_) | Subject::Attribute(_) => None,
         }
     }
 

@@ -53,7 +53,7 @@ impl Formulas {
         (value, tolerance): (f64, f64),
     ) -> Vec<(DoubleSlip, Expression)> {
         let text = self.formulas[formulas[0]].text;
-        let here = self.parse(text).map_or(f64::NAN, |own| values.of(&own, parameters));
+        let here = self.parse(formulas[0], text).map_or(f64::NAN, |own| values.of(&own, parameters));
         let terms = terms(text);
         let single = |own: &'_ FormulaSlip| -> (f64, Option<usize>) {
             let is_in = |term: &Range<usize>| term.start <= own.slip.place.start && own.slip.place.end <= term.end;
@@ -87,7 +87,7 @@ impl Formulas {
                 }
                 let slips = [first.slip.clone(), second.slip.clone()];
                 let double = DoubleSlip { formulas: formulas.to_vec(), slips };
-                let Some(changed) = self.parse(&double.apply(text)) else { continue };
+                let Some(changed) = self.parse(formulas[0], &double.apply(text)) else { continue };
                 let is_off = (values.of(&changed, parameters) - value).abs() > tolerance;
                 if !is_off && !self.is_circular(formulas, &changed) {
                     found.push((double, changed));

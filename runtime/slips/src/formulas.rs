@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use carvallo::{Expression, FormulaNumber, FormulaSubject, MatrixName, ModelInfo};
+use carvallo::{Expression, FormulaInfo, FormulaNumber, FormulaSubject, MatrixName, ModelInfo};
 
 use crate::places::{entry_name, index};
 use crate::units::{Dimension, Units};
@@ -12,6 +12,10 @@ use crate::units::{Dimension, Units};
 pub enum Subject {
     /// The definition of this name.
     Definition(&'static str),
+    /// The same where attributes of a mechanism use it.
+    OfMechanism(&'static str),
+    /// An attribute of a mechanism, in words.
+    Attribute(&'static str),
     /// An entry of a matrix, with its row and column from zero.
     Entry(MatrixName, usize, usize),
 }
@@ -19,7 +23,8 @@ pub enum Subject {
 impl fmt::Display for Subject {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::Definition(name) => f.write_str(name),
+            Self::Definition(name) | Self::Attribute(name) => f.write_str(name),
+            Self::OfMechanism(name) => write!(f, "{name} of the mechanism"),
             Self::Entry(matrix, row, column) => f.write_str(&entry_name(matrix, row, column)),
         }
     }
@@ -34,11 +39,18 @@ pub struct Formula {
     pub text: &'static str,
     /// The entries that have the same formula, this one among them; empty for definitions.
     pub shared: Vec<usize>,
+    /// Whether slips in it are tried: not in what is derived from attributes.
+    pub is_tried: bool,
+    /// Whether it is an attribute of a mechanism, or stands between these and the matrices.
+    pub is_of_mechanism: bool,
     expression: Expression,
     unit: Option<Dimension>,
 }
 
 /// The formulas of a model: the definitions, each in those before it, then every entry of the matrices that it has.
+///
+/// Beside them may be those by the attributes of a mechanism, which share nothing with them but the parameters: a change in either
+/// makes the matrices.
 #[derive(Clone, Debug)]
 pub struct Formulas {
     /// All of them.
@@ -47,10 +59,17 @@ pub struct Formulas {
     pub names: Vec<&'static str>,
     /// How many coordinates there are.
     pub count: usize,
+    /// How many of the formulas are definitions: the first ones.
+    pub definitions: usize,
+    /// Parameters and definitions in formulas by the attributes of a mechanism.
+    names_of_mechanism: Vec<&'static str>,
+    /// How many of these a mechanism is declared in.
+    declared: usize,
     parameters: usize,
-    definitions: usize,
     /// Of each definition the formulas that depend on it, in their order.
     dependents: Vec<Vec<usize>>,
+    /// Of each formula itself, or of one by attributes of a mechanism the other one of the same entry.
+    twins: Vec<usize>,
     units: Units,
 }
 
@@ -83,70 +102,150 @@ impl Formulas {
     /// # Errors
     /// That it has none, or the one that cannot be read.
     pub fn new(info: &ModelInfo) -> Result<Self, String> {
+        Self::of(info, &[])
+    }
+
+    /// The same, and beside them those by the attributes of a mechanism, if it is one.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn with_attributes(info: &ModelInfo) -> Result<Self, String> {
+        Self::of(info, info.attributes)
+    }
+
+    fn of(info: &ModelInfo, attributes: &[FormulaInfo]) -> Result<Self, String> {
         if info.formulas.is_empty() {
             return Err(format!("the model {} has no formulas", info.name));
         }
         let (count, parameters) = (info.coordinates.len(), info.parameters.len());
-        let mut names: Vec<&'static str> = info.parameters.iter().map(|parameter| parameter.name).collect();
-        names.extend(info.formulas.iter().filter_map(|formula| match formula.of {
-            FormulaSubject::Definition(name) => Some(name),
-            FormulaSubject::Entry(_) => None,
-        }));
-        let definitions = names.len() - parameters;
-        let (formulas, dependents, units) = (Vec::new(), Vec::new(), Units::new(info));
-        let mut own = Self { formulas, names, count, parameters, definitions, dependents, units };
-        let mut texts = vec![None; MatrixName::ALL.len() * count * count];
-        for (at, formula) in info.formulas.iter().enumerate() {
-            match formula.of {
-                FormulaSubject::Definition(name) => own.push(Subject::Definition(name), formula.text, formula.unit)?,
-                FormulaSubject::Entry(entry) => {
-                    entry.places.iter().for_each(|&(matrix, row, column)| {
-                        texts[index(matrix, row, column, count)] = Some((at, formula.text, formula.unit));
-                    });
-                }
+        let names = |formulas: &[FormulaInfo]| -> Vec<&'static str> {
+            let parameters = info.parameters.iter().map(|parameter| parameter.name);
+            parameters.chain(formulas.iter().filter_map(name_of)).collect()
+        };
+        let is_attribute = |formula: &FormulaInfo| matches!(formula.of, FormulaSubject::Attribute { .. });
+        let before = attributes.iter().position(is_attribute).unwrap_or_default();
+        let (names, names_of_mechanism) = (names(info.formulas), names(attributes));
+        let definitions = names.len() + names_of_mechanism.len() - 2 * parameters;
+        let mut own = Self {
+            formulas: Vec::new(),
+            names,
+            count,
+            definitions,
+            names_of_mechanism,
+            declared: parameters + before,
+            parameters,
+            dependents: Vec::new(),
+            twins: Vec::new(),
+            units: Units::new(info, attributes),
+        };
+        for (formulas, is_of_mechanism) in [(info.formulas, false), (attributes, true)] {
+            for (at, formula) in formulas.iter().enumerate() {
+                let subject = match formula.of {
+                    FormulaSubject::Definition(name) if at < before && is_of_mechanism => Subject::OfMechanism(name),
+                    FormulaSubject::Definition(name) => Subject::Definition(name),
+                    FormulaSubject::Attribute { what, .. } => Subject::Attribute(what),
+                    FormulaSubject::Entry(_) => continue,
+                };
+                let is_tried = !is_of_mechanism || !matches!(subject, Subject::Definition(_));
+                own.push(subject, [formula.text, formula.unit], is_tried, is_of_mechanism)?;
             }
         }
-        // In the order of the matrices, with the entries that are zero, which may be mistaken, too.
+        own.push_entries(info)?;
+        for FormulaInfo { of, unit, text } in attributes {
+            let FormulaSubject::Entry(entry) = of else { continue };
+            for &(matrix, row, column) in entry.places {
+                own.push(Subject::Entry(matrix, row, column), [text, unit], false, true)?;
+            }
+        }
+        own.dependents = own.find_dependents();
+        let twin = |(at, formula): (usize, &Formula)| match formula.subject {
+            Subject::Entry(..) => own.formulas.iter().position(|other| other.subject == formula.subject),
+            _ => Some(at),
+        };
+        own.twins = own.formulas.iter().enumerate().filter_map(twin).collect();
+        Ok(own)
+    }
+
+    /// In the order of the matrices, with the entries that are zero, which may be mistaken, too.
+    fn push_entries(&mut self, info: &ModelInfo) -> Result<(), String> {
+        let count = self.count;
+        let mut texts = vec![None; MatrixName::ALL.len() * count * count];
+        for (at, FormulaInfo { of, unit, text }) in info.formulas.iter().enumerate() {
+            let FormulaSubject::Entry(entry) = of else { continue };
+            for &(matrix, row, column) in entry.places {
+                texts[index(matrix, row, column, count)] = Some((at, *text, *unit));
+            }
+        }
         let mut groups: Vec<(usize, Vec<usize>)> = Vec::new();
         for &matrix in info.matrices {
             for (row, column) in (0..count * count).map(|place| (place / count, place % count)) {
                 let text = texts[index(matrix, row, column, count)];
                 let (formula, unit) = text.map_or(("0", ""), |(_, text, unit)| (text, unit));
-                own.push(Subject::Entry(matrix, row, column), formula, unit)?;
-                let last = own.formulas.len() - 1;
+                self.push(Subject::Entry(matrix, row, column), [formula, unit], true, false)?;
+                let last = self.formulas.len() - 1;
                 match (text, groups.iter_mut().find(|(group, _)| Some(*group) == text.map(|(at, ..)| at))) {
                     (Some(_), Some((_, members))) => members.push(last),
                     (Some((at, ..)), None) => groups.push((at, vec![last])),
-                    (None, _) => own.formulas[last].shared.push(last),
+                    (None, _) => self.formulas[last].shared.push(last),
                 }
             }
         }
         for (_, members) in groups {
-            members.iter().for_each(|&member| own.formulas[member].shared.clone_from(&members));
+            members.iter().for_each(|&member| self.formulas[member].shared.clone_from(&members));
         }
-        own.dependents = own.find_dependents();
-        Ok(own)
-    }
-
-    fn push(&mut self, subject: Subject, text: &'static str, unit: &str) -> Result<(), String> {
-        let expression = self.parse(text).ok_or_else(|| format!("`{text}` is no formula"))?;
-        let unit = Dimension::parse(unit).filter(|_| !unit.is_empty());
-        // What makes no sense as it is, as a number with a unit, tells nothing of what is changed in it.
-        let unit = unit.filter(|unit| self.units.fit(&expression, *unit));
-        self.formulas.push(Formula { subject, text, shared: Vec::new(), expression, unit });
         Ok(())
     }
 
-    /// The tree of a formula in these names; `None` if it is none.
-    pub fn parse(&self, text: &str) -> Option<Expression> {
+    fn push(
+        &mut self,
+        subject: Subject,
+        [text, unit]: [&'static str; 2],
+        is_tried: bool,
+        is_of_mechanism: bool,
+    ) -> Result<(), String> {
+        let expression = self.parse_in(is_of_mechanism, text).ok_or_else(|| format!("`{text}` is no formula"))?;
+        let unit = Dimension::parse(unit).filter(|_| !unit.is_empty());
+        // What makes no sense as it is, as a number with a unit, tells nothing of what is changed in it.
+        let unit = unit.filter(|unit| self.units.fit(&expression, *unit));
+        self.formulas.push(Formula { subject, text, shared: Vec::new(), is_tried, is_of_mechanism, expression, unit });
+        Ok(())
+    }
+
+    /// The tree of another text in the place of a formula; `None` if it is none.
+    pub fn parse(&self, formula: usize, text: &str) -> Option<Expression> {
+        self.parse_in(self.formulas[formula].is_of_mechanism, text)
+    }
+
+    fn parse_in(&self, is_of_mechanism: bool, text: &str) -> Option<Expression> {
+        let (names, behind) = match is_of_mechanism {
+            true => (&self.names_of_mechanism, self.names.len() - self.parameters),
+            false => (&self.names, 0),
+        };
         let name = |name: &str| {
-            let position = self.names.iter().position(|known| *known == name)?;
+            let position = names.iter().position(|known| *known == name)?;
             Some(match position.checked_sub(self.parameters) {
                 None => Expression::Parameter(position),
-                Some(definition) => Expression::Definition(definition),
+                Some(definition) => Expression::Definition(behind + definition),
             })
         };
         Expression::new(&carvallo::Formula::parse(text)?, &name)
+    }
+
+    /// The names that somebody may have in a formula: those of parameters and definitions, of which attributes of a mechanism have
+    /// the declared ones.
+    pub fn names_in(&self, formula: usize) -> &[&'static str] {
+        match self.formulas[formula].is_of_mechanism {
+            true => &self.names_of_mechanism[..self.declared],
+            false => &self.names,
+        }
+    }
+
+    /// Whether a formula was derived from a mechanism, so that nobody declares it.
+    pub fn is_derived(&self, formula: usize) -> bool {
+        let Formula { subject, is_of_mechanism, .. } = &self.formulas[formula];
+        let declared = &self.names_of_mechanism[self.parameters.min(self.declared)..self.declared];
+        let is_declared = matches!(subject, Subject::Definition(name) if declared.contains(name));
+        self.names_of_mechanism.len() > self.parameters && !is_of_mechanism && !is_declared
     }
 
     /// Whether a formula could be this one by the units in it, as far as these are known.
@@ -176,7 +275,7 @@ impl Formulas {
     /// The values for parameters in declared order; NaN where there is none.
     pub fn values(&self, parameters: &[f64]) -> Values {
         let mut values = self.start(f64::NAN, 0.0);
-        (0..self.formulas.len()).for_each(|at| self.evaluate_or_nan(at, None, parameters, &mut values));
+        self.needed().for_each(|at| self.evaluate_or_nan(at, None, parameters, &mut values));
         values
     }
 
@@ -184,8 +283,25 @@ impl Formulas {
     pub fn values_of<T: FormulaNumber>(&self, parameters: &[T]) -> Option<Values<T>> {
         let zero = T::decimal("0", 0.0);
         let mut values = self.start(zero, zero);
-        (0..self.formulas.len()).try_for_each(|at| self.evaluate(at, None, parameters, &mut values))?;
+        self.needed().try_for_each(|at| self.evaluate(at, None, parameters, &mut values))?;
         Some(values)
+    }
+
+    /// The definitions, and what makes each entry once.
+    fn needed(&self) -> impl Iterator<Item = usize> + '_ {
+        let is_needed = |at: &usize| *at < self.definitions || !self.formulas[*at].is_of_mechanism;
+        (0..self.formulas.len()).filter(is_needed)
+    }
+
+    /// The entries by the attributes of the mechanism, with their values for parameters in declared order; none where there are no
+    /// attributes.
+    pub fn entries_of_mechanism(&self, parameters: &[f64]) -> Option<Vec<f64>> {
+        let mut values = self.values(parameters);
+        values.entries.fill(0.0);
+        let entries = (self.definitions..self.formulas.len()).filter(|at| self.formulas[*at].is_of_mechanism);
+        let entries: Vec<usize> = entries.collect();
+        entries.iter().for_each(|&at| self.evaluate_or_nan(at, None, parameters, &mut values));
+        (!entries.is_empty()).then_some(values.entries)
     }
 
     fn start<T: Copy>(&self, definition: T, entry: T) -> Values<T> {
@@ -195,9 +311,9 @@ impl Formulas {
         }
     }
 
-    /// Whether one formula is another, or depends on it.
+    /// Whether one formula is another, or that depends on it; of an entry also by attributes of a mechanism.
     pub fn feeds(&self, formula: usize, other: usize) -> bool {
-        formula == other || self.dependents(formula).contains(&other)
+        self.twins[formula] == other || self.dependents(formula).iter().any(|&own| self.twins[own] == other)
     }
 
     /// The formula of an entry.
@@ -277,9 +393,17 @@ impl Formulas {
 
     fn set<T>(&self, at: usize, value: T, values: &mut Values<T>) {
         match self.formulas[at].subject {
-            Subject::Definition(_) => values.definitions[at] = value,
             Subject::Entry(matrix, row, column) => values.entries[index(matrix, row, column, self.count)] = value,
+            Subject::Definition(_) | Subject::OfMechanism(_) | Subject::Attribute(_) => values.definitions[at] = value,
         }
+    }
+}
+
+/// The name of a definition or attribute in other formulas.
+fn name_of(formula: &FormulaInfo) -> Option<&'static str> {
+    match formula.of {
+        FormulaSubject::Definition(name) | FormulaSubject::Attribute { name, .. } => Some(name),
+        FormulaSubject::Entry(_) => None,
     }
 }
 

@@ -43,18 +43,18 @@ impl Formulas {
     /// each alone. An entry that is negative, twice or half as a whole is no slip in its formula, unless several share it.
     pub fn slips(&self) -> Vec<FormulaSlip> {
         let mut found = Vec::new();
-        for (at, formula) in self.formulas.iter().enumerate() {
+        for (at, formula) in self.formulas.iter().enumerate().filter(|(_, formula)| formula.is_tried) {
             let is_shared = formula.shared.len() > 1;
             let is_entry = matches!(formula.subject, Subject::Entry(..));
             let own = formula.text.trim_start_matches('-').len();
-            for slip in slips(formula.text, &self.names) {
+            for slip in slips(formula.text, self.names_in(at)) {
                 let is_of_all = matches!(slip.kind, Kind::FactorOfTwo | Kind::Negative) && slip.place.len() == own;
                 let is_of_one = !(is_entry && is_of_all);
                 if !is_of_one && !is_shared {
                     continue;
                 }
                 // What is no formula any more is nobody's.
-                let Some(changed) = self.parse(&slip.apply(formula.text)) else { continue };
+                let Some(changed) = self.parse(at, &slip.apply(formula.text)) else { continue };
                 let makes_sense = self.makes_sense(at, &changed);
                 let mut push = |formulas: Vec<usize>, slip: Slip, changed: Expression| {
                     let is_circular = self.is_circular(&formulas, &changed);

@@ -1,6 +1,6 @@
 //! Whether formulas make sense by the units in them.
 
-use carvallo::{Expression, FormulaSubject, Function, ModelInfo};
+use carvallo::{Expression, FormulaInfo, FormulaSubject, Function, ModelInfo};
 
 /// The powers of kilogram, metre and second; an angle is a pure number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,16 +48,16 @@ impl Dimension {
 }
 
 impl Units {
-    /// Those that a model tells.
-    pub fn new(info: &ModelInfo) -> Self {
+    /// Those that a model tells, the definitions among these formulas behind its own.
+    pub fn new(info: &ModelInfo, attributes: &[FormulaInfo]) -> Self {
         let known = |unit: &str| if unit.is_empty() { None } else { Dimension::parse(unit) };
-        let definition = |formula: &carvallo::FormulaInfo| match formula.of {
-            FormulaSubject::Definition(_) => Some(known(formula.unit)),
+        let definition = |formula: &FormulaInfo| match formula.of {
+            FormulaSubject::Definition(_) | FormulaSubject::Attribute { .. } => Some(known(formula.unit)),
             FormulaSubject::Entry(_) => None,
         };
         Self {
             parameters: info.parameters.iter().map(|parameter| known(parameter.unit)).collect(),
-            definitions: info.formulas.iter().filter_map(definition).collect(),
+            definitions: info.formulas.iter().chain(attributes).filter_map(definition).collect(),
         }
     }
 
@@ -147,12 +147,16 @@ mod tests {
             ("mu", "c/w*sin(lam)", true),
             ("mu", "c/w*cos(IAlz)", false),
         ] {
-            let text = formulas.parse(text).expect("a formula");
+            let text = formulas.parse(at(name), text).expect("a formula");
             assert_eq!(formulas.makes_sense(at(name), &text), expected, "{name} {text:?}");
         }
         // And all that stand there do.
         for (at, formula) in formulas.formulas.iter().enumerate() {
-            assert!(formulas.makes_sense(at, &formulas.parse(formula.text).expect("a formula")), "{}", formula.subject);
+            assert!(
+                formulas.makes_sense(at, &formulas.parse(at, formula.text).expect("a formula")),
+                "{}",
+                formula.subject
+            );
         }
     }
 }

@@ -22,6 +22,13 @@ pub struct FormulaInfo {
 pub enum FormulaSubject {
     /// The definition of this name.
     Definition(&'static str),
+    /// An attribute of a mechanism.
+    Attribute {
+        /// Its name in other formulas, such as `H_x`.
+        name: &'static str,
+        /// What it is, such as `x of the centre of mass of the front frame H`.
+        what: &'static str,
+    },
     /// An entry of a matrix, with the others of that matrix that have the same formula.
     Entry(EntryInfo),
 }
@@ -30,6 +37,11 @@ impl FormulaInfo {
     /// The formula of a definition.
     pub const fn definition(name: &'static str, unit: &'static str, text: &'static str) -> Self {
         Self { of: FormulaSubject::Definition(name), unit, text }
+    }
+
+    /// The formula of an attribute of a mechanism.
+    pub const fn attribute(name: &'static str, what: &'static str, unit: &'static str, text: &'static str) -> Self {
+        Self { of: FormulaSubject::Attribute { name, what }, unit, text }
     }
 
     /// The formula of the entries at these places.
@@ -43,7 +55,7 @@ impl fmt::Display for FormulaInfo {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { of, unit, text } = self;
         match of {
-            FormulaSubject::Definition(name) => write!(f, "{name} = ")?,
+            FormulaSubject::Definition(name) | FormulaSubject::Attribute { name, .. } => write!(f, "{name} = ")?,
             FormulaSubject::Entry(EntryInfo { places }) => {
                 for place in *places {
                     write_place(f, *place)?;

@@ -36,6 +36,10 @@ pub struct ModelInfo {
     /// The definitions that the matrices depend on, each in those before it, and then the entries of the matrices that
     /// are not zero: as they are declared, or as they are derived from a mechanism. `equations` writes them for people.
     pub formulas: &'static [FormulaInfo],
+    /// The same matrices by the attributes of a mechanism, such as the mass of a body or a place on the axis of a joint: each that has a
+    /// parameter in it is a definition of its own, in which a mistake can be tried by itself. What holds because of relations
+    /// between attributes, as that a wheel touches the ground, is taken to hold. Empty for models that are no mechanisms.
+    pub attributes: &'static [FormulaInfo],
     /// The position of the parameter that is the gravitational field strength g, if there is one.
     pub gravity: Option<usize>,
 }
@@ -44,7 +48,7 @@ impl ModelInfo {
     /// The same without formulas: all that checks of parameters need, so that a program that only checks carries no more.
     #[must_use]
     pub const fn without_formulas(&self) -> Self {
-        Self { formulas: &[], ..*self }
+        Self { formulas: &[], attributes: &[], ..*self }
     }
 
     /// The position of the parameter called `name`.

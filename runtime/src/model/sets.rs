@@ -38,6 +38,7 @@ mod tests {
         sets: &[set("pista"), set("pista_rider"), set("PistaRider"), set("größe_2")],
         requirements: &[],
         formulas: &[],
+        attributes: &[],
         gravity: None,
     };
 

@@ -132,7 +132,7 @@ fn equations<M: Markup>(info: &ModelInfo, part: &[FormulaInfo], writer: &Writer<
     };
     let equation = |FormulaInfo { of, unit, text }: &FormulaInfo| Equation {
         of: match of {
-            FormulaSubject::Definition(name) => vec![writer.name(name)],
+            FormulaSubject::Definition(name) | FormulaSubject::Attribute { name, .. } => vec![writer.name(name)],
             FormulaSubject::Entry(places) => places.places.iter().map(entry).collect(),
         },
         // What the compiler writes is a formula; a text of another origin stands as it is.

@@ -4,7 +4,7 @@
 //! `cargo run --release -p carvallo-tools --no-default-features --bin explained`.
 
 use carvallo_slips::{Kind, slips};
-use carvallo_tests::explained::{Evidence, FULL, Outcome, benchmark, count, measure};
+use carvallo_tests::explained::{Evidence, FULL, Outcome, benchmark, count, measure, measure_attributes, mechanism};
 use carvallo_tests::mutants::{self, all, whipple};
 
 /// The slips that are made when the program runs, of what `carvallo equations` prints, are those that the compiler is measured
@@ -33,6 +33,18 @@ fn slips_are_named_from_matrices() {
         let tally = measure(&machine, Evidence::Matrices(digits), 97);
         let [named, of] = tally.named();
         assert!(of > 80 && named == of, "{tally:?}");
+        assert!(tally.count(Outcome::Alone) >= alone, "{tally:?}");
+    }
+}
+
+/// Of the bicycle as a mechanism; how many are the only explanation, as measured: that may not fall.
+#[test]
+fn slips_of_attributes_are_named_from_matrices() {
+    let machine = mechanism();
+    for (digits, alone) in [(FULL, 0), (4, 0)] {
+        let tally = measure_attributes(&machine, Evidence::Matrices(digits), 23);
+        let [named, of] = tally.named();
+        assert!(of > 20 && named == of, "{tally:?}");
         assert!(tally.count(Outcome::Alone) >= alone, "{tally:?}");
     }
 }

@@ -28,7 +28,9 @@ fn declared(info: &ModelInfo) -> String {
     let mut matrices = vec![vec![vec!["0"; n]; n]; MatrixName::ALL.len()];
     for FormulaInfo { of, text, .. } in info.formulas {
         match of {
-            FormulaSubject::Definition(name) => definitions += &format!("let {name} = {text};"),
+            FormulaSubject::Definition(name) | FormulaSubject::Attribute { name, .. } => {
+                definitions += &format!("let {name} = {text};")
+            }
             FormulaSubject::Entry(entry) => {
                 for (matrix, row, column) in entry.places {
                     let entry = &mut matrices[*matrix as usize][*row][*column];

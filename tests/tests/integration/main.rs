@@ -62,3 +62,4 @@ mod textbook;
 mod trigonometry;
 #[cfg(feature = "compiler")]
 mod without_derivatives;
+mod wrong_attributes;

@@ -24,7 +24,7 @@ use self::domains::ExactDomain;
 pub use self::feedback::{Law, Term};
 use self::loads::Loads;
 pub use self::matrices::WrittenMatrices;
-pub use self::mechanism::{Assembly, Role, Tree};
+pub use self::mechanism::{Assembly, Role, Tree, assemble};
 use self::names::Scope;
 pub use self::rust_attributes::RustAttributes;
 pub use self::sets::CheckedSet;

@@ -1,5 +1,6 @@
 //! The equations of motion of a checked declaration: what its mechanism has, or the matrices that are written.
 
+mod attributes;
 mod by_speed;
 mod faults;
 mod feedback;
@@ -10,6 +11,7 @@ use std::collections::HashSet;
 
 use proc_macro2::Ident;
 
+pub use self::attributes::Attributes;
 use self::faults::Faulty;
 use crate::check::{Assembly, Checked};
 use crate::equations::Equations;
@@ -48,6 +50,8 @@ pub struct Derived {
     pub kinematics: Option<Kinematics<Formula>>,
     /// What is free of its motion, if the nonlinear equations are asked for.
     pub motion: Option<MotionModel>,
+    /// The matrices by the attributes of the mechanism, of one.
+    pub attributes: Option<Attributes>,
 }
 
 /// Matrices in the definitions of the model, and in more of their own behind them.
@@ -84,6 +88,7 @@ pub fn derive(checked: &Checked<'_>, report: &mut Report) -> Derived {
         states: declaration.states().map(Option::unwrap_or_default).collect(),
         kinematics: None,
         motion: None,
+        attributes: None,
     };
     let fed = if report.is_empty() { feedback::sort_feedback(checked, report) } else { Vec::new() };
     let Some(mechanism) = &declaration.mechanism else {
@@ -109,7 +114,7 @@ pub fn derive(checked: &Checked<'_>, report: &mut Report) -> Derived {
         Some(mechanics::Fed { on: joint(fed.on)?, of: joint(fed.of)?, matrix: fed.matrix, formula: fed.formula })
     });
     let assembled = mechanics::Mechanism { fed: fed.collect(), ..assembly.mechanism.clone() };
-    match mechanics::derive(assembled, declared) {
+    match mechanics::derive(assembled.clone(), declared) {
         Err(failure) => report.error(find_region(checked, mechanism, &failure), failure),
         Ok(Err(faults)) => {
             let (tree, names) = (&assembly.tree, &nothing.names);
@@ -117,8 +122,14 @@ pub fn derive(checked: &Checked<'_>, report: &mut Report) -> Derived {
         }
         Ok(Ok(derivation)) => {
             let motion = motion::describe_motion(&derivation, checked, assembly, report);
-            let derived = Derived { motion, ..adopt(derivation, nothing, checked, mechanism, assembly) };
+            let mut derived = Derived { motion, ..adopt(derivation, nothing, checked, mechanism, assembly) };
             report_numbers_out_of_range(&derived, mechanism, report);
+            if report.is_empty() {
+                match attributes::derive_by_attributes(checked, mechanism, assembly, &assembled) {
+                    Ok(attributes) => derived.attributes = Some(attributes),
+                    Err(failure) => report.error(mechanism.span, failure),
+                }
+            }
             return derived;
         }
     }
@@ -177,6 +188,7 @@ fn adopt(
         states: complete_states(checked, &derivation.states),
         kinematics: Some(kinematics.map(|formula| formula.renumbered(&new))),
         motion: None,
+        attributes: None,
         matrices,
         by_bodies,
     }
@@ -219,11 +231,16 @@ fn report_numbers_out_of_range(derived: &Derived, mechanism: &Mechanism, report:
 
 /// Names for the definitions of the derivation that nothing else in the declaration has.
 fn find_names(derivation: &Derivation, checked: &Checked<'_>, mechanism: &Mechanism) -> Vec<Ident> {
+    let mut taken = taken_names(checked);
+    let name = |(name, _): &(String, Formula)| Ident::new(&take_free_name(name, &mut taken), mechanism.span);
+    derivation.definitions.iter().map(name).collect()
+}
+
+/// The names that a declaration has.
+fn taken_names(checked: &Checked<'_>) -> HashSet<String> {
     let declaration = checked.declaration;
     let parameters = declaration.parameters.iter().map(|parameter| &parameter.name);
     let definitions = declaration.definitions.iter().map(|definition| &definition.name);
     let coordinates = declaration.coordinates.iter().map(|coordinate| &coordinate.name);
-    let mut taken: HashSet<String> = parameters.chain(definitions).chain(coordinates).map(Ident::to_string).collect();
-    let name = |(name, _): &(String, Formula)| Ident::new(&take_free_name(name, &mut taken), mechanism.span);
-    derivation.definitions.iter().map(name).collect()
+    parameters.chain(definitions).chain(coordinates).map(Ident::to_string).collect()
 }

@@ -56,7 +56,7 @@ pub fn describe_motion(
 fn name_positions(
     checked: &Checked<'_>,
     declared: &Mechanism,
-    Assembly { mechanism, tree }: &Assembly,
+    Assembly { mechanism, tree, .. }: &Assembly,
     layout: &Layout,
 ) -> Vec<Position> {
     let named = |joint: usize| match tree.joints[joint].role {

@@ -53,8 +53,9 @@ pub fn emit(model: &Model, names: &GeneratedNames, matrices: Option<&Program>) -
         quote!(#runtime::MatrixName::#matrix)
     };
     let names_of_matrices = model.matrices.iter().map(|(matrix, _)| matrix_name(*matrix));
-    let formulas = model.formulas.iter().map(|Written { of, unit, text }| match of {
+    let formula = |Written { of, unit, text }: &Written| match of {
         Of::Definition(name) => quote!(#runtime::FormulaInfo::definition(#name, #unit, #text)),
+        Of::Attribute(name, what) => quote!(#runtime::FormulaInfo::attribute(#name, #what, #unit, #text)),
         Of::Entries(matrix, places) => {
             let matrix = matrix_name(*matrix);
             let places = places.iter().map(|place| {
@@ -63,7 +64,8 @@ pub fn emit(model: &Model, names: &GeneratedNames, matrices: Option<&Program>) -
             });
             quote!(#runtime::FormulaInfo::entry(&[#(#places),*], #unit, #text))
         }
-    });
+    };
+    let [formulas, attributes] = [&model.formulas, &model.attributes].map(|all| all.iter().map(formula));
     let forces = forces(model, names);
     let n = model.coordinates.len();
     let entries = matrices.map(entries).unwrap_or_default().into_iter().map(|(_, places)| {
@@ -94,6 +96,7 @@ pub fn emit(model: &Model, names: &GeneratedNames, matrices: Option<&Program>) -
             sets: &[#(#sets),*],
             requirements: &[#(#requirements),*],
             formulas: &[#(#formulas),*],
+            attributes: &[#(#attributes),*],
             gravity: #gravity,
         }
     }

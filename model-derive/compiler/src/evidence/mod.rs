@@ -29,7 +29,7 @@ use crate::matrix_name::MatrixName;
 use crate::model::{self, Coordinate, Matrices, Model, Parameter, ParameterSet, Requirement};
 use crate::report::{Region, Report};
 use crate::syntax::{self, Declaration, Feedback, Matrix, Unit};
-use crate::written::write_formulas;
+use crate::written::{write_attributes, write_formulas};
 
 /// Holds a declaration against its formulas, and makes the model of both. Mistakes are reported; with none it is complete.
 pub fn weigh(checked: Checked<'_>, mut derived: Derived, report: &mut Report) -> Model {
@@ -44,13 +44,16 @@ pub fn weigh(checked: Checked<'_>, mut derived: Derived, report: &mut Report) ->
     if has_all {
         asked::check_asked(&checked, &derived, report);
     }
-    let (formulas, requirements) = match report.is_empty() {
+    let (formulas, attributes, requirements) = match report.is_empty() {
         true => {
             derived = states::settle_states(&checked, derived, report);
             let units = checked.units.with_derived(&derived.definitions);
-            (write_formulas(&checked, &derived, &units), prove(&checked, &derived, &units, report))
+            let attributes = derived.attributes.as_ref();
+            let attributes = attributes.map(|attributes| write_attributes(&checked, attributes, &derived.states));
+            let formulas = write_formulas(&checked, &derived, &units);
+            (formulas, attributes.unwrap_or_default(), prove(&checked, &derived, &units, report))
         }
-        false => (Vec::new(), checked.requirements),
+        false => (Vec::new(), Vec::new(), checked.requirements),
     };
     let declaration = checked.declaration;
     let parameters = declaration
@@ -98,6 +101,7 @@ pub fn weigh(checked: Checked<'_>, mut derived: Derived, report: &mut Report) ->
         entries: derived.entries,
         symmetric: derived.symmetric,
         formulas,
+        attributes,
         feedback: declaration.feedback.iter().map(|feedback| tell(declaration, feedback)).collect(),
         kinematics: derived.kinematics,
         motion: derived.motion,

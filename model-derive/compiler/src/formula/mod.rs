@@ -137,15 +137,22 @@ impl Formula {
 
     /// The same formula with another position for each definition.
     pub fn renumbered(&self, new: &[usize]) -> Self {
-        match self {
+        self.with_leaves(&|leaf| match leaf {
             Self::Definition(old) => Self::Definition(new[*old]),
-            Self::Sum(terms) => Self::Sum(terms.iter().map(|term| term.map(|value| value.renumbered(new))).collect()),
+            other => other.clone(),
+        })
+    }
+
+    /// The same formula with others in the place of its numbers, parameters and definitions.
+    pub fn with_leaves(&self, new: &impl Fn(&Self) -> Self) -> Self {
+        match self {
+            Self::Sum(terms) => Self::Sum(terms.iter().map(|term| term.map(|value| value.with_leaves(new))).collect()),
             Self::Product(factors) => {
-                Self::Product(factors.iter().map(|factor| factor.map(|value| value.renumbered(new))).collect())
+                Self::Product(factors.iter().map(|factor| factor.map(|value| value.with_leaves(new))).collect())
             }
-            Self::Power(base, exponent) => Self::Power(Box::new(base.renumbered(new)), *exponent),
-            Self::Call(function, argument) => Self::Call(*function, Box::new(argument.renumbered(new))),
-            Self::Number(_) | Self::Pi | Self::Parameter(_) => self.clone(),
+            Self::Power(base, exponent) => Self::Power(Box::new(base.with_leaves(new)), *exponent),
+            Self::Call(function, argument) => Self::Call(*function, Box::new(argument.with_leaves(new))),
+            Self::Number(_) | Self::Pi | Self::Parameter(_) | Self::Definition(_) => new(self),
         }
     }
 

@@ -99,10 +99,13 @@ fn find_lift(
     let unit = Body { mass: Form::number(1), inertia: [zero(), zero(), zero()], ..mechanism.bodies[body].clone() };
     let alone = Mechanism { bodies: vec![unit], ..mechanism.clone() };
     let composites = Composites::new(&alone, formulas);
-    let loads = match mechanism.gravity {
-        Some(_) => find_loads(&alone, contacts, &composites, formulas).ok()?,
-        None => vec![Form::number(0); contacts.len()],
+    let (loads, unbalanced) = match mechanism.gravity {
+        Some(_) => find_loads(&alone, contacts, &composites, formulas),
+        None => (vec![Form::number(0); contacts.len()], Vec::new()),
     };
+    if !unbalanced.is_empty() {
+        return None;
+    }
     let weight = find_weight(&alone, contacts, &composites, &loads, formulas);
     let lift = times(&times(&transposed(&motions.rates), &weight), &motions.places);
     let name = |row: usize, column: usize| {

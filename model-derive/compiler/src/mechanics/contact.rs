@@ -24,9 +24,19 @@ pub struct Contact<'a> {
 }
 
 impl<'a> Contact<'a> {
+    /// On the ground below the centre of the wheel.
     pub fn new(mechanism: &'a Mechanism<Form>, wheel: &'a Wheel<Form>) -> Self {
+        Self::at(Form::number(0), mechanism, wheel)
+    }
+
+    /// Below the centre of the wheel by its radius, wherever that is.
+    pub fn below(mechanism: &'a Mechanism<Form>, wheel: &'a Wheel<Form>) -> Self {
+        Self::at(&wheel.centre[2] + &wheel.radius, mechanism, wheel)
+    }
+
+    fn at(z: Form, mechanism: &'a Mechanism<Form>, wheel: &'a Wheel<Form>) -> Self {
         let [x, y, _] = &wheel.centre;
-        let point = [x.clone(), y.clone(), Form::number(0)];
+        let point = [x.clone(), y.clone(), z];
         let mut velocities = vec![zero(); mechanism.joints.len()];
         let mut rotations = velocities.clone();
         for index in mechanism.path(wheel.spin).skip(1) {

@@ -20,6 +20,8 @@ pub struct Formulas<'e> {
     /// Some values of the parameters, and those of the definitions for them: what is clearly not zero there needs no
     /// attempt to prove that it is.
     sample: (Vec<Sample>, Vec<Sample>),
+    /// The same where parameters stand for what depends on others: with the values that they have by these.
+    dependent: Option<(Vec<Sample>, Vec<Sample>)>,
     /// Forms that were simplified before.
     simplest: RefCell<HashMap<Form, Form>>,
 }
@@ -37,14 +39,29 @@ impl<'e> Formulas<'e> {
             stand_ins: Vec::new(),
             names: Vec::new(),
             sample: (Sample::spread(0, parameters), Vec::new()),
+            dependent: None,
             simplest: RefCell::default(),
         };
         values.into_iter().for_each(|value| formulas.push(value));
         formulas
     }
 
+    /// The last parameters stand for these formulas in the others and in definitions, and no relation between them is used:
+    /// but by what these formulas make zero nothing is divided.
+    pub fn standing_for(mut self, attributes: &[Formula]) -> Self {
+        let (mut parameters, definitions) = self.sample.clone();
+        parameters.truncate(self.parameters - attributes.len());
+        let values = attributes.iter().map(|attribute| Sample::of(attribute, &self.sample.0, &definitions));
+        parameters.extend(values);
+        self.dependent = Some((parameters, definitions));
+        self
+    }
+
     fn push(&mut self, value: Form) {
         let at_sample = self.at_sample(&value);
+        if let Some((parameters, definitions)) = &mut self.dependent {
+            definitions.push(Sample::of(&value.to_formula(self.parameters), parameters, definitions));
+        }
         self.sample.1.push(at_sample);
         self.stand_ins.push(self.engine.definition(self.parameters, self.values.len()));
         self.values.push(value);
@@ -111,6 +128,9 @@ impl<'e> Formulas<'e> {
     /// The shortest form of a formula that is found as it stands, or with what its names stand for: names hide what cancels.
     pub fn shortest(&self, form: &Form) -> Form {
         let mut shortest = self.simplest(form);
+        if self.dependent.is_some() {
+            return shortest;
+        }
         let mut open = form.clone();
         let first = self.values.len() - self.names.len();
         for index in (first..self.values.len()).rev() {
@@ -147,8 +167,13 @@ impl<'e> Formulas<'e> {
         if form.is_nothing() {
             return true;
         }
-        if self.at_sample(form).is_not_zero() {
+        let sample = self.at_sample(form);
+        if sample.is_not_zero() {
             return false;
+        }
+        // Of what only explains numbers no proof is needed: the values have no pattern.
+        if self.dependent.is_some() && sample.is_finite() {
+            return true;
         }
         if form.is_zero() {
             return true;
@@ -168,7 +193,11 @@ impl<'e> Formulas<'e> {
     /// Whether a formula may be divided by: one that is neither proved to be zero nor clearly not zero may not.
     pub fn is_divisor(&self, form: &Form) -> bool {
         let sample = self.at_sample(form);
-        sample.is_not_zero() || !sample.is_finite() && !self.is_zero(form)
+        let is_known = |(parameters, definitions): &(Vec<Sample>, Vec<Sample>)| {
+            Sample::of(&form.to_formula(self.parameters), parameters, definitions).is_not_zero()
+        };
+        self.dependent.as_ref().is_none_or(is_known)
+            && (sample.is_not_zero() || !sample.is_finite() && !self.is_zero(form))
     }
 
     /// A formula without the definitions that the derivation made.
@@ -184,9 +213,10 @@ impl<'e> Formulas<'e> {
         self.opened(form).to_formula(self.parameters)
     }
 
-    /// The names and values of the definitions that the derivation made.
-    pub fn made(self) -> Vec<(String, Form)> {
+    /// The names and values of the definitions that the derivation made, without the engine.
+    pub fn export(self) -> Vec<(String, Formula)> {
         let first = self.values.len() - self.names.len();
-        self.names.into_iter().zip(self.values.into_iter().skip(first)).collect()
+        let values = self.values.into_iter().skip(first).map(|value| value.to_formula(self.parameters));
+        self.names.into_iter().zip(values).collect()
     }
 }

@@ -12,13 +12,13 @@ use crate::symbolic::Form;
 ///
 /// At every joint the loads balance the weight of what it moves, which acts along z. Only a spring at a coordinate may
 /// have a force of its own: whatever it holds in the reference configuration, a constant force at a joint makes no
-/// stiffness there.
+/// stiffness there. Beside them the forces that nothing balances.
 pub fn find_loads(
     mechanism: &Mechanism<Form>,
     contacts: &[Contact<'_>],
     composites: &Composites<'_>,
     formulas: &mut Formulas<'_>,
-) -> Result<Vec<Form>, Vec<Fault>> {
+) -> (Vec<Form>, Vec<Fault>) {
     let wheels: Vec<usize> = (0..contacts.len()).collect();
     let heights: Vec<Vec<Form>> = contacts.iter().map(|contact| contact.height().rates).collect();
     let holds = |joint: &usize| mechanism.joints[*joint].stiffness.is_some() && mechanism.coordinates.contains(joint);
@@ -35,7 +35,6 @@ pub fn find_loads(
         let force = left.last().filter(|force| !formulas.is_zero(force))?;
         Some(Fault::Unbalanced { joint: joints[*row], force: formulas.inserted(force) })
     };
-    let faults: Vec<Fault> = left.iter().filter_map(force).collect();
     let load = |wheel: &usize| solved.get(*wheel).and_then(|row| row.last()).cloned().unwrap_or(Form::number(0));
-    if faults.is_empty() { Ok(wheels.iter().map(load).collect()) } else { Err(faults) }
+    (wheels.iter().map(load).collect(), left.iter().filter_map(force).collect())
 }

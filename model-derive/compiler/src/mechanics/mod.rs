@@ -31,7 +31,7 @@ use self::by_bodies::sum_over_bodies;
 use self::contact::Contact;
 use self::formulas::Formulas;
 use self::motion::Motions;
-use self::projection::Projection;
+use self::projection::{Projected, Projection};
 use self::unreduced::Unreduced;
 use crate::formula::Formula;
 use crate::matrix_name::MatrixName;
@@ -58,6 +58,15 @@ pub struct Derivation {
     pub forces: Vec<Vec<Formula>>,
     /// For each joint whether its axis is proved to have unit length as it is declared.
     pub unit_axes: Vec<bool>,
+}
+
+/// Matrices by the attributes of a mechanism: formulas in the parameters, the definitions of the model, and behind these in
+/// those of the derivation.
+#[derive(Debug, DeBin, SerBin)]
+pub struct Apart {
+    /// Names and formulas; names may occur twice.
+    pub definitions: Vec<(String, Formula)>,
+    pub matrices: Matrices<Formula>,
 }
 
 /// The rate of a joint, `v speed + rates · q' + v (coordinates · q + heading psi)`.
@@ -133,6 +142,26 @@ pub fn derive(mechanism: Mechanism<Formula>, declared: Declared) -> Result<Resul
     }
 }
 
+/// Derives the matrices of a mechanism whose attributes are parameters: the last ones, which stand for the formulas of
+/// `declared.attributes` in the others. No relation between them is used. So what holds because of these, as that wheels
+/// touch the ground where they are declared, that weight is balanced, or that two wheels of an axle say the same, is taken to
+/// hold: the matrices are also those of a mechanism with another attribute, as far as one of it can be derived.
+///
+/// # Errors
+/// If the engine fails.
+pub fn derive_apart(mechanism: Mechanism<Formula>, declared: Declared) -> Result<Apart, Failure> {
+    let derive = |engine: &Engine, (mechanism, declared): &(Mechanism<Formula>, Declared)| {
+        let Declared { parameters, definitions, attributes } = declared;
+        let mut resolved = Resolved::new(engine, *parameters, definitions)?;
+        resolved.formulas = resolved.formulas.standing_for(attributes);
+        let mechanism = resolved.mechanism(mechanism)?;
+        let mut formulas = resolved.formulas;
+        let matrices = without_engine(&linearize_apart(mechanism, &mut formulas), *parameters);
+        Ok(Apart { definitions: formulas.export(), matrices })
+    };
+    symbolic::ask("equations of motion by attributes", (mechanism, declared), derive)
+}
+
 /// Why nothing is derived.
 enum Obstacle {
     Faults(Vec<Fault>),
@@ -150,21 +179,44 @@ fn derive_with(
     mechanism: &Mechanism<Formula>,
     Declared { parameters, definitions, attributes }: &Declared,
 ) -> Result<Result<Derivation, Vec<Fault>>, Failure> {
-    let parameters = *parameters;
-    let names: Vec<Form> = (0..definitions.len()).map(|index| engine.definition(parameters, index)).collect();
-    let form = |formula: &Formula, place: Place| {
-        engine.form(formula, &names).map_err(|why| Failure::Undefined { equations: 0, place, why })
-    };
-    let values = definitions.iter().enumerate().map(|(index, formula)| form(formula, Place::Definition(index)));
-    let values = values.collect::<Result<_, _>>()?;
+    let mut resolved = Resolved::new(engine, *parameters, definitions)?;
     for (index, formula) in attributes.iter().enumerate() {
-        form(formula, Place::Output(index))?;
+        resolved.form(formula, Place::Output(index))?;
     }
-    let mut formulas = Formulas::new(engine, parameters, values);
-    let mechanism = mechanism.map(|formula| {
-        engine.form(formula, &names).map_err(|why| Failure::Engine(EngineFailure::Stopped(why.to_string())))
-    })?;
-    Ok(linearize(mechanism, &mut formulas).map(|linearized| linearized.export(formulas, parameters)))
+    let mechanism = resolved.mechanism(mechanism)?;
+    let linearized = linearize(mechanism, &mut resolved.formulas);
+    Ok(linearized.map(|linearized| linearized.export(resolved.formulas, *parameters)))
+}
+
+/// The definitions of a declaration, with the engine.
+struct Resolved<'e> {
+    engine: &'e Engine,
+    /// What stands for each.
+    names: Vec<Form>,
+    formulas: Formulas<'e>,
+}
+
+impl<'e> Resolved<'e> {
+    fn new(engine: &'e Engine, parameters: usize, definitions: &[Formula]) -> Result<Self, Failure> {
+        let names = (0..definitions.len()).map(|index| engine.definition(parameters, index)).collect();
+        let mut resolved = Self { engine, names, formulas: Formulas::new(engine, parameters, Vec::new()) };
+        let values = definitions.iter().enumerate();
+        let values = values.map(|(index, formula)| resolved.form(formula, Place::Definition(index)));
+        let values = values.collect::<Result<_, _>>()?;
+        resolved.formulas = Formulas::new(engine, parameters, values);
+        Ok(resolved)
+    }
+
+    fn form(&self, formula: &Formula, place: Place) -> Result<Form, Failure> {
+        self.engine.form(formula, &self.names).map_err(|why| Failure::Undefined { equations: 0, place, why })
+    }
+
+    fn mechanism(&self, mechanism: &Mechanism<Formula>) -> Result<Mechanism<Form>, Failure> {
+        mechanism.map(|formula| {
+            let form = self.engine.form(formula, &self.names);
+            form.map_err(|why| Failure::Engine(EngineFailure::Stopped(why.to_string())))
+        })
+    }
 }
 
 struct Linearized {
@@ -176,8 +228,41 @@ struct Linearized {
 }
 
 fn linearize(mut mechanism: Mechanism<Form>, formulas: &mut Formulas<'_>) -> Result<Linearized, Vec<Fault>> {
-    let mut faults = Vec::new();
-    let mut unit_axes = Vec::new();
+    let (unit_axes, mut faults) = make_unit_axes(&mut mechanism, formulas);
+    for (wheel, Wheel { centre, radius, .. }) in mechanism.wheels.iter().enumerate() {
+        let below = &centre[2] + radius;
+        if !formulas.is_zero(&below) {
+            faults.push(Fault::OffGround { wheel, below: formulas.inserted(&below) });
+        }
+    }
+    faults.extend(links::find_short_links(&mechanism, formulas).into_iter().map(|link| Fault::Short { link }));
+    let without = |faults: Vec<Fault>| if faults.is_empty() { Ok(()) } else { Err(faults) };
+    without(faults)?;
+    let contacts: Vec<Contact<'_>> = mechanism.wheels.iter().map(|wheel| Contact::new(&mechanism, wheel)).collect();
+    let (motions, faults) = Motions::new(&mechanism, &contacts, formulas);
+    without(faults)?;
+    let (unreduced, faults) = Unreduced::new(&mechanism, &contacts, formulas);
+    without(faults)?;
+    let projection = Projection::new(&mechanism, &unreduced, &motions, formulas);
+    without(projection.faults(formulas))?;
+    let matrices = projection.matrices(formulas);
+    let by_bodies = sum_over_bodies(&mechanism, &contacts, &unreduced, &motions, &matrices, formulas);
+    Ok(Linearized { motions, matrices, by_bodies, unit_axes, mechanism })
+}
+
+/// The matrices, whatever is wrong with the mechanism.
+fn linearize_apart(mut mechanism: Mechanism<Form>, formulas: &mut Formulas<'_>) -> Matrices {
+    make_unit_axes(&mut mechanism, formulas);
+    let contacts: Vec<Contact<'_>> = mechanism.wheels.iter().map(|wheel| Contact::below(&mechanism, wheel)).collect();
+    let (motions, _) = Motions::new(&mechanism, &contacts, formulas);
+    let (unreduced, _) = Unreduced::new(&mechanism, &contacts, formulas);
+    let projected = Projected::new(&mechanism, &unreduced, &motions, formulas);
+    projection::settle(&projected.complete(&mechanism, &motions), formulas)
+}
+
+/// Gives the axes of joints unit length; for each whether it is proved to have it as it is declared, and those of no length.
+fn make_unit_axes(mechanism: &mut Mechanism<Form>, formulas: &mut Formulas<'_>) -> (Vec<bool>, Vec<Fault>) {
+    let (mut unit_axes, mut faults) = (Vec::new(), Vec::new());
     for (index, joint) in mechanism.joints.iter_mut().enumerate() {
         let square = vectors::dot(&joint.axis, &joint.axis);
         unit_axes.push(formulas.is_zero(&(&square - &Form::number(1))));
@@ -188,27 +273,12 @@ fn linearize(mut mechanism: Mechanism<Form>, formulas: &mut Formulas<'_>) -> Res
             joint.axis = joint.axis.each_ref().map(|component| component.over(&length));
         }
     }
-    for (wheel, Wheel { centre, radius, .. }) in mechanism.wheels.iter().enumerate() {
-        let below = &centre[2] + radius;
-        if !formulas.is_zero(&below) {
-            faults.push(Fault::OffGround { wheel, below: formulas.inserted(&below) });
-        }
-    }
-    faults.extend(links::find_short_links(&mechanism, formulas).into_iter().map(|link| Fault::Short { link }));
-    if !faults.is_empty() {
-        return Err(faults);
-    }
-    let contacts: Vec<Contact<'_>> = mechanism.wheels.iter().map(|wheel| Contact::new(&mechanism, wheel)).collect();
-    let motions = Motions::new(&mechanism, &contacts, formulas)?;
-    let unreduced = Unreduced::new(&mechanism, &contacts, formulas)?;
-    let projection = Projection::new(&mechanism, &unreduced, &motions, formulas);
-    let faults = projection.faults(formulas);
-    if !faults.is_empty() {
-        return Err(faults);
-    }
-    let matrices = projection.matrices(formulas);
-    let by_bodies = sum_over_bodies(&mechanism, &contacts, &unreduced, &motions, &matrices, formulas);
-    Ok(Linearized { motions, matrices, by_bodies, unit_axes, mechanism })
+    (unit_axes, faults)
+}
+
+fn without_engine(matrices: &Matrices, parameters: usize) -> Matrices<Formula> {
+    let row = |row: &Vec<Form>| row.iter().map(|form| form.to_formula(parameters)).collect();
+    matrices.iter().map(|(name, rows)| (*name, rows.iter().map(row).collect())).collect()
 }
 
 impl Linearized {
@@ -216,7 +286,6 @@ impl Linearized {
     fn export(self, formulas: Formulas<'_>, parameters: usize) -> Derivation {
         let Self { mechanism, motions, matrices, by_bodies, unit_axes } = self;
         let to_formula = |form: &Form| form.to_formula(parameters);
-        let all = |row: &[Form]| row.iter().map(to_formula).collect();
         let freedom = |joint: usize| motions.freedoms.iter().position(|free| *free == joint);
         let forward = mechanism.root.and_then(|root| freedom(root.forward));
         let yaw = mechanism.root.map(|root| root.yaw);
@@ -249,11 +318,8 @@ impl Linearized {
         let forces = (0..mechanism.coordinates.len()).map(|q| by_forces.iter().map(|force| force[q].clone()).collect());
         let forces = forces.collect();
         let states = Projection::states(&mechanism, &matrices);
-        let without_engine = |matrices: &Matrices| -> Matrices<Formula> {
-            matrices.iter().map(|(name, rows)| (*name, rows.iter().map(|row| all(row)).collect())).collect()
-        };
-        let (matrices, by_bodies) = (without_engine(&matrices), by_bodies.as_ref().map(without_engine));
-        let definitions = formulas.made().iter().map(|(name, form)| (name.clone(), to_formula(form))).collect();
-        Derivation { definitions, matrices, by_bodies, states, rates, forces, unit_axes }
+        let by_bodies = by_bodies.as_ref().map(|matrices| without_engine(matrices, parameters));
+        let matrices = without_engine(&matrices, parameters);
+        Derivation { definitions: formulas.export(), matrices, by_bodies, states, rates, forces, unit_axes }
     }
 }

@@ -24,11 +24,12 @@ pub struct Motions {
 }
 
 impl Motions {
+    /// Beside them what the conditions of the wheels leave undetermined, or cannot say of joints that are not coordinates.
     pub fn new(
         mechanism: &Mechanism<Form>,
         contacts: &[Contact<'_>],
         formulas: &mut Formulas<'_>,
-    ) -> Result<Self, Vec<Fault>> {
+    ) -> (Self, Vec<Fault>) {
         let count = mechanism.joints.len();
         let forward = mechanism.root.map(|root| root.forward);
         let is_free = |joint: &usize| !mechanism.following.contains(joint);
@@ -53,9 +54,7 @@ impl Motions {
         let left = solved.add(rows, formulas, name);
         let mut faults: Vec<Fault> =
             left.iter().map(|(wheel, left)| tied(left, mechanism, formulas, Ground::Height(*wheel))).collect();
-        if !faults.is_empty() {
-            return Err(faults);
-        }
+        let can_stand = faults.is_empty();
         let heights = solved.clone();
         let held: Vec<usize> = (0..contacts.len()).filter(|wheel| mechanism.wheels[*wheel].slip.is_none()).collect();
         let sideways = held.iter().map(|wheel| (row(contacts[*wheel].sideways()), &dependent[..])).collect();
@@ -68,14 +67,14 @@ impl Motions {
         let tie = |(ground, left): &(Ground, Row)| {
             left.iter().any(|entry| !formulas.is_zero(entry)).then(|| tied(left, mechanism, formulas, *ground))
         };
-        faults.extend(sideways.chain(along).collect::<Vec<_>>().iter().filter_map(tie));
+        // What the heights say wrongly goes before all that follows from it.
+        if can_stand {
+            faults.extend(sideways.chain(along).collect::<Vec<_>>().iter().filter_map(tie));
+        }
         let free = dependent.iter().filter(|joint| solved.get(**joint).is_none());
         let free: Vec<usize> = free.copied().collect();
         if !free.is_empty() && faults.is_empty() {
             faults.push(Fault::Undetermined(free));
-        }
-        if !faults.is_empty() {
-            return Err(faults);
         }
 
         let by_height: Vec<usize> = heights.rows.iter().map(|(unknown, _)| *unknown).collect();
@@ -109,7 +108,7 @@ impl Motions {
             }
         }
         let rolling = (0..count).filter(|joint| !by_height.contains(joint) && !mechanism.coordinates.contains(joint));
-        Ok(Self { rates, positions, places, rolling: rolling.collect(), freedoms })
+        (Self { rates, positions, places, rolling: rolling.collect(), freedoms }, faults)
     }
 }
 

@@ -28,16 +28,17 @@ pub struct Unreduced {
 }
 
 impl Unreduced {
+    /// Beside them the forces of gravity that nothing balances.
     pub fn new(
         mechanism: &Mechanism<Form>,
         contacts: &[Contact<'_>],
         formulas: &mut Formulas<'_>,
-    ) -> Result<Self, Vec<Fault>> {
+    ) -> (Self, Vec<Fault>) {
         let count = mechanism.joints.len();
         let composites = Composites::new(mechanism, formulas);
-        let loads = match mechanism.gravity {
-            Some(_) => find_loads(mechanism, contacts, &composites, formulas)?,
-            None => vec![Form::number(0); contacts.len()],
+        let (loads, unbalanced) = match mechanism.gravity {
+            Some(_) => find_loads(mechanism, contacts, &composites, formulas),
+            None => (vec![Form::number(0); contacts.len()], Vec::new()),
         };
         let momenta = find_spin_momenta(mechanism, formulas);
         let name = |what: &str, row: usize, column: usize| {
@@ -62,7 +63,7 @@ impl Unreduced {
         let (mut damping, mut stiffness) = (matrix::plus(&damping, &by_rates), matrix::plus(&stiffness, &by_positions));
         add_links(mechanism, formulas, &mut stiffness, &mut damping);
         add_gyrostats(mechanism, &mut damping);
-        Ok(Self { mass, spin, weight, slip: over_speed, damping, stiffness, relaxation: by_speed })
+        (Self { mass, spin, weight, slip: over_speed, damping, stiffness, relaxation: by_speed }, unbalanced)
     }
 }
 

@@ -7,8 +7,8 @@ mod tree;
 
 pub use self::parse::{constant, parse, reserved};
 pub use self::tree::{
-    Assertion, Axis, Bound, Compared, Coordinate, Declaration, Direction, Expression, Factor, Feedback, Freedom,
-    Inertia, JointKind, Kind, Matrix, Mechanism, Parameter, ParameterSet, Printed, Published, Relation, Requirement,
-    RustAttribute, Slip, Term, Unit, Value, Vector, Wheel,
+    Assertion, Axis, Body, Bound, Compared, Coordinate, Declaration, Direction, Expression, Factor, Feedback, Freedom,
+    Inertia, Joint, JointKind, Kind, Link, Matrix, Mechanism, Parameter, ParameterSet, Printed, Published, Relation,
+    Requirement, RustAttribute, Slip, Term, Unit, Value, Vector, Wheel,
 };
 // Declarations write the names of matrices.

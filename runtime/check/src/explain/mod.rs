@@ -197,8 +197,9 @@ impl<'a, 'b> Search<'a, 'b> {
     }
 
     fn definitions(&self) -> &[Unknown<'a>] {
-        let count = self.machine.formulas.names.len() - self.machine.parameters.len();
-        self.values[2].get_or_init(|| self.solvable((0..count).map(Unknown::Definition)))
+        let formulas = &self.machine.formulas;
+        let tried = (0..formulas.definitions).filter(|at| formulas.formulas[*at].is_tried);
+        self.values[2].get_or_init(|| self.solvable(tried.map(Unknown::Definition)))
     }
 
     fn solvable(&self, unknowns: impl Iterator<Item = Unknown<'a>>) -> Vec<Unknown<'a>> {

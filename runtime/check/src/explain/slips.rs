@@ -122,8 +122,10 @@ impl<'a, 'b> Search<'a, 'b> {
         let mut found = Vec::new();
         let mut left = EVALUATED;
         for second in &self.classes {
+            let is_of_mechanism = |class: &Class| self.machine.formulas.formulas[class.formulas[0]].is_of_mechanism;
             let firsts = self.classes.iter().filter(|first| {
                 first.formulas[0] < second.formulas[0]
+                    && is_of_mechanism(first) == is_of_mechanism(second)
                     && first.formulas.iter().all(|formula| !second.formulas.contains(formula))
                     && second.wrong.is_within(&first.changed)
                     && first.wrong.is_within(&second.changed)
@@ -227,7 +229,7 @@ impl<'a, 'b> Search<'a, 'b> {
 fn double_has_sense(machine: &Machine, found: &Found) -> bool {
     let has_sense = |double: &DoubleSlip| {
         let text = double.apply(machine.formulas.formulas[double.formulas[0]].text);
-        let changed = machine.formulas.parse(&text);
+        let changed = machine.formulas.parse(double.formulas[0], &text);
         changed.is_some_and(|changed| machine.formulas.makes_sense(double.formulas[0], &changed))
     };
     found.causes.iter().all(|cause| match cause {

@@ -10,10 +10,13 @@ use crate::explain::{Cause, Found, digits, relation};
 use crate::given::Quantity;
 use crate::machine::Machine;
 use crate::predict::{Predictor, World};
-use carvallo_slips::entry_name;
+use carvallo_slips::{Subject, entry_name};
 
 /// The same numbers, but for rounding, relative to the largest of their matrix.
 const SAME: f64 = 1e-11;
+
+/// How much unlikelier a slip is in a formula that was derived from a mechanism: what is declared is its attributes.
+const DERIVED: u32 = 5;
 
 /// Groups explanations, the likeliest first.
 pub fn groups(machine: &Machine, predictor: &Predictor, mut found: Vec<Found>) -> Vec<Group> {
@@ -25,6 +28,7 @@ pub fn groups(machine: &Machine, predictor: &Predictor, mut found: Vec<Found>) -
             None => sorted.push(vec![own]),
         }
     }
+    sorted.iter_mut().for_each(|group| drop_copies(machine, group));
     let first = sorted.first().map(|group| group[0].world.clone());
     let mut groups = Vec::new();
     for (at, group) in sorted.into_iter().enumerate() {
@@ -57,12 +61,27 @@ pub fn groups(machine: &Machine, predictor: &Predictor, mut found: Vec<Found>) -
     groups
 }
 
+/// Drops slips in definitions that attributes of a mechanism use, where the same slip in formulas that were derived from it makes
+/// the same matrices.
+fn drop_copies(machine: &Machine, group: &mut Vec<Found>) {
+    let subject = |found: &Found| match found.causes[..] {
+        [Cause::Slip(own)] => Some((machine.formulas.formulas[own.formulas[0]].subject, own.slip.clone())),
+        _ => None,
+    };
+    let all: Vec<_> = group.iter().filter_map(subject).collect();
+    group.retain(|found| match subject(found) {
+        Some((Subject::OfMechanism(name), slip)) => !all.contains(&(Subject::Definition(name), slip)),
+        _ => true,
+    });
+}
+
 /// How unlikely a cause is.
 pub fn rank(machine: &Machine, cause: &Cause) -> u32 {
+    let derived = |formulas: &[usize]| if machine.formulas.is_derived(formulas[0]) { DERIVED } else { 0 };
     match cause {
         Cause::Convention(own) => u32::from(own.rank),
-        Cause::Slip(own) => own.rank(),
-        Cause::Slips(double) => double.rank(),
+        Cause::Slip(own) => own.rank() + derived(&own.formulas),
+        Cause::Slips(double) => double.rank() + derived(&double.formulas),
         Cause::Parameter(at, value) => match relation(machine.parameters[*at], *value) {
             Some(_) => 1,
             // A value of few digits may be what stood there.
@@ -139,7 +158,7 @@ fn world(other: &Machine, machine: &Machine, found: &Found) -> Option<World> {
             Cause::Slip(own) => slips.push((own.formulas.clone(), own.changed.clone())),
             Cause::Slips(double) => {
                 let text = double.apply(machine.formulas.formulas[double.formulas[0]].text);
-                slips.push((double.formulas.clone(), machine.formulas.parse(&text)?));
+                slips.push((double.formulas.clone(), machine.formulas.parse(double.formulas[0], &text)?));
             }
             Cause::Parameter(..) | Cause::Definition(..) | Cause::Speed(_) | Cause::Written(_) => return None,
         }

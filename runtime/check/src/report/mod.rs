@@ -144,7 +144,7 @@ pub(crate) fn unit(quantity: Quantity, info: &ModelInfo) -> &'static str {
     };
     let places = |formula: &FormulaInfo| match formula.of {
         FormulaSubject::Entry(EntryInfo { places }) => places,
-        FormulaSubject::Definition(_) => &[],
+        FormulaSubject::Definition(_) | FormulaSubject::Attribute { .. } => &[],
     };
     let own = info.formulas.iter().find(|formula| places(formula).contains(&(matrix, row, column)));
     let mut others = info.formulas.iter().filter(|formula| places(formula).iter().any(|place| place.0 == matrix));

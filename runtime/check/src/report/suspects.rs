@@ -98,7 +98,8 @@ fn formulas(machine: &Machine, predictor: &Predictor, wrong: &[usize]) -> Vec<St
         return Vec::new();
     }
     let feeds = |own: usize, entry: Option<usize>| entry.is_some_and(|entry| machine.formulas.feeds(own, entry));
-    let is_suspect = |own: &usize| entries.iter().all(|&(entry, _, is_wrong)| feeds(*own, entry) == is_wrong);
+    let is_suspect =
+        |own: &usize| all[*own].is_tried && entries.iter().all(|&(entry, _, is_wrong)| feeds(*own, entry) == is_wrong);
     let told = |own: usize| {
         let fed_back = machine.place(own).map(|entry| machine.fed_back(entry)).unwrap_or_default();
         let less = if fed_back.is_empty() { String::new() } else { format!(", less {}", fed_back.join(" and ")) };

@@ -117,6 +117,7 @@ fn info(form: &Form) -> &'static ModelInfo {
         sets: &[],
         requirements: &[],
         formulas: &[],
+        attributes: &[],
         gravity,
     }))
 }

@@ -52,7 +52,7 @@ pub fn interpreted<const N: usize>(compiled: &carvallo_compiler::Compiled, value
 
 /// What stands between the braces of a source.
 #[cfg(feature = "compiler")]
-fn declaration(source: &str) -> &str {
+pub fn declaration(source: &str) -> &str {
     let (_, body) = source.split_once('{').expect("an opening brace");
     body.rsplit_once('}').expect("a closing brace").0
 }

@@ -17,6 +17,8 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 pub struct Assembly {
     pub mechanism: mechanics::Mechanism<Formula>,
     pub tree: Tree,
+    /// The formulas that it was assembled from.
+    pub attributes: Vec<Formula>,
 }
 
 /// Puts the parts of a mechanism in the order of its tree, if there is one; `attributes` are the formulas of
@@ -30,8 +32,9 @@ pub fn assemble(
     loads: Option<usize>,
     report: &mut Report,
 ) -> Option<Assembly> {
+    let written = attributes;
     // In the order of `Declaration::attributes`.
-    let mut attributes = Attributes(attributes.iter().cloned());
+    let mut attributes = Attributes(written.iter().cloned());
     let masses: Vec<_> = mechanism
         .bodies
         .iter()
@@ -195,7 +198,7 @@ pub fn assemble(
         gravity: declaration.parameters.iter().position(|parameter| parameter.gravity.is_some()),
         loads,
     };
-    Some(Assembly { mechanism, tree })
+    Some(Assembly { mechanism, tree, attributes: written.to_vec() })
 }
 
 fn freedom_name(mechanism: &Mechanism, freedom: Freedom) -> String {

@@ -7,7 +7,7 @@ use crate::report::Report;
 use crate::syntax::{Freedom, Mechanism};
 
 /// The joints of a mechanism in an order in which each hangs on an earlier one, and what they move.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Tree {
     pub joints: Vec<Node>,
     /// For each body the joint that moves it, and behind them for each wheel its spin.
