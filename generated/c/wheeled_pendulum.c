@@ -1,6 +1,6 @@
 /* @generated from generated/models/wheeled_pendulum.rs by carvallo-compiler 0.1.0; do not edit.
  * To write it anew: cargo regenerate
- * Hash of the source: 16f5399401874b12
+ * Hash of the source: b992785cfa4d8bcd
  */
 
 /**

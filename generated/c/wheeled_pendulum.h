@@ -1,6 +1,6 @@
 /* @generated from generated/models/wheeled_pendulum.rs by carvallo-compiler 0.1.0; do not edit.
  * To write it anew: cargo regenerate
- * Hash of the source: 16f5399401874b12
+ * Hash of the source: b992785cfa4d8bcd
  */
 
 /**
@@ -11,6 +11,8 @@
  *
  * Two wheels on one axle that roll without slip, and a body above it. The motors act between body and wheels; forward
  * motion, pitch and yaw take part. A positive torque, about y, drives a wheel backward and pitches the body forward.
+ * In the matrices `x` is of a point of the body, as declared; in the nonlinear equations `x` and `y` are of where the left wheel
+ * touches the ground, to first order `x - r*theta + b*psi` of that `x`.
  * Axes: origin on the ground below the axle, x forward, y to the right, z down.
  *
  * Source: Mechanism: Grasser, D'Arrigo, Colombi & Rufer (2002), JOE: a mobile, inverted pendulum, IEEE Trans. Ind. Electron. 49, 107-114

@@ -3,6 +3,8 @@ carvallo::model! {
     ///
     /// Two wheels on one axle that roll without slip, and a body above it. The motors act between body and wheels; forward
     /// motion, pitch and yaw take part. A positive torque, about y, drives a wheel backward and pitches the body forward.
+    /// In the matrices `x` is of a point of the body, as declared; in the nonlinear equations `x` and `y` are of where the left wheel
+    /// touches the ground, to first order `x - r*theta + b*psi` of that `x`.
     /// Axes: origin on the ground below the axle, x forward, y to the right, z down.
     pub model WheeledPendulum {
         source "Mechanism: Grasser, D'Arrigo, Colombi & Rufer (2002), JOE: a mobile, inverted pendulum, IEEE Trans. Ind. Electron. 49, 107-114";

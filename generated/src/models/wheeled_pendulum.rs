@@ -1,6 +1,6 @@
 // @generated from generated/models/wheeled_pendulum.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: 16f5399401874b12
+// Hash of the source: b992785cfa4d8bcd
 
 #![allow(clippy::all, dead_code, deprecated, non_camel_case_types, non_snake_case)]
 
@@ -17,6 +17,8 @@ use carvallo::{
 ///
 /// Two wheels on one axle that roll without slip, and a body above it. The motors act between body and wheels; forward
 /// motion, pitch and yaw take part. A positive torque, about y, drives a wheel backward and pitches the body forward.
+/// In the matrices `x` is of a point of the body, as declared; in the nonlinear equations `x` and `y` are of where the left wheel
+/// touches the ground, to first order `x - r*theta + b*psi` of that `x`.
 /// Axes: origin on the ground below the axle, x forward, y to the right, z down.
 ///
 /// Source: Mechanism: Grasser, D'Arrigo, Colombi & Rufer (2002), JOE: a mobile, inverted pendulum, IEEE Trans. Ind. Electron. 49, 107-114
@@ -1623,7 +1625,7 @@ impl<T: Scalar> Model<3> for WheeledPendulum<T> {
 
     const INFO: &'static ModelInfo = &ModelInfo {
         name: "WheeledPendulum",
-        docs: "A pendulum upside down on two wheels, as balancing robots and the Segway are: it stands only where a motor balances it.\n\nTwo wheels on one axle that roll without slip, and a body above it. The motors act between body and wheels; forward\nmotion, pitch and yaw take part. A positive torque, about y, drives a wheel backward and pitches the body forward.\nAxes: origin on the ground below the axle, x forward, y to the right, z down.",
+        docs: "A pendulum upside down on two wheels, as balancing robots and the Segway are: it stands only where a motor balances it.\n\nTwo wheels on one axle that roll without slip, and a body above it. The motors act between body and wheels; forward\nmotion, pitch and yaw take part. A positive torque, about y, drives a wheel backward and pitches the body forward.\nIn the matrices `x` is of a point of the body, as declared; in the nonlinear equations `x` and `y` are of where the left wheel\ntouches the ground, to first order `x - r*theta + b*psi` of that `x`.\nAxes: origin on the ground below the axle, x forward, y to the right, z down.",
         source: "Mechanism: Grasser, D'Arrigo, Colombi & Rufer (2002), JOE: a mobile, inverted pendulum, IEEE Trans. Ind. Electron. 49, 107-114",
         parameters: &[
             ParameterInfo::new("m", "kg", Domain::POSITIVE).docs("Mass of the body."),
