@@ -11,7 +11,7 @@ pub(crate) struct Rounded<const N: usize> {
 }
 
 /// How much less than its terms a value may be, for its sign to be certain: 2^8 roundings of up to half a unit.
-pub(super) const CERTAIN: f64 = 128.0 * f64::EPSILON;
+pub(crate) const CERTAIN: f64 = 128.0 * f64::EPSILON;
 
 impl<const N: usize> Rounded<N> {
     #[inline]
@@ -19,6 +19,12 @@ impl<const N: usize> Rounded<N> {
         let value = coefficients.map(|c| c.value.to_f64());
         // What is left of cancelled terms errs by the rounding of these in double-double.
         let size = coefficients.map(|c| c.value.to_f64().abs() + c.size * (NOISE / f64::EPSILON));
+        Self { value, size }
+    }
+
+    /// From coefficients with the sizes of which they err by a rounding each.
+    #[cfg(feature = "std")]
+    pub(crate) fn of_sizes(value: [f64; N], size: [f64; N]) -> Self {
         Self { value, size }
     }
 

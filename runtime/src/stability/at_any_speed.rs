@@ -28,7 +28,9 @@ use crate::system::{Coefficients, States, SystemError, require_speed};
 ///
 /// Of any other number N, with C-1 and K1, and for coordinates of which only the position or the rate is a state, they are
 /// the product of all eigenvalues and that of all sums of two of them, polynomials in the speed as well, up to a power of it,
-/// of a degree that is measured. They are interpolated; where the coefficients in an interval do not tell how often one is
+/// of a degree that is measured. Of three and four coordinates whose positions and rates are all states they are multiplied out, from
+/// the coefficients of the characteristic polynomial, with bounds on rounding. Where that does not make their zeros certain, and of
+/// all others, they are interpolated; where the coefficients in an interval do not tell how often one is
 /// zero there, anew in a smaller one. Each critical speed is then found to all digits from the equations themselves. That
 /// none is missing is checked: at every speed at which eigenvalues were computed by the way, as many of them are
 /// unstable as the critical speeds say. Where not, the search goes on by bisection, and what cannot be decided is in

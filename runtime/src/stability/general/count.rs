@@ -26,7 +26,9 @@ impl Equations {
     pub(super) fn count(&self, v: f64) -> Result<Count, SystemError> {
         let spectrum = self.spectrum(v)?;
         let mut count = Count { unstable: 0, marginal: self.zeros };
-        for &s in &spectrum.values {
+        // One of each pair for both.
+        for &s in spectrum.values.iter().filter(|value| value.im >= 0.0) {
+            let multiplicity = if s.im > 0.0 { 2 } else { 1 };
             let (re, error) = if s.re.abs() > CLEAR * spectrum.norm {
                 (s.re, 0.0)
             } else {
@@ -34,9 +36,9 @@ impl Equations {
                 self.refine(s, v).map_or((s.re, CLEAR * spectrum.norm), |(s, error)| (s.re, error))
             };
             if re.abs() <= error {
-                count.marginal += 1;
-            } else {
-                count.unstable += usize::from(re > 0.0);
+                count.marginal += multiplicity;
+            } else if re > 0.0 {
+                count.unstable += multiplicity;
             }
         }
         Ok(count)

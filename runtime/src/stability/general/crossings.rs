@@ -57,6 +57,14 @@ const FARTHEST: f64 = (1u64 << 44) as f64;
 impl Equations {
     /// All critical speeds, in no order.
     pub(super) fn find_crossings(&self) -> Result<Findings, SystemError> {
+        match self.find_certain_crossings() {
+            Some(findings) => Ok(findings),
+            None => self.find_crossings_by_eigenvalues(),
+        }
+    }
+
+    /// The same where it takes eigenvalues at many speeds.
+    pub(super) fn find_crossings_by_eigenvalues(&self) -> Result<Findings, SystemError> {
         let (mut found, mut unexamined) = (Vec::new(), Vec::new());
         let condition = Divergence(self);
         let divergence = self.normalize(&condition)?;
@@ -289,17 +297,17 @@ fn pairs_by_real_part(spectrum: &Spectrum) -> Vec<Complex<f64>> {
 }
 
 /// What an eigenvalue does whose real part changes at a rate; `None` where that is not finite.
-fn change(growth: f64) -> Option<Change> {
+pub(super) fn change(growth: f64) -> Option<Change> {
     growth.is_finite().then_some(if growth < 0.0 { Change::Stabilizes } else { Change::Destabilizes })
 }
 
 impl Bracket {
-    fn start(&self) -> f64 {
+    pub(super) fn start(&self) -> f64 {
         self.zero.unwrap_or(0.5 * (self.low + self.high))
     }
 
     /// Whether a speed is in the bracket, and no rounding moves it to zero.
-    fn contains(&self, crossing: &Crossing) -> bool {
+    pub(super) fn contains(&self, crossing: &Crossing) -> bool {
         let (v, margin) = (crossing.v.to_f64(), MARGIN * (self.high - self.low).min(self.low));
         v >= self.low - margin && v <= self.high + margin && crossing.error < v
     }
@@ -312,7 +320,7 @@ impl Bracket {
 }
 
 /// Adds what has not been found in another bracket, or where a pair turns back as far as rounding tells.
-fn add(found: &mut Vec<Found>, new: Found) {
+pub(super) fn add(found: &mut Vec<Found>, new: Found) {
     const SAME: f64 = 1e-12;
     const SAME_FREQUENCY: f64 = 1e-6;
     let is_same = |old: &Found| {

@@ -56,6 +56,12 @@ pub(super) struct Equations {
     /// Eigenvalues that are zero at all speeds, of coordinates that nothing holds and that are not declared as such.
     pub(super) zeros: usize,
     pub(super) units: Units,
+    /// Whether, along the speed, eigenvalues are symmetric about the imaginary axis at all speeds, since M and the stiffness are symmetric and the
+    /// damping is skew.
+    pub(super) is_conservative: bool,
+    /// Whether transposing all matrices changes the sign of the speed, since only what is multiplied by it is skew, and all else
+    /// symmetric.
+    pub(super) is_reversible: bool,
     /// How many eigenvalue problems and pencils were computed, each in units of the time that it takes, about.
     effort: Cell<usize>,
 }
@@ -83,8 +89,21 @@ impl Equations {
         let (columns, zeros) = columns(&matrices.states, is_loose, &damping);
         let variable = Variable::Speed { gravity };
         let (layout, effort) = (layout(&columns), Cell::new(0));
-        let mut equations =
-            Self { mass, damping, stiffness, variable, columns, layout, solved: None, zeros, units, effort };
+        let [is_conservative, is_reversible] = symmetries(matrices);
+        let mut equations = Self {
+            mass,
+            damping,
+            stiffness,
+            variable,
+            columns,
+            layout,
+            solved: None,
+            zeros,
+            units,
+            is_conservative,
+            is_reversible,
+            effort,
+        };
         if !equations.columns.contains(&Column::Position) {
             equations.solved = Some(equations.solve(gravity)?);
         }
@@ -112,7 +131,20 @@ impl Equations {
         let degree = coefficients.iter().map(|terms| terms.len()).max().unwrap_or(0);
         let (variable, layout) = (Variable::Parameter { degree }, layout(&columns));
         let effort = Cell::new(0);
-        Ok(Self { mass, damping, stiffness, variable, columns, layout, solved: None, zeros, units, effort })
+        Ok(Self {
+            mass,
+            damping,
+            stiffness,
+            variable,
+            columns,
+            layout,
+            solved: None,
+            zeros,
+            units,
+            is_conservative: false,
+            is_reversible: false,
+            effort,
+        })
     }
 
     /// What has to be regular: the columns of M, or of the damping for coordinates of first order.
@@ -203,6 +235,16 @@ impl Equations {
     pub(super) fn speed(&self, scaled: DoubleDouble) -> f64 {
         self.units.speed(scaled.to_f64())
     }
+}
+
+/// Whether matrices are symmetric and skew so that the equations are conservative, and that they are reversible.
+fn symmetries(Matrices { all, .. }: &Matrices) -> [bool; 2] {
+    let holds = |matrix: &Square<f64>, sign: f64| {
+        (0..matrix.size()).all(|i| (0..=i).all(|j| matrix[i][j] == sign * matrix[j][i]))
+    };
+    // In the order M, C-1, C0, C1, Kc, K0, K1 and K2.
+    let signs = [[1.0, -1.0, -1.0, -1.0, 1.0, 1.0, 1.0, 1.0], [1.0, -1.0, 1.0, -1.0, 1.0, 1.0, -1.0, 1.0]];
+    signs.map(|signs| all.iter().zip(signs).all(|(matrix, sign)| holds(matrix, sign)))
 }
 
 /// What of each coordinate is a state, and how many eigenvalues are zero everywhere though nobody said so.

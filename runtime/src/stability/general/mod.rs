@@ -6,6 +6,8 @@
 //!
 //! - [`units`], [`functions`], [`combination`], [`equations`], [`pencil`]: the equations in scaled units, their
 //!   eigenvalues and their pencil at a speed;
+//! - [`polynomials`]: the conditions of three and four coordinates as polynomials with known coefficients, which are all that
+//!   it takes where their zeros are certain; otherwise:
 //! - [`condition`], [`sums`], [`product`], [`polynomial`]: the conditions, and what they are as polynomials;
 //! - [`samples`], [`bernstein`], [`isolation`]: all of their zeros, each in an interval of its own;
 //! - [`field`], [`inverse`], [`newton`]: critical speeds and eigenvalues to all digits;
@@ -29,6 +31,7 @@ mod isolation;
 mod newton;
 mod pencil;
 mod polynomial;
+mod polynomials;
 mod product;
 mod samples;
 mod sums;

@@ -29,13 +29,16 @@ const FINE_STEPS: usize = 3;
 /// The last step in `f64`, relative to the speed, from where on there are digits to be doubled.
 const CLOSE: f64 = 1e-9;
 
+/// The last step in twice the precision, relative: the next one would be of the order of its square.
+const LAST: f64 = 1.0 / (1u64 << 42) as f64;
+
 impl Equations {
     /// The speed and the frequency near given ones at which a pair is on the imaginary axis.
     pub(super) fn find_flutter(&self, v: f64, omega: f64) -> Option<Crossing> {
         let (mut v, mut omega) = (v, omega);
         let mut is_close = false;
         for _ in 0..STEPS {
-            let [dv, domega] = self.flutter_step::<Complex<f64>>(v, omega).step?;
+            let ([dv, domega], _) = self.flutter_step::<Complex<f64>>(v, omega)?;
             (v, omega) = (v + dv, omega + domega);
             if !(v > 0.0 && omega > 0.0 && v.is_finite() && omega.is_finite()) {
                 return None;
@@ -48,34 +51,34 @@ impl Equations {
         if !is_close {
             return None;
         }
-        let StepTowardAxis { growth, sensitivity, .. } = self.flutter_step::<Complex<f64>>(v, omega);
         let (mut fine_v, mut fine_omega) = (DoubleDouble::from(v), DoubleDouble::from(omega));
-        for _ in 0..FINE_STEPS {
-            let [dv, domega] = self.flutter_step::<ComplexDoubleDouble>(fine_v, fine_omega).step?;
+        let mut steps = 0;
+        loop {
+            let ([dv, domega], slopes) = self.flutter_step::<ComplexDoubleDouble>(fine_v, fine_omega)?;
             if dv.to_f64().is_nan() || dv.to_f64().abs() > CLOSE * v {
                 return None;
             }
             (fine_v, fine_omega) = (fine_v + dv, fine_omega + domega);
-            if dv.to_f64().abs() <= f64::EPSILON * CLOSE * v {
-                break;
+            steps += 1;
+            if dv.to_f64().abs() <= LAST * v || steps == FINE_STEPS {
+                let rate = -(slopes.by_v.to_f64() / slopes.by_s.to_f64());
+                let rounding = slopes.rounding(&self.magnitudes(omega, v));
+                let error = rounding / slopes.by_s.norm() / rate.re.abs();
+                return Some(Crossing { v: fine_v, omega: fine_omega.to_f64(), error, growth: rate.re });
             }
         }
-        Some(Crossing { v: fine_v, omega: fine_omega.to_f64(), error: sensitivity, growth })
     }
 
-    /// The determinant is zero as a complex number at two unknowns that are real.
-    fn flutter_step<C: Imaginary>(&self, v: C::Real, omega: C::Real) -> StepTowardAxis<C::Real> {
+    /// Newton's step of the speed and of the frequency, if there is one, and the derivatives that it is from: the determinant is
+    /// zero as a complex number at two unknowns that are real.
+    fn flutter_step<C: Imaginary>(&self, v: C::Real, omega: C::Real) -> Option<([C::Real; 2], Slopes<C>)> {
         let zero = C::Real::from(0.0);
         let slopes = Slopes::new(&self.pencil(C::new(zero, omega), v));
         let ([by_s, i_by_s], [by_v, i_by_v]) = (slopes.by_s.parts(), slopes.by_v.parts());
         // i by_s domega + by_v dv = -1.
         let determinant = -(i_by_s * i_by_v) - by_s * by_v;
         let step = [by_s / determinant, -(i_by_v / determinant)];
-        let is_finite = step.iter().all(|step| step.to_f64().is_finite());
-        let rate = -(slopes.by_v.to_complex() / slopes.by_s.to_complex());
-        let rounding = slopes.rounding(&self.magnitudes(omega.to_f64(), v.to_f64()));
-        let sensitivity = rounding / slopes.by_s.norm() / rate.re.abs();
-        StepTowardAxis { step: is_finite.then_some(step), growth: rate.re, sensitivity }
+        step.iter().all(|step| step.to_f64().is_finite()).then_some((step, slopes))
     }
 
     /// The speed near a given one at which an eigenvalue is zero.
@@ -103,7 +106,7 @@ impl Equations {
                 return None;
             }
             fine = fine + dv;
-            if dv.to_f64().abs() <= f64::EPSILON * CLOSE * v {
+            if dv.to_f64().abs() <= LAST * v {
                 break;
             }
         }
@@ -176,7 +179,7 @@ impl Equations {
             if !(fine_v.to_f64() > 0.0 && fine_omega.to_f64() > 0.0) {
                 return None;
             }
-            if dv.to_f64().abs() <= CLOSE * CLOSE * fine_v.to_f64() {
+            if dv.to_f64().abs() <= LAST * fine_v.to_f64() {
                 let rounding = slopes.rounding(&self.magnitudes(fine_omega.to_f64(), fine_v.to_f64()));
                 let error = rounding / by_v.norm();
                 return Some(Crossing { v: fine_v, omega: fine_omega.to_f64(), error, growth: 0.0 });
@@ -198,7 +201,7 @@ impl Equations {
                 return None;
             }
             fine = fine - step;
-            if step.norm() <= f64::EPSILON * CLOSE * near.max(fine.norm()) {
+            if step.norm() <= LAST * near.max(fine.norm()) {
                 let rounding = slopes.rounding(&self.magnitudes(fine.norm(), v));
                 return Some((fine.to_f64(), rounding / slopes.by_s.norm()));
             }
@@ -211,11 +214,4 @@ impl Equations {
         let slopes = Slopes::new(&self.pencil(s, v));
         -(slopes.by_v / slopes.by_s)
     }
-}
-
-struct StepTowardAxis<R> {
-    /// Of the speed and of the frequency; `None` where there is none.
-    step: Option<[R; 2]>,
-    growth: f64,
-    sensitivity: f64,
 }
