@@ -14,6 +14,15 @@ pub(crate) struct Jet<T> {
     pub(crate) by_vs: T,
 }
 
+impl<T> Jet<T> {
+    /// Each of them through a function.
+    #[cfg(feature = "std")]
+    pub(crate) fn map<U>(self, f: impl Fn(T) -> U) -> Jet<U> {
+        let Self { p, by_s, by_ss, by_v, by_vs } = self;
+        Jet { p: f(p), by_s: f(by_s), by_ss: f(by_ss), by_v: f(by_v), by_vs: f(by_vs) }
+    }
+}
+
 impl<T: Copy + From<f64> + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Jet<T> {
     /// From the coefficients in s and their derivatives by v.
     #[inline]

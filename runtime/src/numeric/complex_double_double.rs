@@ -32,6 +32,12 @@ impl ComplexDoubleDouble {
     }
 }
 
+impl From<DoubleDouble> for ComplexDoubleDouble {
+    fn from(re: DoubleDouble) -> Self {
+        Self::real(re)
+    }
+}
+
 impl From<f64> for ComplexDoubleDouble {
     fn from(re: f64) -> Self {
         Self::real(re.into())

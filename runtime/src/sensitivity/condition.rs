@@ -1,5 +1,7 @@
 //! The conditions that define critical speeds, and how their solutions answer to a change of the matrices.
 
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
 use nalgebra::Complex;
 
 use super::scaled::{Quartic, Scaled};
@@ -29,18 +31,15 @@ pub(super) struct Condition {
     speed: f64,
 }
 
-/// By how much a critical speed and its eigenvalue answer to a change.
-#[derive(Clone, Copy)]
-pub(super) struct Response {
-    /// Complex where no real speed answers.
-    pub(super) speed: ComplexDoubleDouble,
-    pub(super) eigenvalue: ComplexDoubleDouble,
-}
-
 /// The derivatives of a critical speed and of its eigenvalue with respect to the entries of K, C and M.
 pub(super) struct Answers {
     pub(super) speed: ByPower<Rows<Complex<f64>>>,
     pub(super) eigenvalue: ByPower<Rows<Complex<f64>>>,
+}
+
+impl Answers {
+    const NONE: Self =
+        Self { speed: [[[Complex::new(0.0, 0.0); 2]; 2]; 3], eigenvalue: [[[Complex::new(0.0, 0.0); 2]; 2]; 3] };
 }
 
 impl Condition {
@@ -53,27 +52,36 @@ impl Condition {
     ) -> Self {
         let matrices = scaled.matrices(speed);
         let p = determinant::coefficients(matrices);
-        let at = Jet::new(shifted(&p, zeros), shifted(&scaled.by_speed(matrices, speed), zeros), s);
+        let (coefficients, by_v) = (shifted(&p, zeros), shifted(&scaled.by_speed(matrices, speed), zeros));
+        let at = if is_real(s) {
+            Jet::new(coefficients, by_v, s.re).map(ComplexDoubleDouble::real)
+        } else {
+            Jet::new(coefficients.map(ComplexDoubleDouble::real), by_v.map(ComplexDoubleDouble::real), s)
+        };
         let [size, _, half_curvature] = expand_taylor(p[zeros..].iter().map(|p| p.size), s.norm());
         Self { kind, s, zeros, matrices, at, size, curvature_size: 2.0 * half_curvature, speed: speed.to_f64() }
-    }
-
-    /// How far the condition is from being met, as a change that would make up for it.
-    pub(super) fn residual(&self) -> Response {
-        self.law().answer([self.at.p, self.at.by_s])
     }
 
     /// The answers to a change of each entry, which keeps the zeros: the characteristic polynomial changes by the cofactor
     /// of the entry, times 1, s or s^2.
     pub(super) fn answers(&self) -> Answers {
-        let (law, zero) = (self.law(), ComplexDoubleDouble::ZERO);
+        if self.kind == CriticalKind::Weave {
+            self.answers_on_the_axis()
+        } else if is_real(self.s) {
+            self.answers_of(&Law::new(self.kind, &self.at.map(|part| part.re)), self.s.re)
+        } else {
+            self.answers_of(&Law::new(self.kind, &self.at), self.s)
+        }
+    }
+
+    fn answers_of<C: Number>(&self, law: &Law<C>, s: C) -> Answers {
+        let zero = C::from(0.0);
         // The derivatives of p with respect to an entry of K, by powers of s.
         let cofactors = self.matrices.map(cofactors);
-        let none = [[[Complex::new(0.0, 0.0); 2]; 2]; 3];
-        let mut answers = Answers { speed: none, eigenvalue: none };
+        let mut answers = Answers::NONE;
         for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
-            let [c0, c1, c2] = cofactors.each_ref().map(|cofactor| ComplexDoubleDouble::real(cofactor[i][j].value));
-            let [mut value, mut slope, _] = expand_taylor([c0, c1, c2].into_iter(), self.s);
+            let [c0, c1, c2] = cofactors.each_ref().map(|cofactor| C::from(cofactor[i][j].value));
+            let [mut value, mut slope, _] = expand_taylor([c0, c1, c2].into_iter(), s);
             for power in 0..3 {
                 if self.zeros > 0 {
                     // At s = 0 they are coefficients.
@@ -82,38 +90,46 @@ impl Condition {
                     (value, slope) = (at(2), at(3));
                 } else if power > 0 {
                     // Another factor s.
-                    (value, slope) = (value * self.s, value + slope * self.s);
+                    (value, slope) = (value * s, value + slope * s);
                 }
-                let Response { speed, eigenvalue } = law.answer([value, slope]);
-                answers.speed[power][i][j] = speed.to_f64();
-                answers.eigenvalue[power][i][j] = eigenvalue.to_f64();
+                [answers.speed[power][i][j], answers.eigenvalue[power][i][j]] = law.answer([value, slope]);
             }
         }
         answers
     }
 
-    /// The law by which speed and eigenvalue answer to a change of p and of its slope in s.
-    fn law(&self) -> Law {
-        let at = &self.at;
-        let one = ComplexDoubleDouble::from(1.0);
-        match self.kind {
-            CriticalKind::Capsize => Law::Capsize(-(one / at.by_v)),
-            CriticalKind::Weave => {
-                // p_v dv + i p_s d(omega) = -change, two real equations.
-                let by_omega = ComplexDoubleDouble { re: -at.by_s.im, im: at.by_s.re };
-                let inverse = DoubleDouble::from(1.0) / cross(at.by_v, by_omega);
-                let scaled = |x: ComplexDoubleDouble| ComplexDoubleDouble { re: x.re * inverse, im: x.im * inverse };
-                Law::Weave { by_v: scaled(at.by_v), by_omega: scaled(by_omega) }
-            }
-            CriticalKind::DoubleRoot => {
-                let inverse = one / at.determinant();
-                let [by_slope, by_value] = [[0.0, 1.0], [1.0, 0.0]].map(|change| {
-                    let change = change.map(ComplexDoubleDouble::from);
-                    at.step_against(change).map(|step| step * inverse)
-                });
-                Law::DoubleRoot { by_value, by_slope }
+    /// Those of a pair at `i omega`, in real numbers: `p_v dv + i p_s d(omega) = -change`.
+    fn answers_on_the_axis(&self) -> Answers {
+        let (at, omega) = (&self.at, self.s.im);
+        let by_omega = ComplexDoubleDouble { re: -at.by_s.im, im: at.by_s.re };
+        let (inverse, square) = (DoubleDouble::from(1.0) / cross(at.by_v, by_omega), omega * omega);
+        let scaled = |x: ComplexDoubleDouble| ComplexDoubleDouble { re: x.re * inverse, im: x.im * inverse };
+        let sides = [scaled(by_omega), scaled(at.by_v)];
+        let cofactors = self.matrices.map(cofactors);
+        let mut answers = Answers::NONE;
+        for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+            let [c0, c1, c2] = cofactors.each_ref().map(|cofactor| cofactor[i][j].value);
+            let value = ComplexDoubleDouble { re: c0 - square * c2, im: omega * c1 };
+            let next = ComplexDoubleDouble { re: -(omega * value.im), im: omega * value.re };
+            for (power, change) in [value, next].into_iter().enumerate() {
+                let [speed, frequency] = [-cross(change, sides[0]), -cross(sides[1], change)];
+                let at = |power: usize, speed: DoubleDouble, frequency: DoubleDouble, answers: &mut Answers| {
+                    answers.speed[power][i][j] = Complex::new(speed.to_f64(), 0.0);
+                    answers.eigenvalue[power][i][j] = Complex::new(0.0, frequency.to_f64());
+                };
+                at(power, speed, frequency, &mut answers);
+                if power == 0 {
+                    // Another factor s^2 is real.
+                    at(2, -(square * speed), -(square * frequency), &mut answers);
+                }
             }
         }
+        answers
+    }
+
+    /// Whether all that follows from it is real.
+    pub(super) fn is_real(&self) -> bool {
+        is_real(self.s)
     }
 
     /// By how much the speed may answer to a change of the polynomial by one.
@@ -139,29 +155,100 @@ impl Condition {
     }
 }
 
-/// The answers to a change of p and of its slope, without the equations that they solve.
-enum Law {
-    /// What the change of p is multiplied by.
-    Capsize(ComplexDoubleDouble),
-    /// The derivatives of p, divided by their determinant.
-    Weave { by_v: ComplexDoubleDouble, by_omega: ComplexDoubleDouble },
-    /// What speed and eigenvalue answer to a change of p, and of its slope, by one.
-    DoubleRoot { by_value: [ComplexDoubleDouble; 2], by_slope: [ComplexDoubleDouble; 2] },
+fn is_real(s: ComplexDoubleDouble) -> bool {
+    s.im == DoubleDouble::ZERO
 }
 
-impl Law {
-    fn answer(&self, [value, slope]: [ComplexDoubleDouble; 2]) -> Response {
-        match *self {
-            Self::Capsize(factor) => Response { speed: value * factor, eigenvalue: ComplexDoubleDouble::ZERO },
-            Self::Weave { by_v, by_omega } => {
-                let eigenvalue = ComplexDoubleDouble { re: DoubleDouble::ZERO, im: -cross(by_v, value) };
-                Response { speed: ComplexDoubleDouble::real(-cross(value, by_omega)), eigenvalue }
-            }
-            Self::DoubleRoot { by_value, by_slope } => {
-                let [speed, eigenvalue] = [0, 1].map(|of| by_value[of] * value + by_slope[of] * slope);
-                Response { speed, eigenvalue }
+/// A real or complex number of twice the precision.
+trait Number:
+    Copy
+    + From<f64>
+    + From<DoubleDouble>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    fn to_complex(self) -> Complex<f64>;
+}
+
+impl Number for DoubleDouble {
+    fn to_complex(self) -> Complex<f64> {
+        Complex::new(self.to_f64(), 0.0)
+    }
+}
+
+impl Number for ComplexDoubleDouble {
+    fn to_complex(self) -> Complex<f64> {
+        self.to_f64()
+    }
+}
+
+/// The answers to a change of p and of its slope, without the equations that they solve.
+enum Law<C> {
+    /// What the change of p is multiplied by.
+    Value(C),
+    /// What speed and eigenvalue answer to a change of p, and of its slope, by one.
+    ValueAndSlope { by_value: [C; 2], by_slope: [C; 2] },
+}
+
+impl<C: Number> Law<C> {
+    /// Of a capsize speed, or of a double root.
+    fn new(kind: CriticalKind, at: &Jet<C>) -> Self {
+        let one = C::from(1.0);
+        if kind == CriticalKind::Capsize {
+            return Self::Value(-(one / at.by_v));
+        }
+        let inverse = one / at.determinant();
+        let [by_slope, by_value] =
+            [[0.0, 1.0], [1.0, 0.0]].map(|change| at.step_against(change.map(C::from)).map(|step| step * inverse));
+        Self::ValueAndSlope { by_value, by_slope }
+    }
+
+    fn answer(&self, [value, slope]: [C; 2]) -> [Complex<f64>; 2] {
+        match self {
+            Self::Value(factor) => [(value * *factor).to_complex(), Complex::new(0.0, 0.0)],
+            Self::ValueAndSlope { by_value, by_slope } => {
+                [0, 1].map(|of| (by_value[of] * value + by_slope[of] * slope).to_complex())
             }
         }
+    }
+}
+
+/// Newton's step of speed and eigenvalue to where the condition is met: with what is left of it in twice the precision, and
+/// derivatives in `f64`, which leave as much of the step as they err by.
+pub(super) fn newton_step(
+    scaled: &Scaled,
+    kind: CriticalKind,
+    speed: DoubleDouble,
+    s: ComplexDoubleDouble,
+    zeros: usize,
+) -> [Complex<f64>; 2] {
+    let matrices = scaled.matrices(speed);
+    let p = shifted(&determinant::coefficients(matrices), zeros);
+    let [value, slope] = if is_real(s) {
+        let [value, slope, _] = expand_taylor(p.into_iter(), s.re);
+        [value, slope].map(Number::to_complex)
+    } else {
+        let [value, slope, _] = expand_taylor(p.into_iter().map(ComplexDoubleDouble::real), s);
+        [value, slope].map(Number::to_complex)
+    };
+    let none = Complex::new(0.0, 0.0);
+    let by_v = scaled.rounded_by_speed(matrices, speed.to_f64());
+    let by_v = core::array::from_fn(|power| by_v.get(power + zeros).map_or(none, |by_v| Complex::new(*by_v, 0.0)));
+    let jet = Jet::new(p.map(Number::to_complex), by_v, s.to_f64());
+    match kind {
+        CriticalKind::Capsize => [-value / jet.by_v, none],
+        CriticalKind::Weave => {
+            // p_v dv + i p_s d(omega) = -p, two real equations.
+            let cross = |x: Complex<f64>, y: Complex<f64>| x.re * y.im - x.im * y.re;
+            let by_omega = Complex::new(-jet.by_s.im, jet.by_s.re);
+            let determinant = cross(jet.by_v, by_omega);
+            let step = [-cross(value, by_omega), -cross(jet.by_v, value)].map(|step| step / determinant);
+            [Complex::new(step[0], 0.0), Complex::new(0.0, step[1])]
+        }
+        CriticalKind::DoubleRoot => jet.step_against([value, slope]).map(|step| step / jet.determinant()),
     }
 }
 
@@ -170,10 +257,10 @@ fn cross(x: ComplexDoubleDouble, y: ComplexDoubleDouble) -> DoubleDouble {
 }
 
 /// The coefficients without the lowest ones.
-fn shifted(p: &Quartic, zeros: usize) -> [ComplexDoubleDouble; 5] {
-    let mut shifted = [ComplexDoubleDouble::ZERO; 5];
+fn shifted(p: &Quartic, zeros: usize) -> [DoubleDouble; 5] {
+    let mut shifted = [DoubleDouble::ZERO; 5];
     for (place, p) in shifted.iter_mut().zip(&p[zeros..]) {
-        *place = ComplexDoubleDouble::real(p.value);
+        *place = p.value;
     }
     shifted
 }

@@ -21,7 +21,7 @@ use pencil::Direction;
 use crate::model::{Differentiable, Model};
 use crate::number::Scalar;
 use crate::system::require_finite;
-use crate::system::{Coefficients, Matrix, SystemError};
+use crate::system::{Coefficients, Matrix, MatrixName, SystemError};
 
 pub use covariance::Covariance;
 pub use critical::{CriticalDerivative, NotDifferentiable};
@@ -80,6 +80,9 @@ pub struct Gradient<T> {
 pub struct Sensitivity<const N: usize> {
     coefficients: Coefficients<f64, N>,
     derivatives: Vec<Coefficients<f64, N>>,
+    /// What is not zero of the derivatives of two coordinates, one after the other, and where each begins and ends.
+    changes: Vec<Change>,
+    ends: Vec<usize>,
     gravity: f64,
     gravity_parameter: Option<usize>,
 }
@@ -104,9 +107,19 @@ impl<const N: usize> Sensitivity<N> {
         let coefficients = coefficients.widen();
         coefficients.require_finite()?;
         let derivatives: Vec<_> = derivatives.iter().map(Coefficients::widen).collect();
-        let finite: Result<(), _> = derivatives.iter().try_for_each(Coefficients::require_finite);
-        finite.map_err(|_| SystemError::OutOfRange { quantity: "a derivative of a matrix" })?;
-        Ok(Self { coefficients, derivatives, gravity, gravity_parameter })
+        if !derivatives.iter().all(is_finite) {
+            return Err(SystemError::OutOfRange { quantity: "a derivative of a matrix" }.into());
+        }
+        let (mut changes, mut ends) = (Vec::new(), Vec::new());
+        if N == 2 {
+            changes.reserve(8 * derivatives.len());
+            ends.reserve(derivatives.len());
+            for derivative in &derivatives {
+                add_changes(derivative, &mut changes);
+                ends.push(changes.len());
+            }
+        }
+        Ok(Self { coefficients, derivatives, changes, ends, gravity, gravity_parameter })
     }
 
     /// Of a model that was compiled with its derivatives, at its own gravity; at none if that is no parameter of it.
@@ -158,5 +171,36 @@ impl<const N: usize> Sensitivity<N> {
             k += self.coefficients.k0;
         }
         Direction { m, c: over_speed + c0 + c1 * speed, k }.finite()
+    }
+}
+
+/// A derivative of an entry of a coefficient matrix that is not zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Change {
+    /// The place of the entry, column by column, in all matrices one after the other, in the order of [`MatrixName::ALL`].
+    place: usize,
+    value: f64,
+}
+
+/// Whether all entries are finite, without a branch for each.
+fn is_finite<const N: usize>(coefficients: &Coefficients<f64, N>) -> bool {
+    MatrixName::ALL.into_iter().fold(true, |all, name| {
+        coefficients.matrix(name).as_slice().iter().fold(all, |all, entry| all & entry.is_finite())
+    })
+}
+
+/// Adds what changes with a parameter: of most entries nothing.
+fn add_changes<const N: usize>(derivative: &Coefficients<f64, N>, changes: &mut Vec<Change>) {
+    for (which, name) in MatrixName::ALL.into_iter().enumerate() {
+        let entries = derivative.matrix(name).as_slice();
+        // One question for most of the matrices, and not one for each entry; without the signs.
+        if entries.iter().fold(0, |bits, entry| bits | entry.to_bits()) << 1 == 0 {
+            continue;
+        }
+        for (entry, &value) in entries.iter().enumerate() {
+            if value != 0.0 {
+                changes.push(Change { place: N * N * which + entry, value });
+            }
+        }
     }
 }

@@ -39,6 +39,20 @@ impl Scaled {
         [mixed(k, dk), mixed(k, dc) + mixed(c, dk), inner, mixed(m, dc), Tracked::ZERO]
     }
 
+    /// The same in `f64`.
+    pub(super) fn rounded_by_speed(&self, matrices: ByPower<Rows<Tracked>>, speed: f64) -> [f64; 5] {
+        let Coefficients { cm1, c1, k1, k2, .. } = &self.coefficients;
+        let [k, c, m] = matrices.map(|rows| rows.map(|row| row.map(|entry| entry.value.to_f64())));
+        let over_square = inverse(cm1, DoubleDouble::from(speed * speed)).value.to_f64();
+        let entries = |entry: &dyn Fn((usize, usize)) -> f64| -> Rows {
+            [[entry((0, 0)), entry((0, 1))], [entry((1, 0)), entry((1, 1))]]
+        };
+        let dk = entries(&|at| k1[at] + k2[at] * (2.0 * speed));
+        let dc = entries(&|at| c1[at] - cm1[at] * over_square);
+        let no = [[0.0; 2]; 2];
+        determinant::derivatives([k, c, m], [dk, dc, no])
+    }
+
     /// The derivative of the characteristic polynomial in the direction of scaled derivatives of the coefficients.
     fn by(&self, direction: &Coefficients<f64, 2>, speed: DoubleDouble) -> Quartic {
         determinant::derivatives(self.matrices(speed), self.matrices_of(direction, speed))

@@ -67,6 +67,10 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
 
     /// The same numbers as `f64`, exactly.
     pub(crate) fn widen(&self) -> Coefficients<f64, N> {
+        #[cfg(feature = "std")]
+        if let Some(wide) = (self as &dyn core::any::Any).downcast_ref() {
+            return *wide;
+        }
         let mut wide = Coefficients { states: self.states, ..Default::default() };
         for name in MatrixName::ALL {
             *wide.matrix_mut(name) = self.matrix(name).map(Scalar::to_f64);
