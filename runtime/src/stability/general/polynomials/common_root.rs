@@ -1,5 +1,8 @@
 //! Where two polynomials in the square of the eigenvalue have a root in common, as a polynomial in the speed.
 
+// Places are those of several arrays.
+#![allow(clippy::needless_range_loop)]
+
 use super::characteristic::MOST;
 use super::terms::Terms;
 
