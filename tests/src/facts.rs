@@ -210,6 +210,36 @@ pub fn stable_ranges() -> Vec<StableRange> {
     rows(include_str!("../data/stable_ranges.tsv")).map(row).collect()
 }
 
+/// A system whose eigenvalues spread over many orders of magnitude.
+#[derive(Clone, Debug)]
+pub struct SpreadEigenvalues {
+    /// The number of coordinates.
+    pub coordinates: usize,
+    /// Sizes are from `10^-reach` to `10^reach`.
+    pub reach: usize,
+    /// M, C and K, each row by row.
+    pub entries: Vec<f64>,
+    /// In 1/s, in no order.
+    pub values: Vec<nalgebra::Complex<f64>>,
+}
+
+/// Systems of three and four coordinates with their eigenvalues.
+pub fn spread_eigenvalues() -> Vec<SpreadEigenvalues> {
+    let row = |[coordinates, reach, entries, values]: [&'static str; 4]| {
+        let value = |text: &str| {
+            let (re, im) = text.split_once(',').expect("two parts");
+            nalgebra::Complex::new(number(re), number(im))
+        };
+        SpreadEigenvalues {
+            coordinates: coordinates.parse().expect("a number of coordinates"),
+            reach: reach.parse().expect("a number of digits"),
+            entries: entries.split(' ').map(number).collect(),
+            values: values.split(' ').map(value).collect(),
+        }
+    };
+    rows(include_str!("../data/spread_eigenvalues.tsv")).map(row).collect()
+}
+
 fn rows<const N: usize>(table: &'static str) -> impl Iterator<Item = [&'static str; N]> {
     let lines = table.lines().filter(|line| !line.starts_with('#'));
     lines.map(|line| line.split('\t').collect::<Vec<_>>().try_into().expect("every column"))

@@ -83,14 +83,19 @@ impl Batch {
         matrices: &dyn Fn(usize) -> [&'a [f64]; 3],
         alone: &dyn Fn(usize) -> Eigenvalues,
     ) {
-        if n <= 4 {
-            dispatch!(self.level, simd => side_by_side::<_, 4, 8>(simd, n, eigenvalues, matrices, alone));
-        } else {
-            dispatch!(self.level, simd => side_by_side::<_, 8, 16>(simd, n, eigenvalues, matrices, alone));
+        // Where there are many loops, those of one number of coordinates take up to a fifth of the time less.
+        match n {
+            3 | 4 => dispatch!(self.level, simd => side_by_side::<_, 4, 8>(simd, n, eigenvalues, matrices, alone)),
+            5 => dispatch!(self.level, simd => side_by_side::<_, 5, 10>(simd, 5, eigenvalues, matrices, alone)),
+            6 => dispatch!(self.level, simd => side_by_side::<_, 6, 12>(simd, 6, eigenvalues, matrices, alone)),
+            7 => dispatch!(self.level, simd => side_by_side::<_, 7, 14>(simd, 7, eigenvalues, matrices, alone)),
+            _ => dispatch!(self.level, simd => side_by_side::<_, 8, 16>(simd, 8, eigenvalues, matrices, alone)),
         }
     }
 }
 
+// A function by its name instead of a closure is called without the instructions of the lanes, as is all that it calls.
+#[allow(clippy::redundant_closure)]
 #[inline(always)]
 fn side_by_side<'a, S: Simd, const H: usize, const C: usize>(
     simd: S,
@@ -124,7 +129,8 @@ fn side_by_side<'a, S: Simd, const H: usize, const C: usize>(
                     },
                 )
             },
-            quick::of_matrix,
+            #[inline(always)]
+            |size, reduced_columns, rows| quick::of_matrix(size, reduced_columns, rows),
         );
         let certain = are_certain.to_bitmask();
         for (lane, eigenvalues) in eigenvalues.iter_mut().enumerate() {

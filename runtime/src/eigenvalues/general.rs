@@ -7,10 +7,12 @@ use super::hessenberg::{balance, reduce};
 use super::hidden::Found;
 use super::quadratic::Quadratic;
 use super::quick;
+use super::refined::refine;
 use super::state_matrix::{Layout, solve};
 use crate::characteristic::units::{time_unit, to_per_second};
 use crate::number::{Number, Scalar};
 use crate::numeric::{Square, exponent, ldexp, sort_by};
+use crate::pencil::Matrices;
 use crate::system::{Matrix, States, System, SystemError, require_finite};
 
 impl<const N: usize, T: Scalar> System<N, T> {
@@ -24,7 +26,8 @@ impl<const N: usize, T: Scalar> System<N, T> {
     /// come from the QR algorithm with a bound on its iterations. There, too, real ones have an imaginary part of exactly zero
     /// and pairs are exactly conjugate. Without any damping they are the square roots of the eigenvalues of -M^-1 K: what
     /// oscillates then has a real part of exactly zero. Eigenvalues that are smaller than others by more than the digits of
-    /// `f64` are the reciprocals of those of the equations with M and K exchanged.
+    /// `f64` are the reciprocals of those of the equations with M and K exchanged, and those that have less than half of their
+    /// digits beside the largest are refined in twice the precision.
     ///
     /// # Errors
     /// If an entry is not finite, if the mass matrix is singular, if an eigenvalue leaves the range of `f64`, or others are so
@@ -59,10 +62,16 @@ fn eigenvalues_of(
 ) -> Result<Vec<Complex<f64>>, SystemError> {
     let found = find(matrices(), states)?;
     let mut values = if states.iter().all(|states| *states == States::Both) {
-        found.uncovered(|| {
+        let sizes = [found.hidden, found.clear];
+        let mut values = found.uncovered(|| {
             let [m, c, k] = matrices();
             find([k, c, m], states)
-        })?
+        })?;
+        refine(&mut values, sizes, &|| {
+            let [m, c, k] = matrices();
+            Matrices::of_rows([k.entries(), c.entries(), m.entries()], states)
+        });
+        values
     } else {
         found.values
     };

@@ -17,6 +17,8 @@ mod quadratic;
 mod quartic;
 #[cfg(feature = "std")]
 pub(crate) mod quick;
+#[cfg(feature = "std")]
+mod refined;
 mod resolvent;
 #[cfg(feature = "std")]
 mod shifts;

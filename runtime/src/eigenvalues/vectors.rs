@@ -158,6 +158,12 @@ struct NullVectors {
     rounding: f64,
 }
 
+/// What an eigenvalue nearby is less by, to first order.
+pub(super) fn newton_step(matrices: &Matrices, s: ComplexDoubleDouble) -> ComplexDoubleDouble {
+    let NullVectors { residual, slope, .. } = NullVectors::new(matrices, s, 0);
+    residual / slope
+}
+
 impl NullVectors {
     fn new(matrices: &Matrices, s: ComplexDoubleDouble, before: usize) -> Self {
         let value = matrices.at(s, 0);

@@ -91,8 +91,13 @@ impl Matrices {
 
     fn from_columns(matrices: [&[f64]; 3], states: &[States]) -> Self {
         let rows = matrices.map(|columns| by_rows(columns, states.len()));
-        let wide = rows.clone().map(|rows| rows.into_iter().map(DoubleDouble::from).collect());
-        Self::new(wide, rows.map(|rows| rows.into_iter().map(f64::abs).collect()), states)
+        Self::of_rows(rows.each_ref().map(Vec::as_slice), states)
+    }
+
+    /// Those of K, C and M, row by row.
+    pub(crate) fn of_rows(rows: [&[f64]; 3], states: &[States]) -> Self {
+        let wide = rows.map(|rows| rows.iter().copied().map(DoubleDouble::from).collect());
+        Self::new(wide, rows.map(|rows| rows.iter().copied().map(f64::abs).collect()), states)
     }
 }
 

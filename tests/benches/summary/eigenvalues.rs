@@ -5,6 +5,7 @@ use std::hint::black_box;
 use carvallo::batch::{Batch, Eigenvalues};
 use carvallo::{Coefficients, Matrix, Model, System};
 use carvallo_compare::Task;
+use carvallo_models::{CantileveredPipe, ThreePipes, WhippleLeaning};
 use carvallo_tests::bicycles;
 use faer::diag::Diag;
 use faer::dyn_stack::{MemBuffer, MemStack};
@@ -47,8 +48,8 @@ pub fn add(summary: &mut Summary) {
         .contender("ours, batch along the speed", along(&bicycles));
     summary.run(task);
     macro_rules! of_coordinates {
-        ($($n:literal $rows:literal)*) => {$({
-            let systems = random::<$n>(IN_A_ROUND);
+        ($($name:expr, $systems:expr, $n:literal $rows:literal)*) => {$({
+            let systems = $systems;
             let of_system = |system: &System<$n>| {
                 let space = system.state_space().expect("a state space");
                 SMatrix::<f64, $rows, $rows>::from_fn(|i, j| match (i.checked_sub($n), j.checked_sub($n)) {
@@ -59,8 +60,7 @@ pub fn add(summary: &mut Summary) {
             };
             let matrices: Vec<_> = systems.iter().map(of_system).collect();
             let mut found = vec![Ok(Vec::new()); systems.len()];
-            let name = format!("Eigenvalues of {} random systems of {} coordinates", systems.len(), $n);
-            let task = Task::new(name, systems.len())
+            let task = Task::new($name, systems.len())
                 .contender("nalgebra 0.35, complex_eigenvalues", one_by_one(&matrices, Matrix::complex_eigenvalues))
                 .contender("nalgebra 0.35, Schur::try_new", one_by_one(&matrices, |matrix| {
                     Schur::try_new(*matrix, f64::EPSILON, ITERATIONS).map(|schur| schur.complex_eigenvalues())
@@ -74,10 +74,28 @@ pub fn add(summary: &mut Summary) {
             summary.run(task);
         })*};
     }
-    of_coordinates!(3 6 4 8 5 10 6 12 7 14 8 16);
+    macro_rules! of_random_systems {
+        ($($n:literal $rows:literal)*) => {
+            of_coordinates!($(
+                format!("Eigenvalues of {IN_A_ROUND} random systems of {} coordinates", $n), random::<$n>(IN_A_ROUND), $n $rows
+            )*)
+        };
+    }
+    of_random_systems!(3 6 4 8 5 10 6 12 7 14 8 16);
+    of_coordinates!(
+        "Eigenvalues of a bicycle of 3 coordinates at 200 speeds", along_speeds(&WhippleLeaning::EXAMPLE), 3 6
+        "Eigenvalues of pipes of 3 coordinates at 200 speeds", along_speeds(&ThreePipes::HOSE), 3 6
+        "Eigenvalues of a pipe of 4 coordinates at 200 speeds", along_speeds(&CantileveredPipe::BETA_05), 4 8
+    );
     let systems = of_many_sizes();
     let task = Task::new("Eigenvalues of two coordinates, of sizes from 1e-16 to 1e16", systems.len());
     summary.run(task.contender("ours, from M, C and K", one_by_one(&systems, System::quartic_eigenvalues)));
+}
+
+/// A machine from 0.05 to 10 m/s in steps of that.
+fn along_speeds<const N: usize>(machine: &impl Model<N, Scalar = f64>) -> Vec<System<N>> {
+    let (coefficients, gravity) = (machine.coefficients(), machine.gravity().unwrap_or(9.81));
+    speeds()[1..].iter().map(|&speed| coefficients.at(speed, gravity).expect("a system")).collect()
 }
 
 /// Systems of three coordinates and more in each round.

@@ -55,6 +55,7 @@ mod serialization;
 mod simulation;
 mod single_precision;
 mod some_derivatives;
+mod spread_eigenvalues;
 mod stability;
 mod state_space;
 mod states;

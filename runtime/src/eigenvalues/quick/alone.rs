@@ -44,12 +44,13 @@ fn sorted<const H: usize, const C: usize>(n: usize, [m, c, k]: [&[f64]; 3]) -> O
     (are_certain && roots.sort_into(2 * n, &mut values)).then_some(values)
 }
 
-/// The eigenvalues of a matrix of an even number of rows from six to sixteen, where they are certain.
+/// The eigenvalues of a matrix of an even number of rows from four to sixteen, where they are certain.
 pub(crate) fn spectrum(rows: &Square<f64>, reduced_columns: usize) -> Option<Spectrum> {
     if !IS_THERE {
         return None;
     }
     match rows.size() {
+        4 => of_rows::<4>(rows, reduced_columns),
         6 => of_rows::<6>(rows, reduced_columns),
         8 => of_rows::<8>(rows, reduced_columns),
         10 => of_rows::<10>(rows, reduced_columns),

@@ -1,7 +1,6 @@
 //! Roots as good as the matrix, all together, and whether each of them is one and none is missing.
 
 use super::recurrence::Recurrence;
-use crate::eigenvalues::quadratic::Quadratic;
 use crate::number::lane::Lane;
 
 /// The bound on corrections; one or two are usual.
@@ -10,8 +9,8 @@ const ROUNDS: usize = 4;
 /// What is left, relative to the norm.
 const LEFT: f64 = 1.0 / (1u64 << 55) as f64;
 
-/// The real and imaginary parts of all roots near those of the factors, the halves of each pair next to each other, and whether
-/// they are certain.
+/// Moves all roots, by their real and imaginary parts, to those of the matrix, pairs next to each other and real ones next to
+/// each other. Whether they are certain.
 ///
 /// Each is corrected by Weierstrass's `w_i = p(s_i) / prod (s_i - s_j)`, with p from the matrix. Discs about `s_i - w_i` with
 /// the radius `(n - 1) |w_i|` have all roots in them, and where they are apart each has one (Braess & Hadeler 1973). What is
@@ -19,18 +18,12 @@ const LEFT: f64 = 1.0 / (1u64 << 55) as f64;
 #[inline(always)]
 pub(super) fn correct<T: Lane, const C: usize>(
     recurrence: &Recurrence<T, C>,
-    factors: &[Quadratic<T>; C],
+    [re, im]: &mut [[T; C]; 2],
     norm: T,
-) -> ([T; C], [T; C], T::Mask) {
+) -> T::Mask {
     let size = recurrence.size;
     assert!(size <= C);
     let zero = norm.like(0.0);
-    let (mut re, mut im) = ([zero; C], [zero; C]);
-    for i in 0..size / 2 {
-        let pair = factors[i].roots();
-        (re[2 * i], re[2 * i + 1]) = (pair.re[0], pair.re[1]);
-        (im[2 * i], im[2 * i + 1]) = (pair.im[0], pair.im[1]);
-    }
     let mut are_certain = norm.less(zero);
     for _ in 0..ROUNDS {
         let (mut by_re, mut by_im) = ([zero; C], [zero; C]);
@@ -39,13 +32,13 @@ pub(super) fn correct<T: Lane, const C: usize>(
         for i in (0..size).step_by(2) {
             let is_real = zero.less_or_equal(im[i]);
             let value = if T::all(is_real) { [recurrence.at_real(re[i]), zero] } else { recurrence.at(re[i], im[i]) };
-            let step = quotient(size, i, value, &re, &im);
+            let step = quotient(size, i, value, re, im);
             (by_re[i], by_im[i], gaps[i], steps[i]) =
                 (step.re, T::select(is_real, zero, step.im), step.gap, step.square);
             // Conjugate, where the other one is not real as well.
             (by_re[i + 1], by_im[i + 1], gaps[i + 1], steps[i + 1]) = (by_re[i], zero - by_im[i], gaps[i], steps[i]);
             if !T::all(!is_real) {
-                let step = quotient(size, i + 1, [recurrence.at_real(re[i + 1]), zero], &re, &im);
+                let step = quotient(size, i + 1, [recurrence.at_real(re[i + 1]), zero], re, im);
                 by_re[i + 1] = T::select(is_real, step.re, by_re[i + 1]);
                 by_im[i + 1] = T::select(is_real, zero, by_im[i + 1]);
                 gaps[i + 1] = T::select(is_real, step.gap, gaps[i + 1]);
@@ -72,7 +65,7 @@ pub(super) fn correct<T: Lane, const C: usize>(
             break;
         }
     }
-    (re, im, are_certain)
+    are_certain
 }
 
 /// A step of one root, with the squares of its size and of the distance to the nearest other root.

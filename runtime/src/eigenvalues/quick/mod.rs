@@ -4,7 +4,7 @@
 //! 1. [`mass`]: the equations solved for the accelerations;
 //! 2. [`reduction`]: the state matrix, balanced and in Hessenberg form;
 //! 3. [`recurrence`]: its characteristic polynomial, and the values of that which are as good as the matrix;
-//! 4. [`factors`]: the roots of the polynomial, which are as good as its coefficients;
+//! 4. [`laguerre`]: the roots of the polynomial, which are as good as its coefficients;
 //! 5. [`correction`]: roots as good as the matrix, and whether they are certain.
 //!
 //! What is not certain is left to the QR algorithm: a mass matrix that is not symmetric and positive, eigenvalues that nearly
@@ -15,7 +15,7 @@
 
 mod alone;
 mod correction;
-mod factors;
+mod laguerre;
 mod mass;
 mod recurrence;
 mod reduction;
@@ -87,8 +87,9 @@ pub(crate) fn of_matrix<T: Lane, const C: usize>(
     let norm = reduction::balance(size, &mut rows);
     reduction::reduce(size, reduced_columns, &mut rows);
     let recurrence = Recurrence::new(size, &rows);
-    let factors = factors::find(size, recurrence.coefficients());
-    let (re, im, are_certain) = correction::correct(&recurrence, &factors, norm);
+    let mut roots = laguerre::find(size, &recurrence.coefficients());
+    let are_certain = correction::correct(&recurrence, &mut roots, norm);
+    let [re, im] = roots;
     (Roots { re, im, norm }, are_certain)
 }
 
@@ -114,4 +115,15 @@ impl<const C: usize> Roots<f64, C> {
         const SMALLEST: f64 = 1.0 / 65536.0;
         self.re.iter().zip(&self.im).take(size).all(|(re, im)| re.abs() + im.abs() >= SMALLEST * self.norm)
     }
+}
+
+/// Two at a time, which baseline instructions have: loops have an even number of columns.
+#[inline(always)]
+fn pairs<T>(row: &[T]) -> &[[T; 2]] {
+    row.as_chunks().0
+}
+
+#[inline(always)]
+fn pairs_mut<T>(row: &mut [T]) -> &mut [[T; 2]] {
+    row.as_chunks_mut().0
 }

@@ -1,5 +1,6 @@
 //! The characteristic polynomial of a Hessenberg matrix.
 
+use super::{pairs, pairs_mut};
 use crate::number::lane::Lane;
 
 /// Of a matrix in Hessenberg form, scaled so that the entries below the diagonal are one, the entries on and above it. The
@@ -41,8 +42,9 @@ impl<T: Lane, const C: usize> Recurrence<T, C> {
             let mut next = [zero; C];
             next[1..=k].copy_from_slice(&leading[k][..k]);
             for i in 0..=k {
-                for j in 0..=i {
-                    next[j] = next[j] - rows[i][k] * leading[i][j];
+                let (factor, even) = (rows[i][k], i / 2 * 2 + 2);
+                for (next, leading) in pairs_mut(&mut next[..even]).iter_mut().zip(pairs(&leading[i][..even])) {
+                    *next = [next[0] - factor * leading[0], next[1] - factor * leading[1]];
                 }
             }
             if k + 1 < *size {
@@ -67,10 +69,12 @@ impl<T: Lane, const C: usize> Recurrence<T, C> {
             (value_re, value_im) =
                 (re * value_re - im * value_im - sums_re[k], re * value_im + im * value_re - sums_im[k]);
             if k + 1 < *size {
-                let row = &rows[k + 1];
-                for j in k + 1..*size {
-                    sums_re[j] = sums_re[j] + row[j] * value_re;
-                    sums_im[j] = sums_im[j] + row[j] * value_im;
+                let even = k.div_ceil(2) * 2;
+                let row = pairs(&rows[k + 1][even..*size]);
+                let sums = pairs_mut(&mut sums_re[even..*size]).iter_mut().zip(pairs_mut(&mut sums_im[even..*size]));
+                for ((re, im), entry) in sums.zip(row) {
+                    *re = [re[0] + entry[0] * value_re, re[1] + entry[1] * value_re];
+                    *im = [im[0] + entry[0] * value_im, im[1] + entry[1] * value_im];
                 }
             }
         }
@@ -87,9 +91,9 @@ impl<T: Lane, const C: usize> Recurrence<T, C> {
         for k in 0..*size {
             value = re * value - sums[k];
             if k + 1 < *size {
-                let row = &rows[k + 1];
-                for j in k + 1..*size {
-                    sums[j] = sums[j] + row[j] * value;
+                let even = k.div_ceil(2) * 2;
+                for (sum, entry) in pairs_mut(&mut sums[even..*size]).iter_mut().zip(pairs(&rows[k + 1][even..*size])) {
+                    *sum = [sum[0] + entry[0] * value, sum[1] + entry[1] * value];
                 }
             }
         }

@@ -1,5 +1,6 @@
 //! The state matrix, balanced and in Hessenberg form.
 
+use super::{pairs, pairs_mut};
 use crate::number::lane::Lane;
 
 /// The transposed state matrix, with the position and the rate of each coordinate next to each other, in units of time that
@@ -110,29 +111,35 @@ pub(super) fn reduce<T: Lane, const C: usize>(size: usize, first: usize, a: &mut
         let pivot = head + norm;
         direction[k + 1] = pivot;
         let factor = T::select(is_reduced, zero, one / (norm * pivot));
-        a[k + 1][k] = T::select(is_reduced, head, zero - norm);
+        // Two columns at a time, from one with an even number on: left of those that are meant nothing counts.
+        let even = k.div_ceil(2) * 2;
+        let direction = &direction[..size];
         // From the left, in the columns after k.
         let mut sums = [zero; C];
-        for i in k + 1..size {
-            for j in k + 1..size {
-                sums[j] = sums[j] + direction[i] * a[i][j];
+        let sums = pairs_mut(&mut sums[even..size]);
+        for (row, along) in a[k + 1..size].iter().zip(&direction[k + 1..]) {
+            for (sum, entry) in sums.iter_mut().zip(pairs(&row[even..size])) {
+                *sum = [sum[0] + *along * entry[0], sum[1] + *along * entry[1]];
             }
         }
-        for i in k + 1..size {
-            let along = direction[i] * factor;
-            for j in k + 1..size {
-                a[i][j] = a[i][j] - along * sums[j];
+        for (row, along) in a[k + 1..size].iter_mut().zip(&direction[k + 1..]) {
+            let along = *along * factor;
+            for (entry, sum) in pairs_mut(&mut row[even..size]).iter_mut().zip(&*sums) {
+                *entry = [entry[0] - along * sum[0], entry[1] - along * sum[1]];
             }
         }
+        a[k + 1][k] = T::select(is_reduced, head, zero - norm);
         // From the right, in all rows.
+        let direction = pairs(&direction[even..]);
         for row in &mut a[..size] {
-            let mut sum = zero;
-            for j in k + 1..size {
-                sum = sum + row[j] * direction[j];
+            let row = pairs_mut(&mut row[even..size]);
+            let mut sum = [zero; 2];
+            for (entry, along) in row.iter().zip(direction) {
+                sum = [sum[0] + entry[0] * along[0], sum[1] + entry[1] * along[1]];
             }
-            let sum = sum * factor;
-            for j in k + 1..size {
-                row[j] = row[j] - sum * direction[j];
+            let sum = (sum[0] + sum[1]) * factor;
+            for (entry, along) in row.iter_mut().zip(direction) {
+                *entry = [entry[0] - sum * along[0], entry[1] - sum * along[1]];
             }
         }
     }
