@@ -96,15 +96,19 @@ fn write<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
             [m, cm1, c0, c1, kc, k0, k1, k2].into_iter().zip(&matrices).zip(Matrices::<N, M>::ARE_THERE)
         {
             if !is_there {
-                matrix.fill(M::Scalar::from_f64(0.0));
+                matrix.as_mut_slice().fill(M::Scalar::from_f64(0.0));
                 continue;
             }
             let groups = columns.as_flattened().chunks_exact(group);
             let mut places = matrix.as_mut_slice().chunks_exact_mut(group);
             let rest = groups.remainder();
             for (group_of_all, places) in groups.zip(&mut places) {
-                let numbers = group_of_all[lane / designs].numbers();
-                places.copy_from_slice(&numbers[lane % designs * group..][..group]);
+                let register = &group_of_all[lane / designs];
+                if designs == 1 {
+                    register.store(places);
+                } else {
+                    places.copy_from_slice(&register.numbers()[lane % designs * group..][..group]);
+                }
             }
             for (numbers, place) in rest.iter().zip(places.into_remainder()) {
                 *place = numbers.lane(lane);

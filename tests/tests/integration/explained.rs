@@ -37,15 +37,14 @@ fn slips_are_named_from_matrices() {
     }
 }
 
-/// Of the bicycle as a mechanism; how many are the only explanation, as measured: that may not fall.
+/// Of the bicycle as a mechanism.
 #[test]
 fn slips_of_attributes_are_named_from_matrices() {
     let machine = mechanism();
-    for (digits, alone) in [(FULL, 0), (4, 0)] {
+    for digits in [FULL, 4] {
         let tally = measure_attributes(&machine, Evidence::Matrices(digits), 23);
         let [named, of] = tally.named();
         assert!(of > 20 && named == of, "{tally:?}");
-        assert!(tally.count(Outcome::Alone) >= alone, "{tally:?}");
     }
 }
 
