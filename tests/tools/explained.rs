@@ -1,5 +1,5 @@
-//! Prints how many slips in the formulas of the Whipple bicycle, and in the attributes of its mechanism, `carvallo check` names, from what somebody has of the benchmark
-//! bicycle who made them, one at a time and two at once.
+//! Prints how many slips in the formulas of the Whipple bicycle, and in the attributes of its mechanism, `carvallo check` names,
+//! from what somebody has of the benchmark bicycle who made them, one at a time and two at once.
 //!
 //! ```text
 //! cargo run --release -p carvallo-tools --no-default-features --bin explained [EVERY [PAIRS]]
