@@ -56,8 +56,8 @@ impl Reading {
 
     /// Trusts no more than so many significant digits.
     pub fn limit(&mut self, digits: usize) {
-        let place = self.value.abs().log10().floor() as i32 + 1 - digits as i32;
         if self.value != 0.0 {
+            let place = self.value.abs().log10().floor() as i32 + 1 - digits as i32;
             self.tolerance = self.tolerance.max(0.5 * 10f64.powi(place));
             self.digits = self.digits.min(digits);
         }

@@ -131,7 +131,10 @@ fn explanations(groups: &[Group], count: usize, f: &mut fmt::Formatter<'_>) -> f
 impl fmt::Display for Suspects {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { wrong, formulas, parts, behind } = self;
-        writeln!(f, "\nNo single slip, no convention and no two of them together explain all numbers.")?;
+        writeln!(
+            f,
+            "\nNothing that was tried explains all numbers: no single slip, no convention and no two of them together."
+        )?;
         writeln!(f, "  What differs: {}", wrong.join(", "))?;
         if !formulas.is_empty() {
             let these = if formulas.len() == 1 { "this formula" } else { "each of these formulas" };

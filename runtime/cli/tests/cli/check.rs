@@ -113,6 +113,15 @@ fn csv_has_the_numbers() {
     );
 }
 
+/// Meijaard et al. (2007), the benchmark: K2 has zeros, of which no digit can be the first.
+#[test]
+fn zeros_have_no_digits_to_trust() {
+    let directory = Directory::of_this_test();
+    directory.write("mine.toml", "digits = 4\nK2 = [[0, 76.59734589573222], [0, 2.65431523794604]]");
+    let text = directory.run(&["check", "mine.toml"]).ok();
+    assert!(text.contains("\nAll 4 numbers agree"), "{text}");
+}
+
 #[test]
 fn no_more_digits_are_told_than_are_trusted() {
     let directory = Directory::of_this_test();

@@ -397,6 +397,27 @@ fn geometry_is_read_as_it_is_printed() {
     );
 }
 
+/// The trail and the tilt of the head are 5 cm and 90 - 70 degrees in the names of the paper, too.
+#[test]
+fn geometry_is_set_in_models_that_have_more_than_the_bicycle() {
+    let directory = Directory::of_this_test();
+    for model in ["WhippleLeaning", "WhippleSprung", "WhippleTyres", "BalanceAssist", "FlywheelBicycle"] {
+        let speeds = |set: [&str; 2]| -> Vec<f64> {
+            let [one, other] = set;
+            let run = directory.run(&["analyze", "--model", model, "--set", one, "--set", other, "--format", "json"]);
+            assert_eq!(run.code, Some(0), "{model}: {}", run.stderr);
+            let found: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+            let speed = |event: &serde_json::Value| event["speed"].as_f64().unwrap();
+            found["critical_speeds"].as_array().unwrap().iter().map(speed).collect()
+        };
+        let (found, expected) = (speeds(["trail=5cm", "head_angle=70deg"]), speeds(["c=0.05", "lam=20deg"]));
+        assert!(!expected.is_empty() && found.len() == expected.len(), "{model}: {found:?}");
+        for (found, expected) in found.iter().zip(&expected) {
+            assert!((found - expected).abs() < 1e-9 * expected, "{model}: {found}, expected {expected}");
+        }
+    }
+}
+
 /// The fork offset of a measured bicycle, which the trail is set in the place of, was correlated with others.
 #[test]
 fn what_gives_way_to_a_setting_loses_its_correlations() {

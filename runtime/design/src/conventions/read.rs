@@ -89,8 +89,11 @@ pub fn read(
         ));
     }
     check_others(&others, (&scope, label), &paper, info, document);
-    // What others are computed from is used, and is no parameter of the model.
-    let is_left = |entry: &Entry| position(&entry.name, info).is_none() && !scope.is_used(entry);
+    // What the model has beside the parameters of the paper stays; what others are computed from is used, and is no parameter.
+    let is_left = |entry: &Entry| match position(&entry.name, info) {
+        Some(at) => crate::model::WHIPPLE.info.position(info.parameters[at].name).is_none(),
+        None => !scope.is_used(entry),
+    };
     let left: Vec<Entry> = others.iter().filter(|entry| is_left(entry)).cloned().collect();
     document.entries = paper.into_iter().chain(left).collect();
     if !is_paper && in_another(settings, info) {
