@@ -8,6 +8,9 @@ use serde::Serialize;
 
 use crate::question::{Question, missing};
 
+/// What a step may err where a motion is drawn: far less than a point of the screen, in a third of the steps of a file.
+const DRAWN: f64 = 1e-8;
+
 /// The motion that is asked for.
 pub struct Asked {
     /// In m/s.
@@ -63,7 +66,7 @@ struct Force {
 /// # Errors
 /// Everything that is wrong with the parameters or the state at the beginning, or that there is no motion.
 pub fn simulate(design: &Design, asked: &Asked, numbers: &mut Vec<f64>) -> Result<Told, Failure> {
-    move_by(design, asked, &mut |motion| {
+    move_by(design, asked, Some(DRAWN), &mut |motion| {
         for row in &motion.rows {
             numbers.push(row.t);
             numbers.extend(row.positions.iter().chain(&row.feedback));
@@ -84,18 +87,24 @@ pub fn simulate(design: &Design, asked: &Asked, numbers: &mut Vec<f64>) -> Resul
     })
 }
 
-/// Hands the motion to what tells it.
+/// Hands the motion to what tells it, solved with a tolerance of its own if one is given.
 ///
 /// # Errors
 /// As [`simulate`], or what the teller says.
 pub fn move_by<T>(
     design: &Design,
     asked: &Asked,
+    tolerance: Option<f64>,
     tell: &mut dyn FnMut(&Motion) -> Result<T, Failure>,
 ) -> Result<T, Failure> {
     let mut told = None;
     let machine = design.with_machine(&mut |machine| {
-        let motion = solve(&Nonlinear::new(machine), design, asked);
+        let solver = Nonlinear::new(machine);
+        let solver = match tolerance {
+            Some(tolerance) => solver.tolerance(tolerance),
+            None => solver,
+        };
+        let motion = solve(&solver, design, asked);
         told = Some(motion.and_then(|motion| tell(&motion)));
     });
     let note = machine.err().map(|without| format!("{}; these are the linear ones", design.explain(&without)));

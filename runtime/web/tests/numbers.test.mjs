@@ -90,6 +90,29 @@ test("a motion is that of the command line", () => {
   }));
 });
 
+test("a motion that is drawn, in longer steps, is that of the command line", () => {
+  for (const [model, set, speed, initial] of [["Whipple", "benchmark", 4.6, "phi_rate=0.5"], ["Whipple", "pista", 3, "phi_rate=0.5"],
+    ["WhippleMechanism", "benchmark", 7, "phi_rate=0.2"]]) {
+    const motion = { speed, duration: 4, steps: 40, initial: [initial] };
+    const { reply, numbers } = ask({ ask: "simulate", design: shipped(model, set), motion });
+    assert.equal(reply.error, undefined);
+    assert.equal(reply.is_linear, false, model);
+    const there = carvallo("simulate", set, "--model", model, "--speed", `${speed}`, "--duration", "4", "--step", "0.1", "--initial", initial, "--format", "csv");
+    const [header, ...rows] = there.trim().split("\n").map((line) => line.split(","));
+    const width = 1 + reply.quantities.length;
+    assert.ok(reply.rows > 1 && numbers.length === reply.rows * width, `${model}: ${numbers.length} numbers`);
+    for (const [place, { name, unit }] of reply.quantities.entries()) {
+      const column = header.indexOf(`${name} (${unit})`);
+      assert.ok(column > 0, `${name} (${unit}) in ${header}`);
+      for (let row = 0; row < reply.rows; row++) {
+        const [value, expected] = [numbers[row * width + 1 + place], Number(rows[row][column])];
+        // A thousandth of a point of the screen.
+        assert.ok(Math.abs(value - expected) <= 1e-6 * Math.max(1, Math.abs(expected)), `${model}, row ${row}: ${name} is ${value}, not ${expected}`);
+      }
+    }
+  }
+});
+
 test("mistakes are told as the command line does", () => {
   const mistake = (question) => ask(question).reply.error;
   const design = shipped("Whipple", "benchmark", [["w", "-1"], ["c", "8 kg"]]);

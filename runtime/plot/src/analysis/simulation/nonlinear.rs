@@ -54,6 +54,7 @@ pub struct Nonlinear<'a> {
     givable: Vec<Givable>,
     channels: Vec<Channel>,
     drive: Option<Drive>,
+    tolerance: Option<f64>,
 }
 
 impl<'a> Nonlinear<'a> {
@@ -80,7 +81,13 @@ impl<'a> Nonlinear<'a> {
             let on_coordinate = ["T", "F"].map(|letter| format!("{letter}{}", force.position));
             Channel { names: names.map(str::to_owned).chain(on_coordinate).collect(), unit: force.unit }
         });
-        Self { machine, givable: givable.collect(), channels: channels.collect(), drive }
+        Self { machine, givable: givable.collect(), channels: channels.collect(), drive, tolerance: None }
+    }
+
+    /// Solved with another [tolerance](Simulation::tolerance) than that of a simulation.
+    #[must_use]
+    pub fn tolerance(self, tolerance: f64) -> Self {
+        Self { tolerance: Some(tolerance), ..self }
     }
 
     fn state(&self, given: &Given, speed: f64) -> Result<State, String> {
@@ -134,6 +141,9 @@ impl Solver for Nonlinear<'_> {
             .map(|place| format!("{WATCHED}{place}"))
             .collect();
         let mut simulation = Simulation::new(self.machine);
+        if let Some(tolerance) = self.tolerance {
+            simulation = simulation.tolerance(tolerance);
+        }
         for (force, given) in info.forces.iter().zip(&given.forces) {
             simulation = simulation.force(force.name, given.clone()).map_err(|error| fail(error.to_string()))?;
         }
