@@ -1,7 +1,7 @@
 // Eigenvalues against speed: all modes of the chosen design, and those of the others as thin lines in their colours.
 
 import { axes, frame, grid, inside, path } from "carvallo/axes.js";
-import { names } from "carvallo/labels.js";
+import { boxOf, names } from "carvallo/labels.js";
 import { legend, others } from "carvallo/legend.js";
 import { line, picture, tag, text } from "carvallo/svg.js";
 
@@ -22,7 +22,8 @@ export function drawCurves(known, beside, speed, width) {
 
 function draw(known, panel, index, beside, speed, width, height) {
   const of = axes({ width, height, x: known.range, y: panel.y, labels: ["forward speed v (m/s)", panel.label] });
-  const background = grid(of) + known.stable_ranges.map(([from, to]) => stable(of, from, to ?? known.range[1])).join("");
+  const ranges = known.stable_ranges.map(([from, to]) => stable(of, from, to ?? known.range[1]));
+  const background = grid(of) + ranges.map(({ drawn }) => drawn).join("");
   const thin = beside.flatMap(({ known: other, place }) => {
     const curves = other.panels[index]?.series.flatMap((series) => series.curves.map((curve) => [curve, series.isDashed])) ?? [];
     return curves.map(([curve, isDashed]) =>
@@ -43,13 +44,16 @@ function draw(known, panel, index, beside, speed, width, height) {
   });
   const content = background + inside(of, `curves-${index}`, thin.join("") + critical.join("") + thick.join("") + marker);
   const label = `${panel.label} of ${known.title} against speed, from ${known.range[0]} to ${known.range[1]} m/s`;
-  return picture(width, height, label, content + frame(of) + names(of, lines));
+  return picture(width, height, label, content + frame(of) + names(of, lines, ranges.flatMap(({ taken }) => taken)));
 }
 
+/** A stable range, and where its name stands, if there is room for one. */
 function stable(of, from, to) {
   const [left, right] = [Math.max(of.across(from), of.left), Math.min(of.across(to), of.right)];
-  if (right <= left) return "";
+  if (right <= left) return { drawn: "", taken: [] };
   const box = tag("rect", { class: "stable", x: left, y: of.top, width: right - left, height: of.bottom - of.top });
-  const room = right - left > 50 ? text((left + right) / 2, of.bottom - 8, "stable", { class: "stable-name", "text-anchor": "middle" }) : "";
-  return box + room;
+  if (right - left <= 50) return { drawn: box, taken: [] };
+  const middle = (left + right) / 2;
+  const name = text(middle, of.bottom - 8, "stable", { class: "stable-name", "text-anchor": "middle" });
+  return { drawn: box + name, taken: [boxOf(middle, of.bottom - 4, "stable")] };
 }

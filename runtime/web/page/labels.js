@@ -7,12 +7,19 @@ const [WIDTH, HEIGHT] = [6.6, 15];
 /** Where along a line its name is tried, from the one that is liked best. */
 const SHARES = [0.85, 0.7, 0.55, 0.4, 0.95, 0.25, 0.1];
 
+/** What a name takes of the page, [left, top, right, bottom], by its middle and its bottom. */
+export const boxOf = (middle, bottom, name) => {
+  const half = (WIDTH * name.length) / 2;
+  return [middle - half, bottom - HEIGHT, middle + half, bottom];
+};
+
 /**
  * The names of lines, each [points on the page, name, attributes]; those without room are left to the legend.
  * @param {{left: number, right: number, top: number, bottom: number}} area
+ * @param {number[][]} others boxes in which something else stands
  */
-export function names(area, lines) {
-  const taken = [];
+export function names(area, lines, others = []) {
+  const taken = [...others];
   const crowd = lines.flatMap(([points]) => points);
   const drawn = lines.map(([points, name, attributes]) => {
     const visible = points.filter(([x, y]) => x >= area.left && x <= area.right && y >= area.top && y <= area.bottom);
