@@ -30,8 +30,10 @@ def compute(source: Path, target: Path) -> int:
 
 def sweep(client, source: Path, target: Path) -> int:
     """All files of a folder; how many designs there are."""
-    target.mkdir(parents=True, exist_ok=True)
     files = sorted(source.glob("*.parquet"))
+    if not files:
+        raise FileNotFoundError(f"there is no file `*.parquet` in `{source}`")
+    target.mkdir(parents=True, exist_ok=True)
     tasks = client.map(compute, files, [target / file.name for file in files], pure=False)
     return sum(client.gather(tasks))
 
@@ -39,6 +41,8 @@ def sweep(client, source: Path, target: Path) -> int:
 if __name__ == "__main__":
     from dask.distributed import Client, LocalCluster
 
+    if len(sys.argv) != 3:
+        sys.exit("usage: dask_parquet.py DESIGNS RESULTS, two folders")
     # Or `Client("scheduler:8786")` for a cluster that is there.
     with LocalCluster(threads_per_worker=1) as cluster, Client(cluster) as client:
         print(sweep(client, Path(sys.argv[1]), Path(sys.argv[2])), "designs")
