@@ -3,7 +3,8 @@
 use carvallo::ParameterInfo;
 
 use super::document::{Document, Entry, File};
-use super::{Form, contents, decode, json, lines, toml, value};
+use super::form::{Form, decode};
+use super::{contents, json, lines, toml, value};
 use crate::design::Given;
 use crate::failure::{Failure, Place, Problem};
 use crate::quantity::no_names;
