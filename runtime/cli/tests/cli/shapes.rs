@@ -167,6 +167,41 @@ fn names_beyond_those_of_the_model() {
     run.fails(2, "error: bike.txt:16: `IBy` is not a parameter of Whipple; did you mean `IByy`?\n");
 }
 
+/// Of the benchmark the wheel base is 1.02 m, the head angle 72°, the trail 0.08 m, and the fork offset rF sin λ - c cos λ =
+/// 0.0320714 m.
+#[test]
+fn what_is_said_twice_must_be_the_same() {
+    let text = benchmark();
+    for line in ["wheelbase = 1.02", "wheelbase = 1020 mm", "head_angle = 72 deg", "trail = 0.080", "rake = 32.1 mm"] {
+        let name = line.split(' ').next().unwrap();
+        let note = format!("note: bike.txt: `{name}` says what the parameters of Whipple say, too\n");
+        check("said-twice", "bike.txt", &format!("{text}{line}\n"), &note, BENCHMARK_RANGE);
+    }
+    let directory = Directory::new("shapes-said-twice");
+    for (line, message) in [
+        ("wheelbase = 1.1", "`wheelbase` is 1.1 m, but 1.02 m follows from `w`; leave one of them out"),
+        ("trail = 6 cm", "`trail` is 0.06 m, but 0.08 m follows from `c`; leave one of them out"),
+        (
+            "head_angle = 72",
+            "`head_angle` is 72 rad; it must be > 0 and < 3.141592653589793 (for degrees write `72 deg`)",
+        ),
+    ] {
+        let run = directory.write("bike.txt", format!("{text}{line}\n")).run(&["analyze", "bike.txt"]);
+        run.fails(2, &format!("error: bike.txt:{}: {message}\n", text.lines().count() + 1));
+    }
+    let run = directory.write("bike.txt", format!("{text}rake = 45 mm\n")).run(&["analyze", "bike.txt"]);
+    let [first, last] =
+        ["`rake` is 0.045 m, but 0.03207142672761", " m follows from `c`, `lam`, `rF`; leave one of them out\n"];
+    assert!(run.code == Some(2) && run.stderr.contains(first) && run.stderr.ends_with(last), "{}", run.stderr);
+    // What others refer to is no second one; and settings by such names still change the design.
+    let refers = text.replace("w = 1.02", "w = wheelbase") + "wheelbase = 1.02\n";
+    assert!(refers.contains("w = wheelbase"));
+    check("refers", "bike.txt", &refers, "", BENCHMARK_RANGE);
+    let twice = format!("{text}head_angle = 72 deg\n");
+    let run = directory.write("bike.txt", twice).run(&["show", "bike.txt", "--set", "head_angle=70 deg"]);
+    assert!(run.code == Some(0) && run.stdout.contains("lam = 0.349065850398"), "{}{}", run.stdout, run.stderr);
+}
+
 #[test]
 fn what_a_model_takes_for_granted_is_checked() {
     let text = benchmark();

@@ -36,11 +36,7 @@ impl Settled<'_> {
 
     /// What stands under a name with these parameters of the paper.
     fn value(&self, name: &str, paper: &Values) -> Option<f64> {
-        let mut others = Values::default();
-        self.given.iter().filter(|(own, _)| *own != name).for_each(|(own, value)| others.push(own, value));
-        let expressed = (self.convention.from_paper)(paper).ok()?;
-        let found = expressed.get(name).or_else(|| (self.convention.complete)(paper, &others).get(name));
-        found.map(|found| found.value)
+        self.convention.tell(name, paper, self.given).map(|found| found.value)
     }
 
     /// Settings of which another one, that stands in the same place, makes something else.

@@ -13,6 +13,7 @@
 //! ```
 
 mod arrays;
+mod beside;
 mod carried;
 mod contradictions;
 mod convert;
@@ -22,6 +23,7 @@ mod gyrostats;
 mod held;
 mod jbike6;
 mod moore;
+mod moved;
 mod name;
 mod naming;
 mod principal;
@@ -48,6 +50,7 @@ pub(crate) use self::read::read;
 pub use self::varied::Varied;
 pub use self::write::{Form, left_out, write};
 
+use self::dual::Dual;
 use self::name::Values;
 use crate::dual;
 use crate::failure::{Failure, Problem};
@@ -146,6 +149,15 @@ impl Convention {
     /// The parameter that a name of a file means here.
     fn parameter(&self, name: &str) -> Option<&'static Name> {
         self.known(name).filter(|known| known.is_parameter())
+    }
+
+    /// What stands under a name, from the parameters of the paper and what else is given in its own names; `None` where they do not
+    /// tell it.
+    fn tell(&self, name: &str, paper: &Values, given: &Values) -> Option<Dual> {
+        let mut others = Values::default();
+        given.iter().filter(|(own, _)| *own != name).for_each(|(own, value)| others.push(own, value));
+        let expressed = (self.from_paper)(paper).ok()?;
+        expressed.get(name).or_else(|| (self.complete)(paper, &others).get(name))
     }
 
     /// Names of which one must be there, each by itself or with those that do in its place.

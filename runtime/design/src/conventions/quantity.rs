@@ -57,8 +57,7 @@ impl Quantity {
         };
         let mut paper = Values::default();
         model.parameters.iter().enumerate().for_each(|(at, parameter)| paper.push(parameter.name, of(at)));
-        let expressed = (convention.from_paper)(&paper).ok()?;
-        expressed.get(name).or_else(|| (convention.complete)(&paper, &Values::default()).get(name))
+        convention.tell(name, &paper, &Values::default())
     }
 
     /// Its derivatives by the parameters of the model.

@@ -53,6 +53,9 @@ pub fn read(
         None => recognise(&document.entries, info).unwrap_or(PAPER),
     };
     let is_paper = convention.is_paper();
+    if is_paper {
+        super::beside::hold(document, label, info);
+    }
     let convention = if is_paper { express(document, label, info, settings)? } else { convention };
     (convention.prepare)(&mut document.entries, &mut document.problems);
     (convention.prepare)(settings, &mut document.problems);

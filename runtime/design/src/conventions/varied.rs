@@ -5,9 +5,9 @@ use carvallo::ModelInfo;
 use super::Convention;
 use super::dual::Dual;
 use super::held::Ranks;
+use super::moved::{changes, moves};
 use super::name::{Name, Need, Values};
 use super::naming::{At, Naming, Varying, prepared};
-use super::quantity::Quantity;
 use super::read::list;
 use crate::design::Design;
 use crate::input::position;
@@ -41,8 +41,6 @@ struct Foreign {
     checked: Vec<(usize, &'static Name)>,
     /// The parameters of the paper that change with them, in its order, but for those that are among them.
     follow: Vec<&'static str>,
-    /// What was set, and does not stay.
-    lost: Vec<String>,
 }
 
 impl Varied {
@@ -51,7 +49,7 @@ impl Varied {
     /// was set is kept rather than what was given, and that rather than what follows.
     ///
     /// # Errors
-    /// If the design cannot be expressed in the convention.
+    /// If the design cannot be expressed in the convention; or if something that was set changes with what varies.
     pub fn new(design: &Design, naming: &Naming, columns: &[Option<&Varying>]) -> Result<Self, String> {
         let info = design.info();
         let columns = || columns.iter().enumerate().filter_map(|(at, column)| Some((at, (*column)?.at)));
@@ -65,7 +63,11 @@ impl Varied {
             Some(convention) => Some(Foreign::new(design, convention, varied, checked)?),
             None => None,
         };
-        Ok(Self { info, own: own.collect(), foreign })
+        let varied = Self { info, own: own.collect(), foreign };
+        match varied.overridden(design) {
+            Some(message) => Err(message),
+            None => Ok(varied),
+        }
     }
 
     /// Puts the values of the columns, as far as they have one, in the place of those of the model, which are of the design or of
@@ -148,6 +150,13 @@ impl Varied {
         Some(format!("`{name}` follows from {}, which {vary}, too; both cannot be held", list(&names)))
     }
 
+    /// Why there is no design with these columns, whatever their values, if that is so: the design's own make none.
+    pub fn contradiction(&self) -> Option<String> {
+        let Foreign { convention, start, .. } = self.foreign.as_ref()?;
+        let is_known = start.iter().all(|(_, value)| value.value.is_finite());
+        (convention.to_paper)(start).err().filter(|_| is_known)
+    }
+
     /// Why one of the columns cannot vary by itself, if that is so: with no other value near its own there is such a bicycle, as
     /// where it says what others say, too.
     pub fn fixed(&self) -> Option<String> {
@@ -165,6 +174,21 @@ impl Varied {
         })
     }
 
+    /// Why something that was set cannot hold, if that is so: it changes with what varies.
+    fn overridden(&self, design: &Design) -> Option<String> {
+        let own = |set: &str| {
+            let changes = |(_, position): &&(usize, usize)| changes(set, design, *position);
+            self.own.iter().find(changes).map(|(_, position)| vec![self.info.parameters[*position].name])
+        };
+        let foreign = |set: &str| {
+            let foreign = self.foreign.as_ref().filter(|foreign| !foreign.keeps(set, self.info))?;
+            Some(foreign.columns.iter().map(|(_, name)| name.name).collect())
+        };
+        let (set, by) = design.set.iter().find_map(|set| Some((set, own(set).or_else(|| foreign(set))?)))?;
+        let (shown, vary) = varying(&by);
+        Some(format!("`{set}` is set, but changes with {shown}, which {vary}; leave one of them out"))
+    }
+
     /// Whether a parameter of the model follows from those of the convention that vary.
     fn follows(&self, position: usize) -> bool {
         let name = self.info.parameters[position].name;
@@ -173,22 +197,13 @@ impl Varied {
 
     /// What varies by other names than the model's, what of the design is kept with it, and what follows.
     pub fn note(&self) -> Option<String> {
-        let Foreign { convention, start, columns, follow: follows, lost, .. } = self.foreign.as_ref()?;
+        let Foreign { convention, start, columns, follow: follows, .. } = self.foreign.as_ref()?;
         let is_own = |name: &str| position(name, self.info).is_some();
         let varied: Vec<&str> = columns.iter().map(|(_, name)| name.name).collect();
         let foreign: Vec<&str> = varied.iter().copied().filter(|name| !is_own(name)).collect();
-        let vary = if foreign.len() == 1 { "varies" } else { "vary" };
-        let shown = if foreign.len() > LISTED { format!("{} parameters", foreign.len()) } else { list(&foreign) };
-        let lost = match &lost[..] {
-            [] => String::new(),
-            [name] => format!("; `{name}`, which is set, does not stay"),
-            names => {
-                let names: Vec<&str> = names.iter().map(String::as_str).collect();
-                format!("; {}, which are set, do not stay", list(&names))
-            }
-        };
+        let (shown, vary) = varying(&foreign);
         if !start.iter().skip(varied.len()).any(|(name, _)| name != "g") {
-            return Some(format!("{shown} {vary} as all of {}; those of the paper follow{lost}", convention.title));
+            return Some(format!("{shown} {vary} as all of {}; those of the paper follow", convention.title));
         }
         let kept: Vec<&str> =
             start.iter().skip(varied.len()).map(|(name, _)| name).filter(|name| !is_own(name)).collect();
@@ -206,7 +221,7 @@ impl Varied {
             1 => format!(", and {} follows", list(&follows)),
             _ => format!(", and {} follow", list(&follows)),
         };
-        Some(format!("{shown} {vary} in {}: {kept}{follow}{lost}", convention.title))
+        Some(format!("{shown} {vary} in {}: {kept}{follow}", convention.title))
     }
 }
 
@@ -223,13 +238,18 @@ impl Foreign {
         let changes = |name: &str| slopes.iter().any(|slopes| slopes.get(name).is_some_and(|it| it.slope != 0.0));
         let names = crate::model::WHIPPLE.info.parameters.iter().map(|parameter| parameter.name);
         let follow = names.filter(|name| !is_own(name) && changes(name)).collect();
-        let is_kept = |name: &str| match convention.parameter(&prepared(name, convention)) {
-            Some(own) if is_own(own.name) => true,
-            Some(own) => start.get(own.name).is_some(),
-            None => slopes.iter().all(|slopes| !moves(name, slopes, design.info())),
-        };
-        let lost = design.set.iter().filter(|name| !is_kept(name)).cloned().collect();
-        Ok(Self { convention, start, columns, checked, follow, lost })
+        Ok(Self { convention, start, columns, checked, follow })
+    }
+
+    /// Whether something that was set stays.
+    fn keeps(&self, set: &str, info: &ModelInfo) -> bool {
+        match self.convention.parameter(&prepared(set, self.convention)) {
+            Some(name) => self.start.get(name.name).is_some(),
+            None => {
+                let slopes = slopes(self.convention, &self.start, self.columns.len());
+                slopes.iter().all(|slopes| !moves(set, slopes, info))
+            }
+        }
     }
 
     /// All that the convention needs, with the values of the columns.
@@ -260,6 +280,12 @@ impl Foreign {
         }
         Ok(values)
     }
+}
+
+/// Names of what varies, and the verb for them.
+fn varying(names: &[&str]) -> (String, &'static str) {
+    let shown = if names.len() > LISTED { format!("{} parameters", names.len()) } else { list(names) };
+    (shown, if names.len() == 1 { "varies" } else { "vary" })
 }
 
 /// The design in the convention, without what stands in the place of those that vary, which are put before it.
@@ -321,11 +347,4 @@ fn slopes(convention: &Convention, start: &Values, columns: usize) -> Vec<Values
     }
     let by = |values: &Values, column: usize| (convention.to_paper)(&values.varied(column)).ok();
     [start, &beside].into_iter().flat_map(|values| (0..columns).filter_map(|column| by(values, column))).collect()
-}
-
-/// Whether something that is known by a name changes where the parameters of the paper do.
-fn moves(name: &str, paper: &Values, info: &ModelInfo) -> bool {
-    let own = |at: usize| paper.get(info.parameters[at].name).unwrap_or_default();
-    let quantity = Quantity::called(name, info, None);
-    quantity.and_then(|quantity| quantity.value(info, &own)).is_some_and(|value| value.slope != 0.0)
 }

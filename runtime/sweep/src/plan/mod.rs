@@ -103,10 +103,18 @@ impl Plan {
         let parameters: Vec<Option<&Varying>> = parameters.iter().map(Option::as_ref).collect();
         let fail = |message: String| Failure::usage(format!("{}: {message}", design.title()));
         let varied = Varied::new(design, &naming, &parameters).map_err(fail)?;
-        // Rows of a file may well have both, if they agree.
-        let impossible = || varied.conflict().or_else(|| varied.fixed());
-        if let (Source::Generated(_), Some(message)) = (&source, impossible()) {
-            return Err(Failure::usage(message));
+        match &source {
+            Source::Generated(_) => {
+                if let Some(message) = varied.conflict().or_else(|| varied.fixed()) {
+                    return Err(Failure::usage(message));
+                }
+            }
+            // Rows may well have both of what follows from each other, if they agree.
+            Source::File(file) => {
+                if let Some(message) = varied.contradiction() {
+                    return Err(Failure::at(Place::File(file.path.display().to_string()), message));
+                }
+            }
         }
         let warnings = slips::warnings(design, &source, &parameters, &varied)?;
         let task = Task { model: design.model, base: design.values(), varied, layout };

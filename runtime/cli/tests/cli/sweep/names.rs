@@ -107,13 +107,7 @@ fn what_is_set_is_held() {
             assert!((found - expected).abs() < 1e-12, "{arguments:?}: {found}, expected {expected}");
         }
     }
-    // What varies is held rather than what is set.
     for (arguments, told) in [
-        (
-            ["--vary", "fork_offset=40 mm, 50 mm", "--set", "trail=60 mm"],
-            "`c` follows; `trail`, which is set, does not stay",
-        ),
-        (["--vary", "d1=0.9, 1", "--set", "w=1.1"], "follow; `w`, which is set, does not stay"),
         (["--vary", "d1=0.9, 1", "--set", "mB=90"], "those of the paper follow\n"),
         (["--vary", "d3=0.03, 0.04", "--set", "wheel=28-622"], "those of the paper follow\n"),
     ] {
@@ -122,6 +116,47 @@ fn what_is_set_is_held() {
     }
     let both = ["sweep", "--vary", "d1=0.9, 1", "--vary", "w=1, 1.1"];
     directory.run(&both).fails(2, "error: `w` follows from `d1`, which varies, too; both cannot be held\n");
+}
+
+/// By definition the wheel base is w, the trail c, the head angle 90° - λ, and the fork offset rF sin λ - c cos λ; Moore's d1 is
+/// (w + c) cos λ - rR sin λ.
+#[test]
+fn what_is_set_cannot_change() {
+    let directory = Directory::new("what-is-set-cannot-change");
+    let refused = |arguments: &[&str], set: &str, by: &str| {
+        let message = format!(": `{set}` is set, but changes with {by}; leave one of them out\n");
+        let run = directory.run(arguments);
+        assert!(run.code == Some(2) && run.stderr.ends_with(&message), "{arguments:?}: {}", run.stderr);
+    };
+    for (set, value, vary, values) in [
+        ("wheelbase", "1.1", "w", "1.0:1.1"),
+        ("head_angle", "70 deg", "lam", "0.2:0.3"),
+        ("trail", "5 cm", "c", "0.05:0.08"),
+        ("fork_offset", "45 mm", "c", "0.05:0.08"),
+        ("fork_offset", "45 mm", "lam", "0.2:0.3"),
+        ("wheel", "28-622", "rF", "0.3:0.4"),
+        ("trail", "60 mm", "fork_offset", "0.04:0.05"),
+        ("d1", "0.9", "c", "0.05:0.08"),
+        ("w", "1.1", "d1", "0.9:1"),
+    ] {
+        let (setting, range) = (format!("{set}={value}"), format!("{vary}={values}"));
+        let by = format!("`{vary}`, which varies");
+        let (of_random, grid) = (range.replace(':', ".."), format!("{range}:2 points"));
+        refused(&["sweep", "--set", &setting, "--vary", &grid], set, &by);
+        refused(&["sweep", "--set", &setting, "--random", &of_random, "--samples", "2"], set, &by);
+        refused(&["optimize", "--set", &setting, "--vary", &range, "--minimize", "weave-speed"], set, &by);
+        refused(&["analyze", "--set", &setting, "--along", &range, "--speed", "5"], set, &by);
+        let [low, high] = values.split_once(':').unwrap().into();
+        directory.write("designs.csv", format!("{vary}\n{low}\n{high}\n"));
+        refused(&["sweep", "--set", &setting, "--designs", "designs.csv"], set, &by);
+    }
+    let settings = ["--set", "chainstay=0.43", "--set", "front_center=0.6", "--set", "bb_drop=0.07"];
+    refused(&[&["sweep", "--vary", "w=1, 1.1"], &settings[..]].concat(), "chainstay", "`w`, which varies");
+    // Neither the wheel base nor the trail depends on the tilt.
+    sweep(&["--set", "wheelbase=1.1", "--set", "trail=5 cm", "--vary", "lam=0.2, 0.3"]);
+    // A search starts from what is set.
+    let run = directory.run(&["optimize", "--set", "w=1.1", "--vary", "w=1:1.2", "--minimize", "weave-speed"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
 }
 
 /// The wheel base by way of the bottom bracket: the legs of two right triangles.
@@ -205,7 +240,9 @@ fn tables_may_be_in_the_names_of_others() {
     let names = MOORE.map(|(name, _)| name).join(",") + ",id33,v,bike\n";
     let values = MOORE.map(|(_, value)| value.to_string()).join(",");
     directory.write("moore.csv", format!("{names}{values},0.0603,5,one\n{values},0.07,5,other\n"));
-    let run = directory.run(&["sweep", "pista", "--designs", "moore.csv", "--set", "w=2"]);
+    let set = directory.run(&["sweep", "pista", "--designs", "moore.csv", "--set", "w=2"]);
+    set.fails(2, "error: pista: `w` is set, but changes with 26 parameters, which vary; leave one of them out\n");
+    let run = directory.run(&["sweep", "pista", "--designs", "moore.csv"]);
     assert!(run.stderr.contains("`v` is copied and changes nothing"), "{}", run.stderr);
     assert!(
         run.stderr.contains("vary as all of the names of Moore (2012); those of the paper follow"),
@@ -249,6 +286,8 @@ fn headings_may_have_units() {
         ("w,w_mm", "columns `w` and `w_mm` are the same parameter"),
         ("wheelbase,w", "columns `wheelbase` and `w` are the same parameter"),
         ("c,head_angle,trail", "columns `c` and `trail` are the same parameter"),
+        ("head_angle [deg],lam", "error: wrong.csv: both `head_angle` and `lam` are given; one follows from the other"),
+        ("rear_wheel_diameter,rR", "error: wrong.csv: the rear wheel is given twice"),
     ] {
         directory.write("wrong.csv", format!("{heading}\n1,1,1\n"));
         let run = directory.run(&["sweep", "--designs", "wrong.csv"]);
