@@ -6,6 +6,8 @@ use std::path::Path;
 use carvallo_design::Failure;
 use carvallo_plot::picture::Scene;
 
+use crate::terminal::{WARNING, note};
+
 /// Tries whether a drawing can be written, before the work for it is done. Nothing is left of a file that was not there.
 ///
 /// # Errors
@@ -28,7 +30,14 @@ pub fn check(path: &Path) -> Result<(), Failure> {
 pub fn save(scene: &Scene, path: &Path) -> Result<(), Failure> {
     let fail = |error: String| Failure::Run(format!("cannot write {}: {error}", path.display()));
     let bytes = match path.extension() {
-        Some(ending) if ending.eq_ignore_ascii_case("png") => scene.png().map_err(fail)?,
+        Some(ending) if ending.eq_ignore_ascii_case("png") => {
+            let lacking = scene.lacking();
+            if !lacking.is_empty() {
+                let told = format!("the font of pictures lacks `{lacking}`, for which boxes stand in PNG");
+                note(WARNING, "note", &format!("{}: {told}; SVG has them as text", path.display()));
+            }
+            scene.png().map_err(fail)?
+        }
         _ => scene.svg().into_bytes(),
     };
     std::fs::write(path, bytes).map_err(|error| fail(error.to_string()))

@@ -82,6 +82,9 @@ impl Asked<'_> {
         };
         let end = times[times.len() - 1];
         let given = read(solver, design, &options.initial, &options.force, end).map_err(Failure::Input)?;
+        if let Some(picture) = options.plot.as_ref().filter(|_| end == 0.0) {
+            return Err(picture.problem("a picture needs a duration above 0"));
+        }
         let speed = required_speed(solver, design, speed)?;
         let units = options.units.units()?;
         let motion = solved(solver, design, &given, speed, &times)?;
@@ -89,9 +92,6 @@ impl Asked<'_> {
         tell(&motion, &units, format, options.delivery.path())?;
         motion.notes.iter().chain(&motion.end).for_each(|text| note(WARNING, "note", text));
         if let Some(picture) = &options.plot {
-            if end == 0.0 {
-                return Err(picture.problem("a picture needs a duration above 0"));
-            }
             // No further than it goes.
             let end = motion.rows.last().map_or(end, |row| row.t);
             let fine: Vec<f64> = (0..=DRAWN).map(|row| end * f64::from(row) / f64::from(DRAWN)).collect();

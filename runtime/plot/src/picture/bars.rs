@@ -22,6 +22,8 @@ const GRID: Color = Color(0xe4, 0xe4, 0xe4);
 /// What a chart shows.
 pub struct Bars {
     pub title: String,
+    /// As much of it as there is room for.
+    pub short_title: String,
     /// What the bars of a row stand for, and their colours.
     pub series: Vec<(String, Color)>,
     pub rows: Vec<Row>,
@@ -41,7 +43,7 @@ pub struct Row {
 }
 
 /// The chart; `None` if there is nothing to draw.
-pub fn draw(Bars { title, series, rows, across: below, notes }: &Bars) -> Option<Scene> {
+pub fn draw(Bars { title, short_title, series, rows, across: below, notes }: &Bars) -> Option<Scene> {
     let values = || rows.iter().flat_map(|row| row.values.iter().copied());
     let (low, high) = (values().fold(0.0, f64::min), values().fold(0.0, f64::max));
     if rows.is_empty() || low == high {
@@ -53,7 +55,7 @@ pub fn draw(Bars { title, series, rows, across: below, notes }: &Bars) -> Option
     let top = LEGEND_TOP + LEGEND * series.len() as f32;
     let bottom = top + row_height * rows.len() as f32 + GAP;
     let mut scene = Scene::new(title.clone(), WIDTH, bottom + BELOW + NOTE * notes.len().saturating_sub(1) as f32);
-    scene.text((WIDTH / 2.0, 32.0), Anchor::Middle, 18.0, INK, title);
+    scene.short_heading((WIDTH / 2.0, 32.0), INK, [short_title, title]);
 
     let besides = rows.iter().map(|row| font::width(&row.beside, TEXT_SIZE)).fold(0.0, f32::max);
     let symbols = rows.iter().map(|row| font::width(&row.symbol, TEXT_SIZE)).fold(0.0, f32::max);

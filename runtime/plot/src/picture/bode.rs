@@ -56,7 +56,7 @@ pub fn draw_bode(transfers: &Transfers) -> Scene {
     let title = super::transfer_title("Frequency response", transfers);
     let left = axes::margin(gain.y).max(axes::margin((-1000.0, 1000.0)));
     let mut scene = Scene::new(title.clone(), WIDTH, 0.0);
-    scene.text(((left + RIGHT) / 2.0, 32.0), Anchor::Middle, 18.0, INK, &title);
+    scene.heading(((left + RIGHT) / 2.0, 32.0), INK, &title);
     let below = gain.draw(None, [left, RIGHT], TOP, &mut scene);
     let mut below = phase.draw(Some("frequency ω (rad/s)"), [left, RIGHT], below - 18.0, &mut scene);
     if let [channel] = &transfers.channels[..] {

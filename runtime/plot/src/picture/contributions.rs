@@ -4,6 +4,7 @@ use carvallo::CriticalSpeed;
 use carvallo_design::number::{fixed, shortest, unit};
 
 use super::bars::{self, Bars, Row};
+use super::font;
 use super::scene::{Color, Scene};
 use super::tornado::colors;
 use crate::analysis::compare::{Compared, Difference, Way, Whole};
@@ -11,6 +12,9 @@ use crate::analysis::name;
 
 /// Contributions smaller than this part of the largest one are too short for bars.
 const SHORTEST: f64 = 0.002;
+
+/// The longest name of a design in a title, in pixels.
+const LONGEST: f32 = 720.0;
 
 /// The bar chart of a design against the first one; `None` if there is nothing to draw.
 pub fn draw_contributions(first: &Compared, other: &Compared, difference: &Difference) -> Option<Scene> {
@@ -49,8 +53,12 @@ pub fn draw_contributions(first: &Compared, other: &Compared, difference: &Diffe
         let whose = if matches!(way, Way::Lost { .. }) { &first.label } else { &other.label };
         format!("Only {whose} has the {} speed {} m/s", label(critical), fixed(critical.speed, 4))
     }));
+    let title = |other: &str, first: &str| format!("What makes the difference of {other} from {first}");
+    // Both have room in the two lines of a title.
+    let labels = font::apart(&[other.label.as_str(), first.label.as_str()], 13.0, LONGEST);
     bars::draw(&Bars {
-        title: format!("What makes the difference of {} from {}", other.label, first.label),
+        title: title(&other.label, &first.label),
+        short_title: title(&labels[0], &labels[1]),
         series,
         rows: std::iter::once(sum).chain(long).collect(),
         across: "contribution to the difference of the critical speed (m/s)".to_owned(),

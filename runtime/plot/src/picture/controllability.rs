@@ -40,7 +40,7 @@ pub fn draw_controllability(controllability: &Controllability, rows: &[AtSpeed])
     let title = format!("Modes of {} between inputs and outputs", controllability.analysis.design.title());
     let left = axes::margin((-9999.0, 9999.0));
     let mut scene = Scene::new(title.clone(), WIDTH, 0.0);
-    scene.text(((left + RIGHT) / 2.0, 30.0), Anchor::Middle, 18.0, INK, &title);
+    scene.heading(((left + RIGHT) / 2.0, 30.0), INK, &title);
     let label = format!("forward speed v ({})", unit.unit());
     let mut top = TOP;
     for (index, (name, graph)) in graphs.iter().enumerate() {

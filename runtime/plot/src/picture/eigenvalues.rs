@@ -50,7 +50,7 @@ pub fn draw(Shown { title, x: (low, high), across, unit, panels, critical: event
     let bottom = page - BELOW;
     let height = page + beyond::ROW * notes.len() as f32;
     let mut scene = Scene::new(title.clone(), WIDTH, height);
-    scene.text(((left + RIGHT) / 2.0, 32.0), Anchor::Middle, 18.0, INK, title);
+    scene.heading(((left + RIGHT) / 2.0, 32.0), INK, title);
     let critical = critical::critical(events, &Axes::even((low, high), (0.0, 1.0), [left, 0.0, RIGHT, bottom]));
     let top = 56.0 + critical::height(&critical);
 

@@ -52,12 +52,37 @@ impl Font {
     fn glyph(&self, char: char) -> &Glyph {
         self.glyphs.get(&char).unwrap_or(&self.missing)
     }
+
+    /// From where a glyph begins to where the next one does. Most of what the font lacks is as wide as it is high.
+    fn advance(&self, char: char) -> f32 {
+        self.glyphs.get(&char).map_or(self.units_per_em, |glyph| glyph.advance)
+    }
 }
 
 /// The width of a line of text.
 pub fn width(text: &str, size: f32) -> f32 {
     let scale = size / FONT.units_per_em;
-    text.chars().map(|char| scale * FONT.glyph(char).advance).sum()
+    text.chars().map(|char| scale * FONT.advance(char)).sum()
+}
+
+/// Names of which none has more room than that, so that those which differ still do: what ends in dots alike has its beginning,
+/// dots, and the rest from shortly before where it differs.
+pub fn apart(names: &[&str], size: f32, room: f32) -> Vec<String> {
+    let short: Vec<Cow<str>> = names.iter().map(|name| fitted(name, size, room)).collect();
+    let kept = |(at, name): (usize, &&str)| {
+        let others = names.iter().zip(&short).filter(|(other, same)| *other != name && **same == short[at]);
+        let common = others.map(|(other, _)| name.chars().zip(other.chars()).take_while(|(a, b)| a == b).count()).max();
+        common.map_or_else(|| short[at].clone().into_owned(), |common| without_middle(name, common, size, room))
+    };
+    names.iter().enumerate().map(kept).collect()
+}
+
+/// As much of the beginning of a name as has room before the rest, which begins shortly before a place.
+fn without_middle(name: &str, place: usize, size: f32, room: f32) -> String {
+    const BEFORE: usize = 8;
+    let rest: String = name.chars().skip(place.saturating_sub(BEFORE)).collect();
+    let rest = fitted(&rest, size, room / 2.0);
+    fitted(name, size, room - width(&rest, size)).into_owned() + &rest
 }
 
 /// A line of text, or as much of it as has room, with dots behind it.
@@ -81,7 +106,7 @@ pub fn outline(text: &str, size: f32) -> PathBuilder {
     let mut builder = PathBuilder::new();
     let mut x = 0.0;
     for char in text.chars() {
-        let Glyph { advance, outline } = FONT.glyph(char);
+        let Glyph { outline, .. } = FONT.glyph(char);
         // Fonts have y up, drawings have it down.
         let place = |point: Point| (x + point.x * scale, -point.y * scale);
         for segment in outline.iter().flat_map(Path::segments) {
@@ -105,7 +130,7 @@ pub fn outline(text: &str, size: f32) -> PathBuilder {
                 PathSegment::Close => builder.close(),
             }
         }
-        x += scale * advance;
+        x += scale * FONT.advance(char);
     }
     builder
 }
@@ -135,15 +160,19 @@ impl OutlineBuilder for Pen {
     }
 }
 
+/// The characters of a text that the font lacks.
+pub fn lacking(text: &str) -> impl Iterator<Item = char> {
+    text.chars().filter(|char| !FONT.glyphs.contains_key(char))
+}
+
 /// Whether the font has all characters of a text.
-#[cfg(test)]
 pub fn has(text: &str) -> bool {
-    text.chars().all(|char| FONT.glyphs.contains_key(&char))
+    lacking(text).next().is_none()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{has, outline, width};
+    use super::{apart, has, outline, width};
 
     #[test]
     fn the_font_has_what_names_are_written_in() {
@@ -159,6 +188,19 @@ mod tests {
     fn widths_are_those_of_the_font() {
         assert!((width("2.5", 204.8) - (2.0 * 115.1 + 54.0)).abs() < 1e-3, "{}", width("2.5", 204.8));
         assert!((width("λ", 204.8) - 113.5).abs() < 1e-3, "{}", width("λ", 204.8));
+    }
+
+    /// Names with the same beginning, of which one is the beginning of another; and short ones, which stay as they are.
+    #[test]
+    fn what_differs_is_kept() {
+        let long = "a name of a bicycle that is much too long for the room beside the lines of a picture";
+        let names = [&format!("{long}, one"), &format!("{long}, two"), &format!("{long}, one more"), "short", long];
+        let short = apart(&names, 13.0, 200.0);
+        for (at, name) in short.iter().enumerate() {
+            assert!(width(name, 13.0) <= 200.0 && !short[..at].contains(name), "{short:?}");
+        }
+        assert_eq!((&*short[3], short[1].ends_with(", two")), ("short", true));
+        assert!(short[0].starts_with("a name of") && short[0].contains("..."), "{short:?}");
     }
 
     /// What the font lacks is seen all the same, and keeps its place.

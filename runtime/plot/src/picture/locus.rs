@@ -55,7 +55,7 @@ pub fn draw_locus(analysis: &Analysis, (low, high): (f64, f64)) -> Result<Scene,
         unit.unit()
     );
     let mut scene = Scene::new(title.clone(), WIDTH, 0.0);
-    scene.text(((left + RIGHT) / 2.0, 28.0), Anchor::Middle, 18.0, INK, &title);
+    scene.heading(((left + RIGHT) / 2.0, 28.0), INK, &title);
     let modes = modes(&values);
     let names: Vec<String> = modes.iter().map(ToString::to_string).collect();
     let named = modes.iter().zip(&names).map(|(mode, name)| (line(2.2), color(*mode), name.as_str()));

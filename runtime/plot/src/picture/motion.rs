@@ -6,7 +6,7 @@ use super::axes::{self, EVEN, INK};
 use super::curves::{Curve, quantile};
 use super::graph::{Graph, Line, range, roomy};
 use super::path;
-use super::scene::{Anchor, Color, Paint, Scene, dashed, line};
+use super::scene::{Color, Paint, Scene, dashed, line};
 use crate::analysis::simulation::Motion;
 
 const WIDTH: f32 = 960.0;
@@ -49,7 +49,7 @@ pub fn draw_motion(motion: &Motion, linear: Option<&Motion>) -> Scene {
     let title = format!("Motion of {}", motion.design.title());
     let left = drawn.iter().map(|graph| axes::margin(graph.y)).fold(path::MARGIN, f32::max);
     let mut scene = Scene::new(title.clone(), WIDTH, 0.0);
-    scene.text(((left + RIGHT) / 2.0, 32.0), Anchor::Middle, 18.0, INK, &title);
+    scene.heading(((left + RIGHT) / 2.0, 32.0), INK, &title);
     let mut top = TOP;
     for (index, graph) in drawn.iter().enumerate() {
         let is_last = index + 1 == drawn.len();

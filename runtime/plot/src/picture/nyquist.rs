@@ -31,7 +31,7 @@ pub fn draw_nyquist(transfers: &Transfers) -> Scene {
     let title = super::transfer_title("Nyquist plot", transfers);
     let mut scene = Scene::new(title.clone(), WIDTH, 0.0);
     let left = axes::margin((-9.99, 9.99));
-    scene.text(((left + RIGHT) / 2.0, 28.0), Anchor::Middle, 18.0, INK, &title);
+    scene.heading(((left + RIGHT) / 2.0, 28.0), INK, &title);
     let names: Vec<String> = transfers.channels.iter().map(Transfer::title).collect();
     let count = transfers.channels.len();
     let named = names.iter().enumerate().map(|(index, name)| (paint(index), color(index, count), name.as_str()));

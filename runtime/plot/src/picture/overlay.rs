@@ -52,7 +52,7 @@ pub fn draw_overlay(comparison: &Comparison, limits: Option<(f64, f64)>) -> Resu
         format!("Eigenvalues of {} designs", labels.len())
     };
     let mut scene = Scene::new(title.clone(), WIDTH, 1.0);
-    scene.text((WIDTH / 2.0, 32.0), Anchor::Middle, 18.0, INK, &title);
+    scene.heading((WIDTH / 2.0, 32.0), INK, &title);
     let mut top = write_legend(comparison, x, left, &mut scene);
     let graph = |title: &'static str, height, y, part: fn(&Curves) -> &Vec<Curve>| {
         let curves = all.iter().enumerate().flat_map(|(index, curves)| {
@@ -79,12 +79,13 @@ pub fn draw_overlay(comparison: &Comparison, limits: Option<(f64, f64)>) -> Resu
 
 /// What the colours mean, each with a bar over the speeds at which the design is stable; the height below.
 fn write_legend(comparison: &Comparison, x: (f64, f64), left: f32, scene: &mut Scene) -> f32 {
-    let widest = comparison.designs.iter().map(|compared| font::width(&compared.label, TEXT_SIZE)).fold(0.0, f32::max);
     // What is behind the names has its room, too.
-    let widest = widest.min(0.5 * WIDTH);
+    let labels: Vec<&str> = comparison.designs.iter().map(|compared| compared.label.as_str()).collect();
+    let short = font::apart(&labels, TEXT_SIZE, 0.5 * WIDTH);
+    let widest = short.iter().map(|label| font::width(label, TEXT_SIZE)).fold(0.0, f32::max);
     let place = |speed: f64| left + ((speed - x.0) / (x.1 - x.0)) as f32 * (RIGHT - left);
     let mut top = TOP;
-    for (index, Compared { label, analysis }) in comparison.designs.iter().enumerate() {
+    for (index, (Compared { label, analysis }, short)) in comparison.designs.iter().zip(&short).enumerate() {
         let color = design(index);
         let base = top + 13.0;
         scene.rectangle([left, top + 3.0, left + 22.0, top + 13.0], Paint::Fill, color);
@@ -97,7 +98,7 @@ fn write_legend(comparison: &Comparison, x: (f64, f64), left: f32, scene: &mut S
             .collect();
         let stable =
             if stable.is_empty() { "stable at no speed".to_owned() } else { format!("stable {}", stable.join(", ")) };
-        scene.text_within((left + 30.0, base), widest, TEXT_SIZE, color, label);
+        scene.short_text((left + 30.0, base), TEXT_SIZE, color, [short, label]);
         scene.text((left + 30.0 + widest + 24.0, base), Anchor::Start, TEXT_SIZE, INK.lighter(0.3), &stable);
         top += ROW;
     }

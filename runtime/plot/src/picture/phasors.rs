@@ -43,7 +43,7 @@ pub fn draw_phasors(analysis: &Analysis, rows: &Rows, shapes: &[Vec<Shape>]) -> 
         _ => String::new(),
     };
     let mut scene = Scene::new(format!("Eigenvectors of {}{at}", analysis.design.title()), width, 0.0);
-    scene.text((width / 2.0, 32.0), Anchor::Middle, 18.0, INK, &scene.title.clone());
+    scene.heading((width / 2.0, 32.0), INK, &scene.title.clone());
     let height = NAMES + 2.0 * RADIUS + 44.0 + LEGEND * coordinates.len() as f32;
     let mut top = TITLE;
     for (speed, modes) in &at_speeds {

@@ -6,7 +6,7 @@ use carvallo_design::number::unit;
 use super::axes::{self, EVEN, INK};
 use super::graph::{Graph, Line, range, roomy};
 use super::motion::COLORS;
-use super::scene::{Anchor, Scene, line};
+use super::scene::{Scene, line};
 use crate::analysis::response::Responses;
 
 const WIDTH: f32 = 960.0;
@@ -48,7 +48,7 @@ pub fn draw_response(responses: &Responses) -> Scene {
     let title = format!("{}{}: {}", design.title(), speed.unwrap_or_default(), lower(&responses.title()));
     let left = graphs.iter().map(|graph| axes::margin(graph.y)).fold(0.0, f32::max);
     let mut scene = Scene::new(title.clone(), WIDTH, 0.0);
-    scene.text(((left + RIGHT) / 2.0, 32.0), Anchor::Middle, 18.0, INK, &title);
+    scene.heading(((left + RIGHT) / 2.0, 32.0), INK, &title);
     let mut top = TOP;
     for (index, graph) in graphs.iter().enumerate() {
         let is_last = index + 1 == graphs.len();

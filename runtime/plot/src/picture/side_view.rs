@@ -152,7 +152,7 @@ pub fn draw_side_view(design: &Design) -> Option<(Scene, LeftOut)> {
     let left_out = geometry.left_out(design);
     let direction = if geometry.forward < 0.0 { ", forward to the right" } else { "" };
     let mut scene = Scene::new(format!("{}: side view to scale{direction}", design.name), WIDTH, height + NOTE);
-    scene.text((WIDTH / 2.0, 32.0), Anchor::Middle, 18.0, INK, &scene.title.clone());
+    scene.heading((WIDTH / 2.0, 32.0), INK, &scene.title.clone());
     let mut labels = Labels::new([4.0, 40.0, WIDTH - 4.0, height - 4.0]);
 
     let ground = scale.place((0.0, 0.0)).1;

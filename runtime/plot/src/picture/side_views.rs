@@ -12,6 +12,8 @@ use crate::analysis::compare::{Compared, Comparison};
 const TEXT_SIZE: f32 = 15.0;
 /// The height of a line of the legend.
 const ROW: f32 = 22.0;
+/// Where its texts begin.
+const LEGEND_LEFT: f32 = 60.0;
 
 /// The side views; `None` if one of the models has not the parameters of a bicycle.
 pub fn draw_side_views(comparison: &Comparison) -> Option<Scene> {
@@ -30,7 +32,7 @@ pub fn draw_side_views(comparison: &Comparison) -> Option<Scene> {
     let ground = scale.place((0.0, 0.0)).1;
     let below = height.min(ground + 34.0);
     let mut scene = Scene::new(title.clone(), WIDTH, below + legend + 8.0);
-    scene.text((WIDTH / 2.0, 32.0), Anchor::Middle, 18.0, INK, &title);
+    scene.heading((WIDTH / 2.0, 32.0), INK, &title);
     scene.polyline(&[(24.0, ground), (WIDTH - 24.0, ground)], line(1.5), INK);
     let mut labels_taken = Labels::new([4.0, 40.0, WIDTH - 4.0, ground]);
     let masses = geometries.iter().flat_map(|geometry| geometry.bodies.iter().map(|(_, mass, _)| *mass));
@@ -42,16 +44,18 @@ pub fn draw_side_views(comparison: &Comparison) -> Option<Scene> {
     for (index, geometry) in geometries.iter().enumerate() {
         draw_masses(geometry, &scale.of(geometry), most, design(index), &mut scene, &mut labels_taken);
     }
-    for (index, (label, geometry)) in labels.iter().zip(&geometries).enumerate() {
+    let dimensions = geometries.iter().map(|Geometry { wheel_base, trail, tilt, .. }| {
+        let text = format!(": wheel base {wheel_base:.3} m, trail {trail:.3} m, tilt {:.2}°", tilt.to_degrees());
+        text.replace('-', "−")
+    });
+    let dimensions: Vec<String> = dimensions.collect();
+    let longest = dimensions.iter().map(|text| font::width(text, TEXT_SIZE)).fold(0.0, f32::max);
+    let short = font::apart(&labels, TEXT_SIZE, WIDTH - LEGEND_LEFT - 12.0 - longest);
+    for (index, (names, dimensions)) in short.iter().zip(&labels).zip(&dimensions).enumerate() {
+        let [short, text] = [names.0.as_str(), names.1].map(|name| format!("{name}{dimensions}"));
         let (color, base) = (design(index), below + ROW * index as f32);
         scene.polyline(&[(24.0, base - 5.0), (52.0, base - 5.0)], line(3.0), color);
-        let text = format!(
-            "{label}: wheel base {:.3} m, trail {:.3} m, tilt {:.2}°",
-            geometry.wheel_base,
-            geometry.trail,
-            geometry.tilt.to_degrees()
-        );
-        scene.text((60.0, base), Anchor::Start, TEXT_SIZE, color, &text.replace('-', "−"));
+        scene.short_text((LEGEND_LEFT, base), TEXT_SIZE, color, [&short, &text]);
     }
     Some(scene)
 }

@@ -4,7 +4,7 @@ use super::axes::{self, INK, Scale};
 use super::curves::Curve;
 use super::graph::{Graph, Line, range, roomy};
 use super::motion::COLORS;
-use super::scene::{Anchor, Scene, line};
+use super::scene::{Scene, line};
 use crate::analysis::transfer::{AtFrequency, Transfers};
 
 const WIDTH: f32 = 960.0;
@@ -44,7 +44,7 @@ pub fn draw_sigma(transfers: &Transfers) -> Scene {
     let title = super::transfer_title("Singular values", transfers);
     let left = axes::margin(graph.y);
     let mut scene = Scene::new(title.clone(), WIDTH, 0.0);
-    scene.text(((left + RIGHT) / 2.0, 32.0), Anchor::Middle, 18.0, INK, &title);
+    scene.heading(((left + RIGHT) / 2.0, 32.0), INK, &title);
     scene.height = graph.draw(Some("frequency ω (rad/s)"), [left, RIGHT], TOP, &mut scene);
     scene
 }

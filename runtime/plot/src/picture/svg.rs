@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use tiny_skia_path::{Path, PathSegment, Point};
 
-use super::scene::{Color, Item, Paint, Scene};
+use super::scene::{Anchor, Color, Item, Lettering, Paint, Scene};
 
 impl Scene {
     /// The drawing as SVG.
@@ -19,7 +19,7 @@ fn write(Scene { title, width, height, items }: &Scene) -> String {
          {height}\" role=\"img\">\n<title>{}</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n",
         escaped(title)
     );
-    for Item { path, paint, color, text } in items {
+    for Item { path, paint, color, text, lettering } in items {
         let Color(red, green, blue) = color;
         let color = format!("#{red:02x}{green:02x}{blue:02x}");
         let style = match paint {
@@ -30,11 +30,30 @@ fn write(Scene { title, width, height, items }: &Scene) -> String {
             }
         };
         let label = text.as_ref().map(|text| format!(" aria-label=\"{}\"", escaped(text))).unwrap_or_default();
+        if let Some(lettering) = lettering {
+            svg.push_str(&written(lettering, &label, &style));
+            continue;
+        }
         // Writing to a string cannot fail.
         let _ = writeln!(svg, "<path{label} {style} d=\"{}\"/>", data(path));
     }
     svg.push_str("</svg>\n");
     svg
+}
+
+/// A text by the fonts of whoever shows the drawing.
+fn written(Lettering { text, size, place, anchor, x }: &Lettering, label: &str, style: &str) -> String {
+    let anchor = match anchor {
+        Anchor::Start => "start",
+        Anchor::Middle => "middle",
+        Anchor::End => "end",
+    };
+    let tiny_skia_path::Transform { sx, kx, ky, sy, tx, ty } = place;
+    format!(
+        "<text{label} {style} font-family=\"Roboto, sans-serif\" font-size=\"{size}\" text-anchor=\"{anchor}\" \
+         x=\"{x}\" transform=\"matrix({sx} {ky} {kx} {sy} {tx} {ty})\">{}</text>\n",
+        escaped(text)
+    )
 }
 
 /// The segments of a path, in hundredths of a pixel, which are finer than anyone sees: each from the end of the one before,
@@ -132,7 +151,7 @@ fn escaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use crate::picture::scene::{Color, Paint, Scene, line};
+    use crate::picture::scene::{Anchor, Color, Paint, Scene, line};
 
     /// The grammar of paths: from a place, small letters are ways, and a letter that is the same as before is left out.
     #[test]
@@ -152,6 +171,22 @@ mod tests {
                         <path fill=\"#000000\" d=\"m0 .05h10v19.95h-10z\"/>\n\
                         </svg>\n";
         assert_eq!(scene.svg(), expected);
+    }
+
+    /// A browser has glyphs that the font lacks; what the font has stays a path. An em of the font is as wide as its size.
+    #[test]
+    fn what_the_font_lacks_is_text() {
+        let mut scene = Scene::new(String::new(), 100.0, 50.0);
+        scene.text((50.0, 20.0), Anchor::Middle, 10.0, Color(0, 0, 0), "自転<");
+        scene.upward_text((50.0, 20.0), 10.0, Color(0, 0, 0), "車");
+        scene.text((50.0, 20.0), Anchor::Middle, 10.0, Color(0, 0, 0), "λ");
+        let svg = scene.svg();
+        let texts: Vec<&str> = svg.lines().filter(|line| line.starts_with("<text ")).collect();
+        assert_eq!(texts.len(), 2, "{svg}");
+        assert!(texts[0].contains("text-anchor=\"middle\"") && texts[0].ends_with(">自転&lt;</text>"), "{}", texts[0]);
+        assert!(texts[1].contains("x=\"5\" transform=\"matrix(0 -1 1 0 50 25)\""), "{}", texts[1]);
+        assert!(svg.contains("<path aria-label=\"λ\""), "{svg}");
+        assert_eq!(scene.lacking(), "自転車");
     }
 
     /// Of a thousand steps of a third of a hundredth none is lost, and none adds up.

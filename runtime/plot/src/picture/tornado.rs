@@ -19,8 +19,10 @@ pub fn draw_tornado(changes: &Changes) -> Option<Scene> {
     let shown: Vec<&CriticalSpeed> = changes.within_reach().into_iter().map(|(critical, _)| critical).collect();
     let info = changes.design.info();
     let colors = colors(&shown, info);
+    let title_of_all = format!("Sensitivity of {}: what 1 % of each parameter changes", changes.design.title());
     bars::draw(&Bars {
-        title: format!("Sensitivity of {}: what 1 % of each parameter changes", changes.design.title()),
+        short_title: title_of_all.clone(),
+        title: title_of_all,
         series: shown.iter().map(|critical| title(critical, changes)).zip(colors).collect(),
         notes: notes(changes, &rows),
         rows,

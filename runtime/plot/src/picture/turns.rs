@@ -5,7 +5,7 @@ use super::curves::Curve;
 use super::graph::{Graph, Line, range, roomy};
 use super::motion::COLORS;
 use super::panels::finely;
-use super::scene::{Anchor, Color, Paint, Scene, dashed, line};
+use super::scene::{Color, Paint, Scene, dashed, line};
 use crate::analysis::turns::{Families, Family, verdict};
 use carvallo::turns::Turn;
 
@@ -50,7 +50,7 @@ pub fn draw_turns(families: &Families) -> Scene {
     let title = format!("Steady turns of {}", families.design.title());
     let left = axes::margin(positions.y).max(axes::margin(radius.y));
     let mut scene = Scene::new(title.clone(), WIDTH, 0.0);
-    scene.text(((left + RIGHT) / 2.0, 32.0), Anchor::Middle, 18.0, INK, &title);
+    scene.heading(((left + RIGHT) / 2.0, 32.0), INK, &title);
     let top = positions.draw(None, [left, RIGHT], TOP, &mut scene);
     scene.height = radius.draw(Some("speed v of the rear wheel (m/s)"), [left, RIGHT], top, &mut scene);
     scene

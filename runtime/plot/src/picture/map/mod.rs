@@ -119,7 +119,7 @@ pub fn draw_map(name: &str, axes: &[MapAxis], cells: &[MapCell], speed: &Display
     let width = second_left + SIDE + second_right;
     let title = format!("Stability of {name} over two parameters");
     let mut scene = Scene::new(title.clone(), width, HEIGHT);
-    scene.text((width / 2.0, 30.0), Anchor::Middle, 18.0, INK, &title);
+    scene.heading((width / 2.0, 30.0), INK, &title);
     for ((panel, scale), left) in PANELS.iter().zip(scales).zip([left, second_left]) {
         let area = [left, TOP, left + SIDE, TOP + SIDE - 40.0];
         let axes = Axes::even(x_range, y_range, area);

@@ -53,6 +53,9 @@ impl Shade {
     }
 }
 
+/// What differs by less, relatively, differs by rounding.
+const ROUNDING: f64 = 1e-9;
+
 /// From values to colours.
 pub struct Scale {
     /// `None` where there are no values.
@@ -62,7 +65,7 @@ pub struct Scale {
 }
 
 impl Scale {
-    /// From the least value to the largest one; but widths grow without bound next to ranges without end, and a few of them
+    /// From the least value, none of which is below zero, to the largest one; but widths grow without bound next to ranges without end, and a few of them
     /// would leave no colours for the others.
     pub fn of(values: impl Iterator<Item = f64>) -> Self {
         let mut values: Vec<f64> = values.collect();
@@ -73,12 +76,12 @@ impl Scale {
         };
         let is_cut = last > 2.0 * most && most > low;
         let high = if is_cut { most } else { last };
-        if low < high {
+        if high - low > ROUNDING * high {
             return Self { range: Some((low, high)), is_cut };
         }
-        // One value alone has a scale around it.
-        let half = (low.abs() / 2.0).max(0.5);
-        Self { range: Some((low - half, low + half)), is_cut }
+        // One value alone has a scale around it; speeds are not below zero.
+        let range = if low > 0.0 { (0.5 * low, 1.5 * low) } else { (0.0, 1.0) };
+        Self { range: Some(range), is_cut }
     }
 
     pub fn shade(&self, value: f64) -> Shade {
@@ -111,6 +114,25 @@ impl Scale {
             let (_, y) = axes.place(0.0, value);
             scene.polyline(&[(right, y), (right + 5.0, y)], line(1.2), INK);
             scene.text((right + 9.0, y + 4.5), Anchor::Start, TEXT, INK, &text);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Scale;
+
+    /// Of a value that is everywhere the same, but for rounding, the scale is around it and not below zero.
+    #[test]
+    fn one_value_is_within_its_scale() {
+        for (values, expected) in [
+            (vec![0.0; 4], (0.0, 1.0)),
+            (vec![0.2; 4], (0.1, 0.3)),
+            (vec![4.0, 4.0 + 4e-15, 4.0], (2.0, 6.0)),
+            (vec![4.0, 4.5, 5.0], (4.0, 5.0)),
+        ] {
+            let found = Scale::of(values.into_iter()).range.unwrap();
+            assert!((found.0 - expected.0).abs() < 1e-12 && (found.1 - expected.1).abs() < 1e-12, "{found:?}");
         }
     }
 }
