@@ -2,7 +2,7 @@
 
 use carvallo::{ModelInfo, States};
 use carvallo_design::feedback::Input;
-use carvallo_design::{Design, nearest};
+use carvallo_design::{Design, is_called, nearest};
 
 use crate::signal::{Order, Quantity, Signal};
 
@@ -86,11 +86,11 @@ impl Ports {
     /// If there is none of that name: those that there are.
     pub fn input(&self, name: &str) -> Result<usize, String> {
         let name = name.trim();
-        let is_called = |own: &str| own.eq_ignore_ascii_case(name);
         let found = self.inputs.iter().position(|signal| signal.name == name).or_else(|| {
             let mut inputs = self.inputs.iter().zip(&self.forces);
             inputs.position(|(input, force)| {
-                is_called(&input.label) || force.names(self.info).iter().any(|own| is_called(own))
+                is_called(&input.name, &input.label, name)
+                    || force.names(self.info).iter().any(|own| is_called(own, own, name))
             })
         });
         found.ok_or_else(|| self.unknown(name, "input", self.inputs.iter().map(|input| input.name.clone()).collect()))
@@ -109,8 +109,9 @@ impl Ports {
         };
         let by_any_name = |&(suffix, order): &(&str, Order)| {
             let stem = name.strip_suffix(suffix)?.trim_end();
-            let is_called = |own: &str| own.eq_ignore_ascii_case(stem);
-            let of = |quantity: &Quantity| is_called(quantity.name) || is_called(quantity.label);
+            let of = |quantity: &Quantity| {
+                is_called(quantity.name, quantity.label, stem) || quantity.name.eq_ignore_ascii_case(stem)
+            };
             Some(Output { quantity: self.quantities.iter().position(of)?, order })
         };
         let found = Order::ALL.into_iter().find_map(exact).or_else(|| SUFFIXES.iter().find_map(by_any_name));

@@ -91,5 +91,32 @@ fn mistakes_are_told_at_their_place() {
             .contains("`z of hands` is 1.0207 m, below the ground; z is counted down")
     );
     assert!(of("mass = 72 ", "mass = 72000 ").contains("`mass` is 72000 kg; it must be at most 500 kg; is it in g?"));
+    // 1.45 rad are 83.08 degrees.
+    let radians = of("lean = 82.9", "lean = 1.45");
+    let told = "`lean` is 1.45 deg, since plain numbers are in degrees; for 83.1 degrees write \"1.45 rad\", or \"1.45 deg\" if \
+                that is meant";
+    assert!(radians.ends_with(told), "{radians}");
+    assert!(Rider::read("rider.toml", EXAMPLE.replace("lean = 82.9", "lean = '1.45 rad'").into_bytes()).is_ok());
     assert!(of("lean = 82.9", "lean = 200").contains("`lean` is"));
+}
+
+/// A tape measure is in centimetres: one slip, however many numbers.
+#[test]
+fn a_file_in_another_unit_is_one_mistake() {
+    let in_centimetres = |line: &str| match line.split_once(" = ") {
+        Some((name, value)) if !["name", "mass", "lean"].contains(&name.trim()) => {
+            let number = |text: &str| text.trim_matches(['[', ']', ' ']).parse::<f64>().map(|number| 100.0 * number);
+            let (value, comment) = value.split_once('#').unwrap_or((value, ""));
+            let numbers: Vec<f64> = value.split(',').map(|text| number(text.trim()).unwrap()).collect();
+            let value = if numbers.len() > 1 { format!("{numbers:?}") } else { numbers[0].to_string() };
+            format!("{name} = {value} # {comment}\n")
+        }
+        _ => format!("{line}\n"),
+    };
+    let text: String = EXAMPLE.lines().map(in_centimetres).collect();
+    let message = Rider::read("rider.toml", text.into_bytes()).unwrap_err().to_string();
+    // Of three places two numbers each, and thirteen lengths.
+    let told =
+        "m; it must be at most 3 m, and so must 18 more numbers: if they are in cm, write the unit behind each, as in";
+    assert!(message.lines().count() == 1 && message.contains(told), "{message}");
 }

@@ -1,6 +1,7 @@
 //! `carvallo analyze`: everything about one design along speed.
 
 use carvallo::ModeValue;
+use carvallo_design::number::shortest;
 use carvallo_design::{Failure, Place};
 use carvallo_plot::analysis::Analysis;
 use carvallo_plot::analysis::along::{Along, AlongAnalysis};
@@ -71,7 +72,7 @@ pub struct Options {
     #[arg(long, value_name = "NAME=LOW:HIGH", allow_hyphen_values = true, conflicts_with_all = ["speeds", "xlim"])]
     along: Option<Along>,
     /// The speed of --along, in m/s
-    #[arg(long, value_name = "SPEED", requires = "along", allow_hyphen_values = true)]
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
     speed: Option<Speed>,
     /// table, markdown, latex, json or csv
     #[arg(long, value_enum, default_value = "table", hide_possible_values = true)]
@@ -105,6 +106,11 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     }
     if let Some(along) = &options.along {
         return run_along(options, along);
+    }
+    if let Some(Speed(speed)) = options.speed {
+        let speed = shortest(speed);
+        let message = format!("it is the speed of --along; for eigenvalues at speeds write --speeds {speed}");
+        return Err(Failure::at(Place::Option(format!("--speed {speed}")), message));
     }
     if let Some(picture) = &options.plot {
         picture.check(&options.design)?;

@@ -106,7 +106,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     }
     let format = match options.emit {
         Some(language) => language.ends(&options.delivery).map(|()| Format::Table),
-        None => options.delivery.format(),
+        None => table(&options.delivery),
     }?;
     let shown = options.units.shown()?;
     if options.emit.is_some() && !options.units.units()?.is_si() {
@@ -147,6 +147,15 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         (None, Format::Table) => documents::of_schedule(&design, &schedule, sensitivities).at_terminal(),
     };
     deliver(path, |output| output.write_all(text.as_bytes()))
+}
+
+/// The format of what is no source text.
+fn table(delivery: &Delivery) -> Result<Format, Failure> {
+    let ending = delivery.path().and_then(|path| path.extension()?.to_str()).unwrap_or_default();
+    match [("rust", "rs"), ("c", "c"), ("c", "h")].iter().find(|(_, own)| ending.eq_ignore_ascii_case(own)) {
+        Some((language, _)) => Err(delivery.problem(&format!("for source text write --emit {language}, too"))),
+        None => delivery.format(),
+    }
 }
 
 /// The speeds of what has one.

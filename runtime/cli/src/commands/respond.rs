@@ -100,7 +100,8 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         Format::Json => write(|output| data::response::write_json(&responses, output)),
         Format::Csv => write(|output| data::response::write_csv(&responses, output)),
     }?;
-    responses.end.iter().for_each(|end| note(WARNING, "note", end));
+    let doubts = Excitation::doubts(&options.initial, &design);
+    responses.end.iter().chain(&doubts).for_each(|text| note(WARNING, "note", text));
     Ok(())
 }
 

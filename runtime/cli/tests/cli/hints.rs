@@ -96,3 +96,67 @@ fn wheels_that_overlap_are_warned_of() {
     // hypot(0.65, 0.05) m is more than 0.65 m.
     assert_eq!(directory.run(&["show", "benchmark", "--set", "w=0.65"]).stderr, "");
 }
+
+/// What people write for what they mean, where it is clear; where it is not, what it may be.
+#[test]
+fn usual_names_are_understood() {
+    let directory = Directory::of_this_test();
+    let lines = |arguments: &[&str]| directory.run(arguments).ok();
+    let own =
+        lines(&["simulate", "--speed", "5", "--duration", "1", "--initial", "phi_rate=0.5", "--force", "Tdelta=1"]);
+    for (rate, torque) in
+        [("phi_dot", "steer_torque"), ("phidot", "steering torque"), ("roll_rate", "handlebar_torque")]
+    {
+        let (rate, torque) = (format!("{rate}=0.5"), format!("{torque}=1"));
+        let arguments = ["simulate", "--speed", "5", "--duration", "1", "--initial", &rate, "--force", &torque];
+        assert_eq!(lines(&arguments), own, "{rate}, {torque}");
+    }
+    let own = lines(&["transfer", "--speed", "5", "--inputs", "Tdelta", "--outputs", "phi,phi_rate"]);
+    assert_eq!(lines(&["transfer", "--speed", "5", "--inputs", "steer_torque", "--outputs", "roll,roll_dot"]), own);
+    let gains = |law: &str| {
+        let run = lines(&["analyze", "--feedback", law, "--format", "csv"]);
+        assert!(run.lines().count() > 2, "{run}");
+        run
+    };
+    assert_eq!(gains("steer_torque = -10*roll_rate"), gains("Tdelta = -10*phi_rate"));
+    for set in ["hta=72 deg", "head_tube_angle='72 deg'", "caster_angle=18 deg"] {
+        let run = directory.run(&["convert", "--set", set, "--to", "paper", "--format", "json"]);
+        let json: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+        let tilt = json["parameters"]["lam"].as_f64().unwrap();
+        assert!((tilt - 18_f64.to_radians()).abs() < 1e-15, "{set}: {tilt}");
+    }
+    check_options(
+        &["--set", "caster=0.08"],
+        "--set caster=0.08: `caster` is not a parameter of Whipple; did you mean `trail`, a length, or `caster_angle`, the \
+         tilt of the steer axis?",
+    );
+}
+
+/// 5 rad are 286.479 degrees.
+#[test]
+fn states_in_degrees_are_hinted_at() {
+    let directory = Directory::of_this_test();
+    let note = "note: `delta` is 5 rad, which is 286.5 degrees; for degrees write `5 deg`\n";
+    for command in
+        [&["simulate", "--duration", "0.1"][..], &["simulate", "--linear", "--duration", "0.1"], &["respond"]]
+    {
+        let run = |initial: &str| directory.run(&[command, &["--speed", "5", "--initial", initial]].concat());
+        let stderr = run("delta=5").stderr;
+        assert!(stderr.contains(note), "{stderr}");
+        let [quoted, plain] = ["delta='5 deg'", "delta=5 deg"].map(|initial| run(initial).ok());
+        assert_eq!(quoted, plain);
+    }
+}
+
+#[test]
+fn options_of_others_are_hinted_at() {
+    check_options(
+        &["--speed", "5"],
+        "--speed 5: it is the speed of --along; for eigenvalues at speeds write --speeds 5",
+    );
+    let directory = Directory::of_this_test();
+    for (file, language) in [("l.c", "c"), ("l.h", "c"), ("l.rs", "rust")] {
+        let run = directory.run(&["lqr", "--speeds", "5", "--output", file]);
+        run.fails(2, &format!("error: --output {file}: for source text write --emit {language}, too\n"));
+    }
+}

@@ -107,8 +107,8 @@ fn unknown_names_are_told_with_those_that_there_are() {
         "`Tdelt` is no input of Whipple; did you mean `Tdelta`?\nthey are Tphi, Tdelta"
     );
     assert_eq!(
-        ports.output("roll").unwrap_err(),
-        "`roll` is no output of Whipple\nthey are phi, delta, psi, y, phi_rate, delta_rate, psi_rate, y_rate, \
+        ports.output("rolling").unwrap_err(),
+        "`rolling` is no output of Whipple\nthey are phi, delta, psi, y, phi_rate, delta_rate, psi_rate, y_rate, \
          phi_acceleration, delta_acceleration, psi_acceleration, y_acceleration"
     );
 }

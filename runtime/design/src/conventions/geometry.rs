@@ -44,7 +44,7 @@ const NAMES: &[Name] = &[
     Name::new("wheelbase", "m", "Wheel base").or(&["w"]).printed("mm").optional(),
     Name::new("head_angle", "rad", "Angle of the steer axis from the ground")
         .rising()
-        .or(&["head_tube_angle", "steering_angle"])
+        .or(&["head_tube_angle", "steering_angle", "hta"])
         .printed("deg")
         .optional(),
     Name::new("fork_offset", "m", "Distance of the centre of the front wheel from the steer axis")
@@ -81,7 +81,7 @@ const NAMES: &[Name] = &[
     Name::new("IFxx", "kg*m^2", "Radial moment of inertia of the front wheel"),
     Name::new("IFyy", "kg*m^2", "Axial moment of inertia of the front wheel"),
     // What may stand in the place of one of the others.
-    Name::new("lam", "rad", "Steer axis tilt").or(&["lambda", "lamda", "λ"]).optional(),
+    Name::new("lam", "rad", "Steer axis tilt").or(&["lambda", "lamda", "λ", "caster_angle"]).optional(),
     Name::new("trail", "m", "Trail").or(&["c"]).printed("mm").optional(),
     Name::new("rR", "m", "Radius of the rear wheel").positive().optional(),
     Name::new("rF", "m", "Radius of the front wheel").positive().optional(),

@@ -131,9 +131,7 @@ impl Naming {
                 if let Some(why) = OTHERS.iter().find_map(|convention| fixed(name, convention.known(name)?)) {
                     return why;
                 }
-                let names = OTHERS.iter().flat_map(|convention| convention.names).map(|known| known.name);
-                let hint = nearest(name, names).filter(|hint| *hint != name);
-                without + &hint.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default()
+                without + &meant(name).unwrap_or_default()
             }
             (several, [_]) => format!("`{name}` means several things: it is a name of {}", titles(several)),
             (of, foreign) => {
@@ -222,6 +220,14 @@ pub fn hint(name: &str, info: &ModelInfo) -> Option<String> {
             "; it is one of {}, in which a file has all parameters; `--set {name}=…` changes it of another bicycle",
             convention.title
         ));
+    }
+    meant(name)
+}
+
+/// What was probably meant by a name that nobody has, as the end of a sentence.
+fn meant(name: &str) -> Option<String> {
+    if name.eq_ignore_ascii_case("caster") || name.eq_ignore_ascii_case("castor") {
+        return Some("; did you mean `trail`, a length, or `caster_angle`, the tilt of the steer axis?".to_owned());
     }
     let names = OTHERS.iter().flat_map(|convention| convention.names).map(|known| known.name);
     let meant = nearest(name, names).filter(|meant| *meant != name)?;

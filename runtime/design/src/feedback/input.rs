@@ -4,6 +4,7 @@ use carvallo::ModelInfo;
 use carvallo::simulation::Machine;
 
 use crate::model::Shipped;
+use crate::motion_names::is_called;
 use crate::nearest::nearest;
 
 /// What a force acts on.
@@ -28,7 +29,7 @@ impl Input {
     /// If there is none: that, and those that there are.
     pub fn called(name: &str, info: &ModelInfo) -> Result<Self, String> {
         let all = Self::all(info);
-        let is_called = |input: &&Self| input.names(info).iter().any(|own| own.eq_ignore_ascii_case(name));
+        let is_called = |input: &&Self| input.names(info).iter().any(|own| is_called(own, own, name));
         all.iter().find(is_called).copied().ok_or_else(|| {
             let names: Vec<Vec<String>> = all.iter().map(|input| input.names(info)).collect();
             let hint = nearest(name, names.iter().flatten().map(String::as_str));
@@ -38,17 +39,23 @@ impl Input {
         })
     }
 
-    /// What it may be called, its own name first: on a coordinate `Tdelta` for a torque, else `Fy`, then `delta`, `steer`, and as the
-    /// mechanism has it.
+    /// What it may be called, its own name first: on a coordinate `Tdelta` for a torque, else `Fy`, then `delta`, `steer`, `steer torque`, and
+    /// as the mechanism has it.
     pub fn names(self, info: &ModelInfo) -> Vec<String> {
         match self {
             Self::Applied(force) => vec![info.forces[force].name.to_owned(), info.forces[force].label.to_owned()],
             Self::Coordinate(place) => {
                 let coordinate = &info.coordinates[place];
-                let [own, other] = if coordinate.unit == "rad" { ["T", "F"] } else { ["F", "T"] };
-                let name = coordinate.name;
-                let usual =
-                    [format!("{own}{name}"), format!("{other}{name}"), name.to_owned(), coordinate.label.to_owned()];
+                let (own, other, kind) =
+                    if coordinate.unit == "rad" { ("T", "F", "torque") } else { ("F", "T", "force") };
+                let (name, label) = (coordinate.name, coordinate.label);
+                let usual = [
+                    format!("{own}{name}"),
+                    format!("{other}{name}"),
+                    name.to_owned(),
+                    label.to_owned(),
+                    format!("{label} {kind}"),
+                ];
                 let declared = info.forces.iter().filter(|force| force.position == name);
                 usual
                     .into_iter()

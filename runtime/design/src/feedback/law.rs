@@ -5,6 +5,7 @@ use carvallo::{CoordinateInfo, MatrixName, ModelInfo, States};
 use super::parse::{Symbol, parse};
 use super::terms::{Motion, Term};
 use super::{Gain, Input};
+use crate::motion_names::{is_called, of_rate};
 use crate::nearest::nearest;
 use crate::number::unit;
 use crate::quantity::units;
@@ -50,11 +51,8 @@ fn symbol(name: &str, info: &ModelInfo) -> Result<Symbol, String> {
     if name == "v" {
         return Ok(Symbol::Speed);
     }
-    let stem = ["_rate", "_dot", "dot", "'"].iter().find_map(|ending| name.strip_suffix(ending));
-    let called = |wanted: &str| {
-        let is_called = |own: &CoordinateInfo| own.name == wanted || own.label.eq_ignore_ascii_case(wanted);
-        info.coordinates.iter().position(is_called)
-    };
+    let stem = of_rate(name);
+    let called = |wanted: &str| info.coordinates.iter().position(|own| is_called(own.name, own.label, wanted));
     // A coordinate may itself end like a rate.
     if let Some((coordinate, is_rate)) =
         called(name).map(|own| (own, false)).or_else(|| stem.and_then(called).map(|own| (own, true)))

@@ -45,11 +45,18 @@ impl Part {
 pub fn measured(text: &str, context: Context) -> Result<Measured, Mistake> {
     // Typeset tables have a minus sign of their own.
     let text = text.replace('−', "-");
-    let text = text.trim();
+    let text = unquoted(&text);
     match split_outside(text, ',')[..] {
         [_] => single(text, context),
         ref list => average(text, list, context),
     }
+}
+
+/// A value without the quotes that somebody put around it, as within `--initial "delta='5 deg'"`.
+pub fn unquoted(text: &str) -> &str {
+    let text = text.trim();
+    let inside = |quote: char| text.strip_prefix(quote)?.strip_suffix(quote);
+    ['\'', '"'].into_iter().find_map(inside).map_or(text, str::trim)
 }
 
 /// The value of a number or an expression without a standard deviation, in the declared unit.

@@ -39,7 +39,7 @@ pub use self::decimals::{ambiguous, signs};
 #[cfg(feature = "full")]
 pub use self::heading::{headed, is_unit};
 pub use self::literal::TOO_SMALL;
-pub use self::measured::{Measured, Part, check_parts, has_deviation, measured, number};
+pub use self::measured::{Measured, Part, check_parts, has_deviation, measured, number, unquoted};
 pub use self::mistake::{Mistake, Reason};
 pub use self::range::{Steps, check_commas, check_units};
 #[cfg(feature = "full")]

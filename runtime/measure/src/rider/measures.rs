@@ -29,6 +29,8 @@ const PLACES: [&str; 3] = ["pedals", "saddle", "hands"];
 /// No rider has a length, and no bicycle a place, of more than this in m, and nobody a larger mass in kg.
 const FARTHEST: f64 = 3.0;
 const HEAVIEST: f64 = 500.0;
+/// More slips of one unit are told as one.
+const SEPARATE: usize = 2;
 
 const MASS: ParameterInfo = ParameterInfo::new("mass", "kg", Domain::POSITIVE);
 const LEAN: ParameterInfo =
@@ -60,7 +62,7 @@ impl<'a> Measures<'a> {
     /// # Errors
     /// Everything that is wrong with names and values, and what is missing.
     pub fn read(Raw { label, members }: Raw, sources: &'a Sources) -> Result<Self, Failure> {
-        let mut reader = Reader { sources, members, missing: Vec::new(), problems: Vec::new() };
+        let mut reader = Reader { sources, members, missing: Vec::new(), problems: Vec::new(), too_long: Vec::new() };
         let name = match reader.take("name").map(|member| member.node.value) {
             Some(Value::Text(text)) => text,
             _ => "rider".to_owned(),
@@ -69,7 +71,8 @@ impl<'a> Measures<'a> {
         let lean = reader.number(&LEAN);
         let lengths = LENGTHS.each_ref().map(|info| reader.number(info));
         let places = PLACES.map(|name| reader.place(name));
-        let Reader { members, missing, mut problems, .. } = reader;
+        let Reader { members, missing, mut problems, too_long, .. } = reader;
+        problems.extend(in_another_unit(too_long));
         let known = || ["mass", "lean"].into_iter().chain(LENGTHS.iter().map(|info| info.name)).chain(PLACES);
         for Named { name, node } in members.into_iter().filter(|member| !matches!(&member.name[..], "kind" | "source"))
         {
@@ -94,6 +97,15 @@ struct Reader<'a> {
     members: Vec<Named>,
     missing: Vec<&'static str>,
     problems: Vec<Problem>,
+    /// Lengths that nobody has, most likely for being in another unit.
+    too_long: Vec<Length>,
+}
+
+/// A length that was measured.
+struct Length {
+    name: String,
+    place: Place,
+    value: f64,
 }
 
 impl<'a> Reader<'a> {
@@ -112,11 +124,18 @@ impl<'a> Reader<'a> {
     }
 
     fn judge(&mut self, Named { name, node: Node { place, value } }: Named, info: &ParameterInfo) -> Uncertain<'a> {
+        if info.unit == "rad"
+            && let Some(message) = in_radians(&name, &value)
+        {
+            self.problems.push(Problem { place: place.clone(), message });
+        }
         let value = if info.unit == "rad" { in_degrees(value) } else { value };
         let (called, found_at) = (name.clone(), place.clone());
         match (Named { name, node: Node { place, value } }).judge(info) {
             Ok(Given { value, deviation, .. }) => {
-                if let Some(message) = doubt(&called, value, info) {
+                if info.unit == "m" && value.abs() > FARTHEST {
+                    self.too_long.push(Length { name: called, place: found_at, value });
+                } else if let Some(message) = doubt(&called, value, info) {
                     self.problems.push(Problem { place: found_at, message });
                 }
                 self.sources.measured(value, deviation.map_or(0.0, |deviation| deviation.value))
@@ -150,17 +169,40 @@ impl<'a> Reader<'a> {
     }
 }
 
+/// What is said of lengths that are too long: of each, or of many at once.
+fn in_another_unit(lengths: Vec<Length>) -> Vec<Problem> {
+    let longest = lengths.iter().map(|length| length.value.abs()).fold(0.0, f64::max);
+    let (unit, count) = (if longest > 100.0 * FARTHEST { "mm" } else { "cm" }, lengths.len());
+    let told = |Length { name, place, value }: Length| {
+        let (shown, number) = (with_unit(value, "m"), shortest(value));
+        let one = format!("`{name}` is {shown}; it must be at most {FARTHEST} m");
+        let message = match count > SEPARATE {
+            true => format!(
+                "{one}, and so must {} more numbers: if they are in {unit}, write the unit behind each, as in \"{number} {unit}\"",
+                count - 1
+            ),
+            false => format!("{one}: if it is in {unit}, write \"{number} {unit}\""),
+        };
+        Problem { place, message }
+    };
+    lengths.into_iter().map(told).take(if count > SEPARATE { 1 } else { count }).collect()
+}
+
+/// That a plain number of degrees was probably meant in radians.
+fn in_radians(name: &str, value: &Value) -> Option<String> {
+    let (Value::Text(text) | Value::Number(text)) = value else { return None };
+    let radians = text.trim().parse().ok().filter(|radians| (0.0..std::f64::consts::PI).contains(radians))?;
+    let degrees = shortest((10.0 * f64::to_degrees(radians)).round() / 10.0);
+    Some(format!(
+        "`{name}` is {text} deg, since plain numbers are in degrees; for {degrees} degrees write \"{text} rad\", or \"{text} deg\" \
+         if that is meant"
+    ))
+}
+
 /// What no rider on a bicycle has, most likely for being in another unit or counted the other way.
 fn doubt(name: &str, value: f64, info: &ParameterInfo) -> Option<String> {
     let shown = with_unit(value, info.unit);
     match info.unit {
-        "m" if value.abs() > FARTHEST => {
-            let unit = if value.abs() > 100.0 * FARTHEST { "mm" } else { "cm" };
-            let number = shortest(value);
-            Some(format!(
-                "`{name}` is {shown}; it must be at most {FARTHEST} m: if it is in {unit}, write \"{number} {unit}\""
-            ))
-        }
         "kg" if value > HEAVIEST => Some(format!("`{name}` is {shown}; it must be at most {HEAVIEST} kg; is it in g?")),
         "m" if info.name == "z" && value > 0.0 => Some(format!(
             "`{name}` is {shown}, below the ground; z is counted down, so that what is above it is negative"

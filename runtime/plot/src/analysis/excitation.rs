@@ -4,7 +4,7 @@ use carvallo_control::{Order, Ports, ShownIn, Signal, StateSpace};
 use carvallo_design::quantity::{self, Context, Mistake, Reason, no_names};
 use carvallo_design::{Design, Failure, Place, Problem, nearest, number};
 
-use crate::analysis::simulation::{Quantity, value};
+use crate::analysis::simulation::{Quantity, doubt, value};
 
 /// What a response is to.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,6 +72,18 @@ impl Excitation {
             return Err(Failure::Input(problems));
         }
         Ok(Self::Initial(state.into_iter().map(|value| value.unwrap_or(0.0)).collect()))
+    }
+
+    /// What of a state that is given is probably in another unit than was meant.
+    pub fn doubts(given: &[String], design: &Design) -> Vec<String> {
+        let ports = Ports::of(design);
+        let doubtful = |option: &String| {
+            let (name, text) = option.split_once('=')?;
+            let output = ports.output(name).ok().filter(|output| output.order == Order::Position)?;
+            let carvallo_control::Quantity { name, label, unit } = ports.quantities[output.quantity];
+            doubt(text, &Quantity::new(name, label, unit))
+        };
+        given.iter().filter_map(doubtful).collect()
     }
 }
 

@@ -5,7 +5,7 @@ use std::path::Path;
 use carvallo::simulation::{Force, ForceError};
 use carvallo_design::number::shortest;
 use carvallo_design::quantity::{self, Context, Mistake, Reason, no_names};
-use carvallo_design::{Place, Problem, nearest};
+use carvallo_design::{Place, Problem, is_called, nearest};
 
 /// A force that may be given: its names, the first of which is its own, and its unit.
 #[derive(Clone, Debug)]
@@ -48,7 +48,7 @@ pub fn forces(
 fn split<'a>(option: &'a str, channels: &[Channel], model: &str) -> Result<(usize, &'a str), String> {
     let (name, text) = option.split_once('=').ok_or("expected NAME=VALUE or NAME=FILE.csv, such as delta=2")?;
     let name = name.trim();
-    let found = channels.iter().position(|channel| channel.names.iter().any(|own| own.eq_ignore_ascii_case(name)));
+    let found = channels.iter().position(|channel| channel.names.iter().any(|own| is_called(own, own, name)));
     let index = found.ok_or_else(|| {
         let hint = nearest(name, channels.iter().flat_map(|channel| channel.names.iter().map(String::as_str)));
         let hint = hint.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default();

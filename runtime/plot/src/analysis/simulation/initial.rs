@@ -1,7 +1,10 @@
 //! The state at the beginning: `phi=5 deg`, `phi_rate=0.5`.
 
-use carvallo_design::quantity::{self, Context, Mistake, Reason, no_names};
-use carvallo_design::{Place, Problem, nearest};
+use std::f64::consts::FRAC_PI_2;
+
+use carvallo_design::number::shortest;
+use carvallo_design::quantity::{self, Context, Mistake, Reason, no_names, unquoted};
+use carvallo_design::{Place, Problem, is_called, nearest, of_rate};
 
 use super::motion::Quantity;
 
@@ -23,12 +26,15 @@ pub struct Initial {
     pub positions: Vec<f64>,
     /// In SI units.
     pub rates: Vec<f64>,
+    /// What is probably in another unit than was meant.
+    pub doubts: Vec<String>,
 }
 
 /// # Errors
 /// Everything that is wrong.
 pub fn initial(options: &[String], givable: &[Givable], model: &str) -> Result<Initial, Vec<Problem>> {
-    let mut state = Initial { positions: vec![0.0; givable.len()], rates: vec![0.0; givable.len()] };
+    let [positions, rates] = [(); 2].map(|()| vec![0.0; givable.len()]);
+    let mut state = Initial { positions, rates, doubts: Vec::new() };
     let mut given = vec![[false; 2]; givable.len()];
     let mut problems = Vec::new();
     for option in options {
@@ -38,6 +44,8 @@ pub fn initial(options: &[String], givable: &[Givable], model: &str) -> Result<I
             if std::mem::replace(&mut given[index][usize::from(is_rate)], true) {
                 return Err("it is given twice".to_owned());
             }
+            let doubt = if is_rate { None } else { doubt(text, &givable[index].quantity) };
+            state.doubts.extend(doubt);
             Ok((index, is_rate, value))
         });
         match read {
@@ -53,15 +61,13 @@ pub fn initial(options: &[String], givable: &[Givable], model: &str) -> Result<I
 fn split<'a>(option: &'a str, givable: &[Givable], model: &str) -> Result<(usize, bool, &'a str), String> {
     let (name, text) = option.split_once('=').ok_or("expected NAME=VALUE, such as phi=0.1 or phi_rate=0.5")?;
     let name = name.trim();
-    let (stem, is_rate) = match name.strip_suffix("_rate").or_else(|| name.strip_suffix('\'')) {
-        Some(stem) => (stem, true),
-        None => (name, false),
+    let called = |stem: &str| {
+        let is_called = |givable: &Givable| is_called(givable.quantity.name, givable.quantity.label, stem);
+        givable.iter().position(is_called)
     };
-    let is_called = |givable: &Givable| {
-        let Quantity { name, label, .. } = givable.quantity;
-        name == stem || label.eq_ignore_ascii_case(stem)
-    };
-    let Some(index) = givable.iter().position(is_called) else {
+    // A position may itself end like a rate.
+    let found = called(name).map(|index| (index, false));
+    let Some((index, is_rate)) = found.or_else(|| Some((called(of_rate(name)?)?, true))) else {
         return Err(unknown(name, givable, model));
     };
     let (can_be, what) = match is_rate {
@@ -85,12 +91,24 @@ fn unknown(name: &str, givable: &[Givable], model: &str) -> String {
     format!("`{name}` is no position or rate of {model}{hint}\nthey are {}", names.join(", "))
 }
 
+/// What is to be known of the text of a position that seems to be in degrees: a plain number of radians by which nothing leans and
+/// nothing is steered. Wheels may have turned by any angle, and machines go anywhere.
+pub fn doubt(text: &str, quantity: &Quantity) -> Option<String> {
+    let text = text.trim();
+    let radians: f64 = text.parse().ok().filter(|radians: &f64| quantity.unit == "rad" && radians.abs() > FRAC_PI_2)?;
+    let may_be_any = ["wheel", "yaw"].iter().any(|word| quantity.label.contains(word));
+    let degrees = shortest((10.0 * radians.to_degrees()).round() / 10.0);
+    let message =
+        format!("`{}` is {text} rad, which is {degrees} degrees; for degrees write `{text} deg`", quantity.name);
+    (!may_be_any).then_some(message)
+}
+
 /// The value of a position or a rate in SI units.
 ///
 /// # Errors
 /// What is wrong with it.
 pub fn value(text: &str, quantity: &Quantity, is_rate: bool) -> Result<f64, String> {
-    let text = text.trim();
+    let text = unquoted(text);
     let unit = if is_rate { quantity.unit_per_time(1) } else { quantity.unit.to_owned() };
     // Degrees are a part of expressions, and what they are divided by is none.
     let per_second = text.strip_suffix("/s").filter(|angle| {
@@ -117,7 +135,7 @@ pub fn value(text: &str, quantity: &Quantity, is_rate: bool) -> Result<f64, Stri
 
 #[cfg(test)]
 mod tests {
-    use super::{Givable, initial};
+    use super::{Givable, doubt, initial};
     use crate::analysis::simulation::Quantity;
 
     fn read(options: &[&str]) -> Result<(Vec<f64>, Vec<f64>), Vec<String>> {
@@ -137,7 +155,23 @@ mod tests {
         let given = read(&["phi=2 deg", "lean_rate=3 deg/s", "y = 10 cm", "y_rate=-1 km/h"]);
         assert_eq!(given, Ok((vec![degrees(2.0), 0.1, 0.0], vec![degrees(3.0), -1.0 / 3.6, 0.0])));
         assert_eq!(read(&["phi_rate=pi/10"]).map(|(_, rates)| rates[0]), Ok(std::f64::consts::PI / 10.0));
-        assert_eq!(read(&["phi'=0.5 rad/s"]).map(|(_, rates)| rates[0]), Ok(0.5));
+        for rate in ["phi'=0.5 rad/s", "phi_dot=0.5", "phidot=0.5", "roll_rate=0.5", "Lean rate = '0.5 rad/s'"] {
+            assert_eq!(read(&[rate]).map(|(_, rates)| rates[0]), Ok(0.5), "{rate}");
+        }
+        assert_eq!(read(&["heading='2 deg'", "roll=0"]).map(|(positions, _)| positions[2]), Ok(degrees(2.0)));
+    }
+
+    #[test]
+    fn degrees_without_a_unit_are_doubted() {
+        let lean = Quantity::new("phi", "lean", "rad");
+        let told = "`phi` is 5 rad, which is 286.5 degrees; for degrees write `5 deg`";
+        assert_eq!(doubt(" 5", &lean).as_deref(), Some(told));
+        for text in ["1.5", "-1.5", "5 deg", "pi", "5 rad"] {
+            assert_eq!(doubt(text, &lean), None, "{text}");
+        }
+        for (name, label, unit) in [("thetaR", "rear wheel", "rad"), ("psi", "yaw", "rad"), ("x", "x", "m")] {
+            assert_eq!(doubt("5", &Quantity::new(name, label, unit)), None);
+        }
     }
 
     #[test]

@@ -150,7 +150,7 @@ impl Solver for Linear {
             rows: snapshots.iter().map(told).collect(),
             events: events.collect(),
             end,
-            notes: Vec::new(),
+            notes: initial.doubts.clone(),
             design,
         })
     }

@@ -11,7 +11,7 @@ mod watch;
 
 pub use self::contacts::paths;
 pub use self::force::Channel;
-pub use self::initial::{Givable, Initial, value};
+pub use self::initial::{Givable, Initial, doubt, value};
 pub use self::linear::Linear;
 pub use self::motion::{Motion, Quantity, Row};
 pub use self::nonlinear::Nonlinear;

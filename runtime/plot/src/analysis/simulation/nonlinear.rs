@@ -135,7 +135,7 @@ impl Solver for Nonlinear<'_> {
             )));
         }
         let start = self.state(given, speed).map_err(fail)?;
-        let mut notes = Vec::new();
+        let mut notes = given.initial.doubts.clone();
         let names: Vec<String> = (0..given.watches.len())
             .filter(|_| cfg!(feature = "events"))
             .map(|place| format!("{WATCHED}{place}"))
