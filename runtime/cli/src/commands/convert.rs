@@ -17,6 +17,7 @@ Parameterizations:
   pydy        WRrad, framecg1, … of PyDy's bicycle and of the tests of SymPy
   principal   Principal radii of gyration and angles, as Moore & Hubbard (2019)
   gyrostats   Each wheel with its frame as one body (Peterson): rr, lr, IDxx, …
+  libbicycle  The same as Peterson's newer library has them: rear_Ixx, …, front_Ixx, …, ls
   jbike6      The seven bodies of JBike6, y upward; as a script of MATLAB, its own form
   geometry    Head angle, fork offset, wheel base and wheel sizes, as manufacturers print them
 
@@ -39,7 +40,7 @@ Exit codes: 0 done; 1 a file cannot be read or written; 2 wrong usage or input, 
 pub struct Options {
     #[command(flatten)]
     design: DesignOptions,
-    /// The parameterization: paper, moore, pydy, principal, gyrostats, jbike6 or geometry
+    /// The parameterization: paper, moore, pydy, principal, gyrostats, libbicycle, jbike6 or geometry
     #[arg(long, value_name = "NAME")]
     to: String,
     /// toml, json, yaml, csv, python, matlab or text [default: by the ending of --output, or toml; matlab for jbike6]

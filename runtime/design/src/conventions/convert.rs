@@ -1,7 +1,6 @@
 //! From a design to any convention.
 
 use super::carried::{Carried, deviations};
-use super::gyrostats::GYROSTATS;
 use super::name::{Name, Values};
 use super::read::has_paper;
 use super::{Convention, SPLIT};
@@ -64,7 +63,7 @@ pub fn convert(design: &Design, convention: &'static Convention) -> Result<Conve
     }
     if let Some(reading) = &design.reading
         && !reading.assumed.is_empty()
-        && reading.convention.name != convention.name
+        && !convention.is_of_gyrostats()
     {
         let settings: Vec<String> = reading.assumed.iter().map(|name| format!("--set {name}=…")).collect();
         return Err(fail(format!(
@@ -91,7 +90,7 @@ pub fn convert(design: &Design, convention: &'static Convention) -> Result<Conve
         let name = |info: &carvallo::ParameterInfo| Name::new(info.name, info.unit, info.docs.trim());
         info.parameters.iter().zip(values).map(|(info, given)| Parameter { name: name(info), given }).collect()
     } else {
-        let is_kept = |name: &&Name| convention.name != GYROSTATS.name || !SPLIT.contains(&name.name);
+        let is_kept = |name: &&Name| !convention.is_of_gyrostats() || !SPLIT.contains(&name.name);
         let parameter = |name: &Name| Some(Parameter { given: computed(name)?, name: *name });
         convention.names.iter().filter(is_kept).filter_map(parameter).collect()
     };
@@ -119,7 +118,7 @@ fn loss(convention: &Convention, design: &Design) -> Option<&'static str> {
         "principal" => Some(
             "rear frame and person are one body in the paper: all of it is the frame D, and the person P has no mass",
         ),
-        "gyrostats" if design.reading.as_ref().is_none_or(|reading| reading.assumed.is_empty()) => Some(
+        "gyrostats" | "libbicycle" if design.reading.as_ref().is_none_or(|reading| reading.assumed.is_empty()) => Some(
             "two gyrostats do not tell `mR`, `IRxx`, `mF` and `IFxx`, on which no motion depends: with them the way back is open",
         ),
         "jbike6" => Some(

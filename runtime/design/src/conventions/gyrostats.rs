@@ -25,7 +25,15 @@ pub const GYROSTATS: Convention = Convention {
 /// What a file of gyrostats need not have, and what four bodies cannot be told from them without.
 pub const SPLIT: [&str; 4] = ["mR", "IRxx", "mF", "IFxx"];
 
-const EDGED: Need = Need::Zero("wheels are edged here, and a crown is not part of the model");
+pub const EDGED: Need = Need::Zero("wheels are edged here, and a crown is not part of the model");
+
+/// The wheels by themselves.
+pub const WHEELS: [Name; 4] = [
+    Name::new(SPLIT[0], "kg", "Mass of the rear wheel alone").not_negative().optional(),
+    Name::new(SPLIT[1], "kg*m^2", "Radial moment of inertia of the rear wheel alone").optional(),
+    Name::new(SPLIT[2], "kg", "Mass of the front wheel alone").not_negative().optional(),
+    Name::new(SPLIT[3], "kg*m^2", "Radial moment of inertia of the front wheel alone").optional(),
+];
 
 const NAMES: &[Name] = &[
     Name::new("rr", "m", "Radius of the rear wheel").positive(),
@@ -50,10 +58,10 @@ const NAMES: &[Name] = &[
     Name::new("IExz", "kg*m^2", "Product of inertia of the front wheel and frame"),
     Name::new("IFyy", "kg*m^2", "Axial moment of inertia of the front wheel"),
     Name::new("g", "N/kg", "Gravitational field strength").or(&["gravity"]).optional(),
-    Name::new("mR", "kg", "Mass of the rear wheel alone").not_negative().optional(),
-    Name::new("IRxx", "kg*m^2", "Radial moment of inertia of the rear wheel alone").optional(),
-    Name::new("mF", "kg", "Mass of the front wheel alone").not_negative().optional(),
-    Name::new("IFxx", "kg*m^2", "Radial moment of inertia of the front wheel alone").optional(),
+    WHEELS[0],
+    WHEELS[1],
+    WHEELS[2],
+    WHEELS[3],
     Name::extra("rrt", "m", EDGED),
     Name::extra("rft", "m", EDGED),
 ];

@@ -22,6 +22,7 @@ mod geometry;
 mod gyrostats;
 mod held;
 mod jbike6;
+mod libbicycle;
 mod moore;
 mod moved;
 mod name;
@@ -101,8 +102,15 @@ pub const PAPER: &Convention = &Convention {
 };
 
 /// All others.
-const OTHERS: [&Convention; 6] =
-    [&moore::MOORE, &pydy::PYDY, &principal::PRINCIPAL, &gyrostats::GYROSTATS, &jbike6::JBIKE6, &geometry::GEOMETRY];
+const OTHERS: [&Convention; 7] = [
+    &moore::MOORE,
+    &pydy::PYDY,
+    &principal::PRINCIPAL,
+    &gyrostats::GYROSTATS,
+    &libbicycle::LIBBICYCLE,
+    &jbike6::JBIKE6,
+    &geometry::GEOMETRY,
+];
 
 /// What a file of two gyrostats need not have, and what four bodies cannot be told from them without.
 pub const SPLIT: [&str; 4] = gyrostats::SPLIT;
@@ -131,6 +139,11 @@ impl Convention {
         let hint = crate::nearest::nearest(name, names.iter().copied());
         let hint = hint.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default();
         format!("there is no parameterization `{name}`; there are {}{hint}", names.join(", "))
+    }
+
+    /// Whether it has two gyrostats, which do not tell how much of them the wheels are.
+    fn is_of_gyrostats(&self) -> bool {
+        SPLIT.iter().all(|name| self.known(name).is_some_and(|known| known.need == Need::Optional))
     }
 
     /// Whether it is that of the paper.

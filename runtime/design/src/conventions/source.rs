@@ -7,7 +7,7 @@ use carvallo::{Covariance, ModelInfo, ParameterInfo};
 use super::Convention;
 use super::carried::{Carried, deviations};
 use super::dual::Dual;
-use super::gyrostats::{GYROSTATS, SPLIT};
+use super::gyrostats::SPLIT;
 use super::name::{Name, Need, Values};
 use super::read::list;
 use crate::design::Given;
@@ -85,7 +85,7 @@ impl Source<'_> {
         Some(Paper {
             given: values,
             entries: paper.iter().filter(|(name, _)| info.position(name).is_some()).map(entry).collect(),
-            assumed: SPLIT.into_iter().filter(|name| convention.name == GYROSTATS.name && !is_given(name)).collect(),
+            assumed: SPLIT.into_iter().filter(|name| convention.is_of_gyrostats() && !is_given(name)).collect(),
             covariance: carried.covariance(info.parameters.iter().map(|parameter| parameter.name)),
         })
     }

@@ -54,6 +54,13 @@ pub enum Value {
     Other(&'static str),
 }
 
+/// Parts of a bicycle whose parameters may stand in a table of their own.
+const PARTS: [&str; 2] = ["rear", "front"];
+
+fn is_part(name: &str, members: &[Named]) -> bool {
+    PARTS.contains(&name.trim_end_matches('_')) && members.iter().all(|member| member.name != "value")
+}
+
 /// What a format calls its parts.
 pub struct Words {
     /// The group of the parameters.
@@ -119,10 +126,20 @@ impl Document {
         }
     }
 
-    /// A parameter by its value, or by a table with that and others: `{ value = …, std = …, unit = … }`.
+    /// A parameter by its value, or by a table with that and others: `{ value = …, std = …, unit = … }`; or those of a part that has
+    /// its own, as attributes: `rear.m`.
     fn take(&mut self, name: String, place: Place, value: Value, words: &Words) {
-        let entry = self.entry_of(name, place, value, words);
-        self.entries.push(entry);
+        match value {
+            Value::Table(members) if is_part(&name, &members) => {
+                for Named { name: own, node } in members {
+                    self.take(format!("{name}.{own}"), node.place, node.value, words);
+                }
+            }
+            value => {
+                let entry = self.entry_of(name, place, value, words);
+                self.entries.push(entry);
+            }
+        }
     }
 
     /// The same, without taking it.
