@@ -208,7 +208,7 @@ impl Mechanism {
     fn stand(&self, state: &mut State, standing: &[usize]) {
         let heights = |state: &State| {
             let kinematics = Kinematics::new(self, state);
-            let heights = self.contacts.iter().map(|contact| kinematics.touch(contact).place.z);
+            let heights = self.contacts.iter().map(|contact| kinematics.touch(contact).place.z - contact.ground);
             DMatrix::from_iterator(self.contacts.len(), 1, heights)
         };
         // Newton's method, which is at the last digit after one step from 1e-4 rad, and after two from half a radian.

@@ -134,6 +134,8 @@ pub struct Contact {
     pub radius: f64,
     /// Radius of the tyre's circular cross-section.
     pub tyre: f64,
+    /// How deep the level ground below it lies: other wheels may roll on another step.
+    pub ground: f64,
     /// How it slips sideways; a wheel that does not, rolls.
     pub slip: Option<Slip>,
 }
@@ -199,7 +201,7 @@ impl Mechanism {
         let joint = self.joint(Joint::revolute(Some(wheel.carrier), centre, Vector3::y()));
         let inertia = Matrix3::from_diagonal(&Vector3::new(wheel.transverse, wheel.axial, wheel.transverse));
         self.body(Body { joint, mass: wheel.mass, centre, inertia });
-        self.contacts.push(Contact { joint, centre, radius: wheel.radius, tyre: wheel.tyre, slip: None });
+        self.contacts.push(Contact { joint, centre, radius: wheel.radius, tyre: wheel.tyre, ground: 0.0, slip: None });
         joint
     }
 

@@ -58,7 +58,12 @@ pub fn declaration(source: &str) -> &str {
 }
 
 /// Whether each matrix agrees with another one, to a part of the largest entry of that.
-fn assert_close<const N: usize>(found: &Coefficients<f64, N>, expected: &Coefficients<f64, N>, part: f64, what: &str) {
+pub fn assert_close<const N: usize>(
+    found: &Coefficients<f64, N>,
+    expected: &Coefficients<f64, N>,
+    part: f64,
+    what: &str,
+) {
     let matrices = |c: &Coefficients<f64, N>| [c.m, c.cm1, c.c0, c.c1, c.kc, c.k0, c.k1, c.k2];
     let names = ["M", "C-1", "C0", "C1", "Kc", "K0", "K1", "K2"];
     for ((found, expected), name) in matrices(found).into_iter().zip(matrices(expected)).zip(names) {
