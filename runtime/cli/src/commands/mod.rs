@@ -27,7 +27,7 @@ use std::process::ExitCode;
 
 use carvallo_design::{Failure, Place, Problem};
 use clap::builder::{Styles, styling::AnsiColor};
-use clap::error::{ContextKind, ContextValue};
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 
 use crate::terminal::{ERROR, note};
@@ -162,11 +162,16 @@ fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Arguments, Fai
 
 /// A problem that is told as those in files are: by the option as it was given.
 fn problem(error: &clap::Error) -> Option<Failure> {
-    let problem: &Problem = error.source()?.downcast_ref()?;
     let text = |kind| match error.get(kind) {
         Some(ContextValue::String(text)) => Some(text),
         _ => None,
     };
+    if error.kind() == ErrorKind::UnknownArgument && text(ContextKind::InvalidArg).is_some_and(|own| own == "--output")
+    {
+        let message = "the result of this command goes to the standard output: write `> FILE` behind it";
+        return Some(Failure::at(Place::Option("--output".to_owned()), message));
+    }
+    let problem: &Problem = error.source()?.downcast_ref()?;
     // `--set <NAME=VALUE>`
     let (argument, value) = (text(ContextKind::InvalidArg)?, text(ContextKind::InvalidValue)?);
     let option = argument.split(' ').next()?;

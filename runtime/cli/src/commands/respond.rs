@@ -1,7 +1,7 @@
 //! `carvallo respond`: responses to steps, impulses and initial states.
 
 use carvallo_control::{Ports, StateSpace};
-use carvallo_design::{Design, Failure};
+use carvallo_design::{Design, Failure, Place};
 use carvallo_plot::analysis::excitation::Excitation;
 use carvallo_plot::analysis::response::Responses;
 use carvallo_plot::{data, picture};
@@ -76,6 +76,7 @@ pub struct Options {
 }
 
 pub fn run(options: &Options) -> Result<(), Failure> {
+    sizes_are_attached(options)?;
     if let Some(picture) = &options.plot {
         picture.check(&options.ports.design)?;
     }
@@ -103,6 +104,21 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let doubts = Excitation::doubts(&options.initial, &design);
     responses.end.iter().chain(&doubts).for_each(|text| note(WARNING, "note", text));
     Ok(())
+}
+
+/// That no size stands where the design does: `--step 2`.
+fn sizes_are_attached(options: &Options) -> Result<(), Failure> {
+    let request = options.ports.design.request();
+    let number = request.parameters.filter(|name| name.parse::<f64>().is_ok());
+    let given = |size: &Option<String>| size.as_deref() == Some("1");
+    let option = [("--step", &options.step), ("--impulse", &options.impulse)].into_iter().find(|(_, size)| given(size));
+    match (option, number) {
+        (Some((option, _)), Some(number)) => {
+            let message = format!("its size stands behind an equals sign: {option}={number}");
+            Err(Failure::at(Place::Option(format!("{option} {number}")), message))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// What is asked for.

@@ -2,6 +2,7 @@
 
 use carvallo_design::quantity::{self, Context, Mistake, Reason, check_units, no_names};
 use carvallo_design::{Failure, Place};
+use carvallo_plot::analysis::simulation::{Quantity, doubt};
 use carvallo_plot::analysis::turns::Families;
 use carvallo_plot::{data, picture};
 use clap::Args;
@@ -60,6 +61,9 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         return Err(options.delivery.problem("the parameters are read from this file"));
     }
     let steers = options.steer.as_deref().map(steers).transpose()?;
+    let steer = Quantity::new("steer", "steer", "rad");
+    let doubts = options.steer.iter().flat_map(|text| text.split(',')).filter_map(|text| doubt(text, &steer));
+    doubts.for_each(|text| note(WARNING, "note", &text));
     let (units, shown) = (options.units.units()?, options.units.shown()?);
     let design = options.design.load()?;
     let families = Families::new(&design, steers.as_deref())?;

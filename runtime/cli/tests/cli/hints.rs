@@ -104,9 +104,12 @@ fn usual_names_are_understood() {
     let lines = |arguments: &[&str]| directory.run(arguments).ok();
     let own =
         lines(&["simulate", "--speed", "5", "--duration", "1", "--initial", "phi_rate=0.5", "--force", "Tdelta=1"]);
-    for (rate, torque) in
-        [("phi_dot", "steer_torque"), ("phidot", "steering torque"), ("roll_rate", "handlebar_torque")]
-    {
+    for (rate, torque) in [
+        ("phi_dot", "steer_torque"),
+        ("phidot", "steering torque"),
+        ("roll_rate", "handlebar_torque"),
+        ("phi'", "steer"),
+    ] {
         let (rate, torque) = (format!("{rate}=0.5"), format!("{torque}=1"));
         let arguments = ["simulate", "--speed", "5", "--duration", "1", "--initial", &rate, "--force", &torque];
         assert_eq!(lines(&arguments), own, "{rate}, {torque}");
@@ -148,6 +151,26 @@ fn states_in_degrees_are_hinted_at() {
     }
 }
 
+/// Of 5 degrees there is a turn, of 5 rad none.
+#[test]
+fn steers_in_degrees_are_hinted_at() {
+    let directory = Directory::of_this_test();
+    let run = directory.run(&["turns", "--steer", "0.1, 5", "--format", "csv"]);
+    assert_eq!(run.stderr, "note: `steer` is 5 rad, which is 286.5 degrees; for degrees write `5 deg`\n");
+    let turns = directory.run(&["turns", "--steer", "'5 deg'", "--format", "csv"]).ok();
+    assert!(turns.lines().count() > 1, "{turns}");
+}
+
+#[test]
+fn measurements_are_no_parameters() {
+    let directory = Directory::of_this_test();
+    let text = directory.run(&["measure", "--example"]).ok();
+    let line = text.lines().position(|line| line == "[measurements]").unwrap() + 1;
+    let message =
+        format!("mine.toml:{line}: these are measurements; `carvallo measure` makes parameters of such a file");
+    check_file("mine.toml", &text, &message);
+}
+
 #[test]
 fn options_of_others_are_hinted_at() {
     check_options(
@@ -155,6 +178,15 @@ fn options_of_others_are_hinted_at() {
         "--speed 5: it is the speed of --along; for eigenvalues at speeds write --speeds 5",
     );
     let directory = Directory::of_this_test();
+    let output = "error: --output: the result of this command goes to the standard output: write `> FILE` behind it\n";
+    for command in [&["analyze", "pista"][..], &["show", "pista"], &["rider", "me.toml"], &["measure", "mine.toml"]] {
+        directory.run(&[command, &["--output", "r.toml"]].concat()).fails(2, output);
+    }
+    let size = ["respond", "--speed", "5", "--input", "Tdelta", "--step", "2"];
+    let message = "error: --step 2: its size stands behind an equals sign: --step=2\n";
+    directory.run(&size).fails(2, message);
+    let message = "error: there is no file pista.toml; `pista` without an ending is the one that ships\n";
+    directory.run(&["analyze", "pista.toml"]).fails(2, message);
     for (file, language) in [("l.c", "c"), ("l.h", "c"), ("l.rs", "rust")] {
         let run = directory.run(&["lqr", "--speeds", "5", "--output", file]);
         run.fails(2, &format!("error: --output {file}: for source text write --emit {language}, too\n"));

@@ -145,7 +145,7 @@ fn files_that_are_not_in_their_format() {
     check_file("bike.yml", yaml.replace("mB: 85", "mB 85"), "bike.yml:13: `mB 85` is not of the form `name: value`");
     check_file("bike.txt", "w 1.02\n", "bike.txt:1: `w 1.02` is not of the form `name = value`");
     let unknown = "bike.yml:1: there is no parameterization `principle`; there are paper, moore, pydy, principal, \
-                   gyrostats, jbike6, geometry; did you mean `principal`?";
+                   gyrostats, libbicycle, jbike6, geometry; did you mean `principal`?";
     let indented = yaml.lines().map(|line| format!("  {line}\n")).collect::<String>();
     check_file("bike.yml", format!("parameterization: principle\nvalues:\n{indented}"), unknown);
     let outside = BENCHMARK.replace("[parameters]", "mass = 3\n[parameters]");

@@ -63,7 +63,9 @@ fn document(model: &Shipped, set: &SetInfo) -> Document {
 /// That nothing is called so, and what may have been meant.
 pub fn unknown(model: &Shipped, name: &str) -> String {
     if name.contains(['/', '\\', '.']) {
-        return format!("there is no file {name}");
+        let own = name.split('.').next().filter(|own| names(model).contains(own));
+        let hint = own.map(|own| format!("; `{own}` without an ending is the one that ships")).unwrap_or_default();
+        return format!("there is no file {name}{hint}");
     }
     let others = MODELS.iter().filter(|other| !other.is_called(model.info.name) && names(other).contains(&name));
     let others: Vec<String> = others.map(|other| format!("`--model {}`", other.info.name)).collect();

@@ -92,6 +92,9 @@ impl Document {
                 value if matrices::is_part(&name, &value, has_parameters) => {
                     self.parts.push(Named { name, node: Node { place, value } });
                 }
+                Value::Table(_) if name == "measurements" => {
+                    self.problem(place, "these are measurements; `carvallo measure` makes parameters of such a file")
+                }
                 #[cfg(feature = "full")]
                 Value::Table(inner) if has_parameters && name == "correlations" => self.correlations = inner,
                 _ if has_parameters && RESULTS.contains(&name.as_str()) => {}

@@ -76,7 +76,9 @@ impl<'a> Nonlinear<'a> {
         });
         let channels = info.forces.iter().map(|force| {
             let short = force.name.strip_prefix(['T', 'F']).filter(|short| !short.is_empty());
-            let names = [Some(force.name), short, Some(force.label), Some(force.position)].into_iter().flatten();
+            let position = info.positions.iter().find(|position| position.name == force.position);
+            let own = [Some(force.name), short, Some(force.label), Some(force.position)];
+            let names = own.into_iter().chain([position.map(|position| position.label)]).flatten();
             // As the linear equations have it on a coordinate.
             let on_coordinate = ["T", "F"].map(|letter| format!("{letter}{}", force.position));
             Channel { names: names.map(str::to_owned).chain(on_coordinate).collect(), unit: force.unit }
