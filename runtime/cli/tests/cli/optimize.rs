@@ -191,6 +191,18 @@ fn moores_names_have_their_optimum() {
     assert!(best <= least && least - best < 1e-3, "{best}, {least}");
 }
 
+/// At an end of the only range the stable range is widest, as a fine sweep says; no search may end before it.
+#[test]
+fn searches_come_to_an_end_of_a_range() {
+    let rows = sweep(&["--vary", "w=0.9:1.2:0.005"]);
+    let widest = rows.iter().filter_map(|row| width(row, 20.0)).fold(0.0, f64::max);
+    for starts in ["1", "8"] {
+        let found = optimum(&["--vary", "w=0.9:1.2", "--maximize", "stable-range", "--starts", starts]);
+        assert!((number(&found["goal"]["after"]) - widest).abs() < 1e-12, "{}", found["goal"]);
+        assert_eq!(found["search"]["agreeing"].to_string(), starts, "{}", found["search"]);
+    }
+}
+
 /// A chain stay that is too short to reach the axle.
 #[test]
 fn ranges_without_any_design_are_told() {

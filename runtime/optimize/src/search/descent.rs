@@ -60,10 +60,12 @@ impl Search<'_> {
             constraints.iter().map(|constraint| constraint as &dyn Func<()>).collect();
         let tolerances = StopTols { ftol_rel: 1e-13, xtol_abs: vec![1e-11; start.len()], ..StopTols::default() };
         let bounds = vec![(0.0, 1.0); start.len()];
+        *self.best_of_search.borrow_mut() = None;
         let end = match minimize(objective, &start, &bounds, &constraints, (), MOST, Some(tolerances)) {
             Ok((_, end, _)) | Err((_, end, _)) => end,
         };
-        self.at(&end[..count].iter().map(|share| share.clamp(0.0, 1.0)).collect::<Vec<f64>>())
+        let end = self.at(&end[..count].iter().map(|share| share.clamp(0.0, 1.0)).collect::<Vec<f64>>());
+        self.best_of_search.borrow_mut().take().filter(|_| aim != Aim::Stability).unwrap_or(end)
     }
 
     /// Where the ends of the stable range are among the speeds that count; all of these where there is none.

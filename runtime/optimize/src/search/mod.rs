@@ -59,6 +59,8 @@ struct Search<'a> {
     sign: f64,
     scales: Vec<f64>,
     best: RefCell<Option<Rc<Point>>>,
+    /// The best of the search that is running: the solver may end at a worse one, where it can go no further.
+    best_of_search: RefCell<Option<Rc<Point>>>,
     last: RefCell<Option<Rc<Point>>>,
     evaluations: Cell<u64>,
     /// Of each constraint whether any design keeps it.
@@ -79,6 +81,7 @@ impl<'a> Search<'a> {
             sign: if problem.goal.maximize { -1.0 } else { 1.0 },
             scales: scales.collect(),
             best: RefCell::default(),
+            best_of_search: RefCell::default(),
             last: RefCell::default(),
             evaluations: Cell::new(0),
             kept: RefCell::new(vec![false; problem.constraints.len()]),
@@ -110,8 +113,10 @@ impl<'a> Search<'a> {
         let holds = excess.iter().map(|excess| excess.is_some_and(|excess| excess <= 0.0));
         self.kept.borrow_mut().iter_mut().zip(holds).for_each(|(kept, holds)| *kept |= holds);
         let point = Rc::new(Point { shares: shares.to_vec(), varied, values, measures, measured, excess });
-        if self.is_better(&point) {
-            *self.best.borrow_mut() = Some(point.clone());
+        for best in [&self.best, &self.best_of_search] {
+            if self.is_better(&point, best.borrow().as_deref()) {
+                *best.borrow_mut() = Some(point.clone());
+            }
         }
         *self.last.borrow_mut() = Some(point.clone());
         point
@@ -127,9 +132,8 @@ impl<'a> Search<'a> {
         self.has_ended.get()
     }
 
-    fn is_better(&self, point: &Point) -> bool {
+    fn is_better(&self, point: &Point, best: Option<&Point>) -> bool {
         let value = |point: &Point| self.sign * point.value();
-        let best = self.best.borrow();
-        point.measured.is_some() && point.keeps_all() && best.as_ref().is_none_or(|best| value(point) < value(best))
+        point.measured.is_some() && point.keeps_all() && best.is_none_or(|best| value(point) < value(best))
     }
 }
