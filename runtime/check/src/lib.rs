@@ -8,6 +8,7 @@ pub mod machine;
 mod motion;
 pub mod predict;
 pub mod read;
+mod relation;
 mod report;
 mod states;
 

@@ -6,7 +6,7 @@ use carvallo::ModelInfo;
 use carvallo_design::Design;
 use carvallo_design::feedback::{Gain, Law};
 use carvallo_design::units::Units;
-use carvallo_slips::{FormulaSlip, Formulas, Subject, Values, index};
+use carvallo_slips::{FormulaSlip, Formulas, Subject, Values, index, place};
 
 use crate::conventions::{self, Convention};
 use crate::explain::Cause;
@@ -34,6 +34,8 @@ pub struct Machine {
     pub usual: Vec<Convention>,
     /// Entries and parameters that are mistaken by themselves.
     pub single: Vec<Convention>,
+    /// Of each place among the entries the formula.
+    places: Vec<Option<usize>>,
     slips: OnceLock<Vec<FormulaSlip>>,
     worlds: OnceLock<Worlds>,
     others: OnceLock<Vec<Machine>>,
@@ -84,7 +86,26 @@ impl Machine {
         let (parameters, feedback) = (parameters.to_vec(), feedback.to_vec());
         let (slips, worlds, others) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
         let (units, motion) = (Units::default(), Nonlinear::new(info));
-        Ok(Self { info, formulas, parameters, feedback, units, motion, values, usual, single, slips, worlds, others })
+        let entry = |at: usize| {
+            let (matrix, row, column) = place(at, formulas.count);
+            formulas.entry(matrix, row, column)
+        };
+        let places = (0..values.entries.len()).map(entry).collect();
+        Ok(Self {
+            info,
+            formulas,
+            parameters,
+            feedback,
+            units,
+            motion,
+            values,
+            usual,
+            single,
+            places,
+            slips,
+            worlds,
+            others,
+        })
     }
 
     /// Every slip of every formula, in their order; those of a formula that several entries share in all of them, and in
@@ -147,6 +168,11 @@ impl Machine {
             entries_of(gain, self.info, &self.parameters).iter().any(|(closed, _)| *closed == entry)
         });
         own.map(|(law, gain)| format!("{} of {}", conventions::term(gain, self.info), law.force(self.info).0)).collect()
+    }
+
+    /// The formula of the entry at a place, if the model has any.
+    pub fn formula(&self, place: usize) -> Option<usize> {
+        self.places[place]
     }
 
     /// The place of what a formula is of among the entries of a [`World`]; `None` of a definition.

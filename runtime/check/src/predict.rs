@@ -1,5 +1,6 @@
 //! The numbers that somebody should have: what the matrices of a machine make of each quantity that was given.
 
+use std::borrow::Cow;
 use std::cmp::Ordering;
 
 use carvallo::{Complex, CriticalKind, MatrixName, ModelInfo};
@@ -10,6 +11,7 @@ use carvallo_design::{Equations, Shipped};
 use crate::given::{Accelerations, Eigenvalues, Given, Kind, Quantity, Reading, StateMatrix, SystemMatrix};
 use crate::machine::{Machine, entries_of};
 use crate::motion::Nonlinear;
+use crate::relation::{Relation, relations};
 use crate::states::{order, states};
 use carvallo_slips::index;
 
@@ -30,6 +32,8 @@ pub struct Predictor<'a> {
     /// For each state of motion that has its accelerations by them, the nonlinear equations.
     nonlinear: Vec<Option<Exact<'a>>>,
     feedback: &'a [Law],
+    /// What is linear in the entries and holds where numbers agree: what does not as it is here first.
+    relations: Vec<Relation>,
 }
 
 /// Nonlinear equations, and what they make of the parameters as they are.
@@ -69,10 +73,15 @@ impl<'a> Predictor<'a> {
         let closing = machine.gains().map(|gain| entries_of(gain, info, &machine.parameters));
         let (closing, system) = (closing.collect(), matrices::model(&form));
         let (nonlinear, feedback) = (Vec::new(), &machine.feedback[..]);
-        let none = Vec::new();
-        let mut made = Self { given, numbers, tolerances: none, info, system, orders, closing, nonlinear, feedback };
+        let (tolerances, relations) = (Vec::new(), Vec::new());
+        let mut made =
+            Self { given, numbers, tolerances, info, system, orders, closing, nonlinear, feedback, relations };
         made.nonlinear = made.meant(machine);
-        made.tolerances = tolerances(&made.numbers, &made.predict(&machine.world()));
+        let world = machine.world();
+        made.tolerances = self::tolerances(&made.numbers, &made.predict(&world));
+        made.relations = self::relations(&made, info);
+        let entries = made.closed_entries(&world);
+        made.relations.sort_by_key(|own| own.holds(&entries, world.gravity));
         made
     }
 
@@ -146,11 +155,9 @@ impl<'a> Predictor<'a> {
 
     /// Whether all numbers agree.
     pub fn fits(&self, world: &World) -> bool {
-        // Entries cost nothing, and hardly anything passes them.
-        let entries =
-            self.numbers.iter().enumerate().filter_map(|(at, number)| Some((at, self.entry(number.0, world)?)));
-        let mut entries = entries.map(|(at, value)| self.agrees(at, value));
-        if !entries.all(|agrees| agrees) {
+        // These cost nothing, and hardly anything passes them.
+        let entries = self.closed_entries(world);
+        if !self.relations.iter().all(|own| own.holds(&entries, world.gravity)) {
             return false;
         }
         let has_others = self.numbers.iter().any(|(quantity, _)| !matches!(quantity, Quantity::Entry(..)));
@@ -187,10 +194,21 @@ impl<'a> Predictor<'a> {
         }
     }
 
+    /// What is linear in the entries of the closed loop and holds where all numbers agree, what is wrong here first.
+    pub fn relations(&self) -> &[Relation] {
+        &self.relations
+    }
+
+    /// The same of the entries of the open loop, which this closes.
+    pub fn relations_of_open_loop(&self, world: &World) -> Vec<Relation> {
+        let closing: Vec<(usize, f64)> = self.closed(world).collect();
+        self.relations.iter().map(|own| own.clone().of_open_loop(&closing, world.gravity)).collect()
+    }
+
     /// All entries with what feedback takes from them.
-    pub fn closed_entries(&self, world: &World) -> Vec<f64> {
-        let mut entries = world.entries.clone();
-        self.closed(world).for_each(|(entry, value)| entries[entry] -= value);
+    pub fn closed_entries<'w>(&self, world: &'w World) -> Cow<'w, [f64]> {
+        let mut entries = Cow::Borrowed(&world.entries[..]);
+        self.closed(world).for_each(|(entry, value)| entries.to_mut()[entry] -= value);
         entries
     }
 
@@ -210,14 +228,14 @@ impl<'a> Predictor<'a> {
     }
 
     /// What feedback takes from entries.
-    fn closed(&self, world: &World) -> impl Iterator<Item = (usize, f64)> {
+    pub fn closed(&self, world: &World) -> impl Iterator<Item = (usize, f64)> {
         let each = self.closing.iter().zip(&world.gains);
         each.flat_map(|(entries, value)| entries.iter().map(move |(entry, share)| (*entry, share * value)))
     }
 
     /// Hands the equations of the closed loop to a visitor.
     fn visit(&self, world: &World, visitor: &mut dyn FnMut(&dyn Equations)) -> Result<(), String> {
-        let mut parameters = self.closed_entries(world);
+        let mut parameters = self.closed_entries(world).into_owned();
         parameters.push(world.gravity);
         self.system.visit(&parameters, &mut |equations| {
             visitor(equations);

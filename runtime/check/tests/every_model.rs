@@ -3,7 +3,7 @@
 use carvallo_check::check_machine;
 use carvallo_check::given::{Given, Reading};
 use carvallo_check::machine::Machine;
-use carvallo_design::{MODELS, Shipped};
+use carvallo_design::{MODELS, Shipped, WHIPPLE};
 
 /// The matrices for parameters, to seven digits; `None` where they may not be.
 fn given(model: &Shipped, parameters: &[f64]) -> Option<Given> {
@@ -42,4 +42,18 @@ fn another_value_of_a_parameter_is_found_in_every_model() {
         }
         assert!(found > 0, "no parameter of {} shows in its matrices", info.name);
     }
+}
+
+/// A diameter for a radius is also twice the radius, and another value of it.
+#[test]
+fn another_value_is_told_once() {
+    let set = WHIPPLE.info.sets[0];
+    let radius = WHIPPLE.info.position("rF").expect("a radius");
+    let mut changed = set.values.to_vec();
+    changed[radius] *= 2.0;
+    let machine = Machine::with(WHIPPLE.info, set.values).expect("formulas that can be read");
+    let given = given(&WHIPPLE, &changed).expect("matrices");
+    let report = check_machine(&given, &machine).expect("a check");
+    let all = report.explanations.iter().flat_map(|group| &group.explanations).flat_map(|own| &own.causes);
+    assert_eq!(all.filter(|cause| cause.starts_with("rF is ")).count(), 1, "{report}");
 }

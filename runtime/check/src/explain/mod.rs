@@ -1,7 +1,8 @@
 //! The search for what makes the numbers that were given.
 
+mod acting;
+mod curve;
 mod double;
-mod linear;
 mod pairs;
 mod set;
 mod slips;
@@ -12,6 +13,7 @@ mod written;
 use std::cell::OnceCell;
 
 use self::unknown::Unknown;
+use crate::behind;
 use crate::conventions::Convention;
 use crate::machine::Machine;
 use crate::predict::{Predictor, World};
@@ -132,25 +134,15 @@ impl<'a, 'b> Search<'a, 'b> {
         found
     }
 
-    /// All numbers that do not agree, of which there are so many at most, written wrongly.
+    /// All numbers that do not agree, of which there are so many at most, written wrongly; or all of C and K that stand behind state
+    /// matrices.
     fn written(&self, predictor: &Predictor, most: usize) -> Vec<Found<'a>> {
-        let slips = written(predictor, &self.here);
-        let wrong = self.here.len() - predictor.agreeing(&self.here);
-        let explained: Vec<usize> = slips.iter().flat_map(|slip| slip.numbers.iter().copied()).collect();
-        let is_all = (0..self.here.len()).all(|at| predictor.agrees(at, self.here[at]) || explained.contains(&at));
-        if wrong > most || !is_all {
-            return Vec::new();
-        }
-        // Two that were exchanged are told once.
-        let mut left: Vec<usize> = explained;
-        let mut causes = Vec::new();
-        for slip in slips {
-            if slip.numbers.iter().all(|at| left.contains(at)) {
-                left.retain(|at| !slip.numbers.contains(at));
-                causes.push(Cause::Written(slip.what));
-            }
-        }
-        vec![Found { causes, world: self.machine.world() }]
+        let causes = all_written(predictor, &self.here, most).or_else(|| {
+            let given = behind::state_matrices(self.machine, predictor)?;
+            let behind = Predictor::new(&given, self.machine);
+            all_written(&behind, &behind.predict(&self.machine.world()), most)
+        });
+        causes.map(|causes| Found { causes, world: self.machine.world() }).into_iter().collect()
     }
 
     fn singles(&self) -> &[Found<'a>] {
@@ -236,4 +228,25 @@ impl<'a, 'b> Search<'a, 'b> {
         }
         found
     }
+}
+
+/// How all numbers that do not agree, some but so many at most, were written wrongly.
+fn all_written<'a>(predictor: &Predictor, here: &[f64], most: usize) -> Option<Vec<Cause<'a>>> {
+    let slips = written(predictor, here);
+    let wrong = here.len() - predictor.agreeing(here);
+    let explained: Vec<usize> = slips.iter().flat_map(|slip| slip.numbers.iter().copied()).collect();
+    let is_all = (0..here.len()).all(|at| predictor.agrees(at, here[at]) || explained.contains(&at));
+    if wrong == 0 || wrong > most || !is_all {
+        return None;
+    }
+    // Two that were exchanged are told once.
+    let mut left: Vec<usize> = explained;
+    let mut causes = Vec::new();
+    for slip in slips {
+        if slip.numbers.iter().all(|at| left.contains(at)) {
+            left.retain(|at| !slip.numbers.contains(at));
+            causes.push(Cause::Written(slip.what));
+        }
+    }
+    Some(causes)
 }

@@ -1,48 +1,63 @@
-//! A convention with a slip, or with another convention.
+//! A convention with a slip, or with another convention; and two entries that are mistaken.
 
+use super::acting::Acting;
 use super::{Cause, Found};
 use crate::conventions::{Convention, Effect};
-use crate::given::Quantity;
 use crate::machine::Machine;
 use crate::predict::{Predictor, World};
-use carvallo_slips::{FormulaSlip, Formulas};
+use carvallo_slips::FormulaSlip;
 
-/// All pairs of one of these conventions with another of them, or with a slip, or of an entry that is mistaken with a slip, with
-/// which everything fits.
+/// All pairs of one of these conventions with another of them, or with a slip, or of an entry that is mistaken with a slip or
+/// with another one, with which everything fits.
 pub fn find<'a>(machine: &'a Machine, predictor: &Predictor, conventions: &[&'a Convention]) -> Vec<Found<'a>> {
     let mut found = of_conventions(machine, predictor, conventions);
     let (of_parameters, of_matrices): (Vec<&Convention>, Vec<&Convention>) =
         conventions.iter().partition(|own| matches!(own.effect, Effect::Parameters(_)));
-    let of_entries = of_entries(machine, predictor);
-    let mut own = World::default();
+    let acting = |convention: &'a Convention| Acting::new(machine, predictor, convention);
+    let entries: Vec<Acting> = mending(machine, predictor).into_iter().map(acting).collect();
+    let of_matrices: Vec<Acting> = of_matrices.into_iter().map(acting).collect();
     machine.singles(&mut |cause, old| {
         let Cause::Slip(slip) = cause else { return };
-        for &convention in of_matrices.iter().chain(&of_entries) {
-            convention.change_matrices(old, &mut own, machine.formulas.count);
-            if predictor.fits(&own) {
-                let causes = vec![Cause::Convention(convention), Cause::Slip(slip)];
-                found.push(Found { causes, world: own.clone() });
+        for own in of_matrices.iter().chain(&entries) {
+            if let Some(world) = own.fitting(old, predictor) {
+                found.push(Found { causes: vec![Cause::Convention(own.convention), Cause::Slip(slip)], world });
             }
         }
     });
+    found.extend(of_entries(machine, predictor, &entries));
     for convention in of_parameters {
         found.extend(of_parameters_and_slips(machine, predictor, convention));
     }
     found
 }
 
-/// The mistaken entries with which some that are given come out that do not as they are: there may be hundreds, and all others
-/// mend nothing.
-fn of_entries<'a>(machine: &'a Machine, predictor: &Predictor) -> Vec<&'a Convention> {
-    let agreeing = |world: &World| -> usize {
-        let numbers = predictor.numbers().iter().enumerate();
-        let entries = numbers.filter_map(|(at, number)| Some((at, predictor.entry(number.0, world)?)));
-        entries.filter(|(at, value)| predictor.agrees(*at, *value)).count()
+/// The mistaken entries with which some relations come out that do not as they are: there may be hundreds, and all others mend
+/// nothing.
+fn mending<'a>(machine: &'a Machine, predictor: &Predictor) -> Vec<&'a Convention> {
+    let holding = |world: &World| -> usize {
+        let entries = predictor.closed_entries(world);
+        predictor.relations().iter().filter(|own| own.holds(&entries, world.gravity)).count()
     };
-    let here = agreeing(&machine.world());
+    let here = holding(&machine.world());
     let mends =
-        |own: &&Convention| matches!(own.effect, Effect::Entries(_)) && agreeing(&machine.world_with(own)) > here;
+        |own: &&Convention| matches!(own.effect, Effect::Entries(_)) && holding(&machine.world_with(own)) > here;
     machine.single.iter().filter(mends).collect()
+}
+
+/// Two entries that are lost, have the other sign, are twice or half.
+fn of_entries<'a>(machine: &Machine, predictor: &Predictor, entries: &[Acting<'a>]) -> Vec<Found<'a>> {
+    let likely: Vec<&Acting> = entries.iter().filter(|own| own.convention.rank <= 1).collect();
+    let mut found = Vec::new();
+    for (at, first) in likely.iter().enumerate() {
+        let world = machine.world_with(first.convention);
+        for second in likely[at + 1..].iter().filter(|own| own.is_beside(first)) {
+            if let Some(world) = second.fitting(&world, predictor) {
+                let causes = [first, second].map(|own| Cause::Convention(own.convention)).to_vec();
+                found.push(Found { causes, world });
+            }
+        }
+    }
+    found
 }
 
 /// What acts on matrices acts on those of the parameters of the other one, and after them.
@@ -77,12 +92,14 @@ fn of_parameters_and_slips<'a>(
     let base = formulas.values(&parameters);
     let mut own = base.clone();
     let mut world = machine.world_from(base.entries.clone(), &parameters);
-    let wrong = wrong_entries(formulas, predictor, &world);
+    let wrong = wrong(machine, predictor, &world);
     // A slip does not mend what does not depend on it.
-    let may_mend = |slip: &FormulaSlip| {
-        let feeds = |entry: usize| slip.formulas.iter().any(|&formula| formulas.feeds(formula, entry));
-        wrong.iter().all(|&entry| feeds(entry))
+    let feeds = |formula: usize| -> Vec<bool> {
+        wrong.iter().map(|entries| entries.iter().any(|&entry| formulas.feeds(formula, entry))).collect()
     };
+    let feeds: Vec<Vec<bool>> = (0..formulas.formulas.len()).map(feeds).collect();
+    let may_mend =
+        |slip: &FormulaSlip| (0..wrong.len()).all(|at| slip.formulas.iter().any(|&formula| feeds[formula][at]));
     let mut found = Vec::new();
     for slip in machine.slips().iter().filter(|slip| may_mend(slip)) {
         if slip.apply(formulas, &parameters, &base, &mut own) {
@@ -97,13 +114,9 @@ fn of_parameters_and_slips<'a>(
     found
 }
 
-/// The formulas of the entries that were given otherwise.
-fn wrong_entries(formulas: &Formulas, predictor: &Predictor, world: &World) -> Vec<usize> {
-    let numbers = predictor.numbers().iter().enumerate();
-    let wrong = numbers.filter_map(|(at, (quantity, _))| {
-        let Quantity::Entry(matrix, row, column) = *quantity else { return None };
-        let agrees = predictor.agrees(at, predictor.entry(*quantity, world)?);
-        if agrees { None } else { formulas.entry(matrix, row, column) }
-    });
-    wrong.collect()
+/// Of each relation that is wrong the formulas of its entries.
+fn wrong(machine: &Machine, predictor: &Predictor, world: &World) -> Vec<Vec<usize>> {
+    let entries = predictor.closed_entries(world);
+    let wrong = predictor.relations().iter().filter(|own| !own.holds(&entries, world.gravity));
+    wrong.map(|own| own.terms.iter().filter_map(|term| machine.formula(term.place)).collect()).collect()
 }

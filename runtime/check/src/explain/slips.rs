@@ -5,16 +5,18 @@
 
 use std::collections::BTreeMap;
 
+use carvallo::Expression;
 use carvallo_slips::{FormulaSlip, Values};
 
-use super::linear::{Linear, Term, terms};
+use super::curve::Curve;
 use super::set::Set;
 use super::{Cause, DoubleSlip, Found, double};
-use crate::behind;
 use crate::machine::Machine;
 use crate::predict::Predictor;
+use crate::relation::{Relation, Term};
 
-/// So many pairs are evaluated at most, and so many that fit are kept, the likeliest.
+/// So many pairs are compared at most, so many evaluated, and so many that fit are kept, the likeliest.
+const COMPARED: usize = 20_000_000;
 const EVALUATED: usize = 2_000_000;
 const KEPT: usize = 100;
 
@@ -22,13 +24,10 @@ const KEPT: usize = 100;
 const SAME: f64 = 1e-12;
 
 /// All pairs of slips in two formulas, or in that of one entry, with which everything fits: of those that make sense by their
-/// units where there are any, else of all. None where nothing is given that does not agree and is linear in the entries of
-/// matrices: these themselves, C and K at a speed, or what stands behind a state matrix with the mass matrix as it is.
+/// units where there are any, else of all. None where no relation of entries of matrices is wrong: these themselves, C and K at a
+/// speed, or what stands behind a state matrix.
 pub fn find<'a>(machine: &'a Machine, predictor: &Predictor) -> Vec<Found<'a>> {
-    let given = behind::state_matrices(machine, predictor).unwrap_or_default();
-    let behind = Predictor::new(&given, machine);
-    let search = [predictor, &behind].into_iter().find_map(|linear| Search::new(machine, linear, predictor));
-    let Some(search) = search else { return Vec::new() };
+    let Some(search) = Search::new(machine, predictor) else { return Vec::new() };
     let mut found = Vec::new();
     for has_sense in [true, false] {
         found = search.pairs(has_sense);
@@ -42,40 +41,37 @@ pub fn find<'a>(machine: &'a Machine, predictor: &Predictor) -> Vec<Found<'a>> {
     found
 }
 
-/// Slips in the same formulas that are seen in the same numbers.
+/// Slips in the same formulas that are seen in the same relations.
 struct Class<'a> {
     formulas: &'a [usize],
-    /// The numbers that they change, and those that are wrong with one of them alone.
+    /// The relations that they change, and those that are wrong with one of them alone.
     changed: Set,
     wrong: Set,
     slips: Vec<&'a FormulaSlip>,
 }
 
+/// How many pairs may still be compared and evaluated.
+struct Left {
+    compared: usize,
+    evaluated: usize,
+}
+
 struct Search<'a, 'b> {
     machine: &'a Machine,
-    /// Of the linear numbers, and of all that must fit.
     predictor: &'b Predictor<'b>,
-    whole: &'b Predictor<'b>,
-    numbers: Vec<Linear>,
-    /// What the feedback adds to each entry: it is in what is given, and not in the formulas.
-    closing: Vec<f64>,
-    /// The numbers that are wrong.
+    /// Those of the open loop.
+    relations: Vec<Relation>,
+    gravity: f64,
+    /// The relations that are wrong.
     wrong: Set,
     classes: Vec<Class<'a>>,
 }
 
 impl<'a, 'b> Search<'a, 'b> {
-    fn new(machine: &'a Machine, predictor: &'b Predictor<'b>, whole: &'b Predictor<'b>) -> Option<Self> {
-        let here = machine.world();
-        let closed = predictor.closed_entries(&here);
-        let closing = closed.iter().zip(&here.entries).map(|(closed, open)| closed - open).collect();
-        let all = predictor.numbers().iter().enumerate();
-        let numbers = all.filter_map(|(number, (quantity, _))| {
-            let terms = terms(machine, predictor, *quantity, here.gravity);
-            (!terms.is_empty()).then_some(Linear { number, terms })
-        });
-        let (numbers, wrong, classes) = (numbers.collect(), Set::default(), Vec::new());
-        let mut own = Self { machine, predictor, whole, numbers, closing, wrong, classes };
+    fn new(machine: &'a Machine, predictor: &'b Predictor<'b>) -> Option<Self> {
+        let relations = predictor.relations_of_open_loop(&machine.world());
+        let (gravity, wrong, classes) = (machine.gravity(&machine.parameters), Set::default(), Vec::new());
+        let mut own = Self { machine, predictor, relations, gravity, wrong, classes };
         own.wrong = own.wrong(&machine.values.entries);
         if own.wrong == Set::default() {
             return None;
@@ -92,20 +88,15 @@ impl<'a, 'b> Search<'a, 'b> {
         Some(own)
     }
 
-    fn set(&self, is_in: impl Fn(&Linear) -> bool) -> Set {
+    fn set(&self, is_in: impl Fn(&Relation) -> bool) -> Set {
         let mut set = Set::default();
-        let all = self.numbers.iter().enumerate();
-        all.filter(|(_, number)| is_in(number)).for_each(|(at, _)| set.insert(at));
+        let all = self.relations.iter().enumerate();
+        all.filter(|(_, own)| is_in(own)).for_each(|(at, _)| set.insert(at));
         set
     }
 
-    /// What a number is with these entries of the open loop.
-    fn value(&self, number: &Linear, entries: &[f64]) -> f64 {
-        number.terms.iter().map(|own| own.factor * (entries[own.place] + self.closing[own.place])).sum()
-    }
-
     fn wrong(&self, entries: &[f64]) -> Set {
-        self.set(|number| !self.predictor.agrees(number.number, self.value(number, entries)))
+        self.set(|own| !own.holds(entries, self.gravity))
     }
 
     fn changed(&self, entries: &[f64]) -> Set {
@@ -114,13 +105,18 @@ impl<'a, 'b> Search<'a, 'b> {
             let difference = (entries[place] - here[place]).abs();
             difference.is_nan() || difference > SAME * here[place].abs()
         };
-        self.set(|number| number.terms.iter().any(differs))
+        self.set(|own| own.terms.iter().any(differs))
+    }
+
+    /// Whether a term is of one of these formulas.
+    fn is_of(&self, term: &Term, formulas: &[usize]) -> bool {
+        self.machine.formula(term.place).is_some_and(|own| formulas.contains(&own))
     }
 
     /// Slips in two formulas, the first of which does not depend on the second.
     fn pairs(&self, has_sense: bool) -> Vec<Found<'a>> {
         let mut found = Vec::new();
-        let mut left = EVALUATED;
+        let mut left = Left { compared: COMPARED, evaluated: EVALUATED };
         for second in &self.classes {
             let is_of_mechanism = |class: &Class| self.machine.formulas.formulas[class.formulas[0]].is_of_mechanism;
             let firsts = self.classes.iter().filter(|first| {
@@ -142,49 +138,80 @@ impl<'a, 'b> Search<'a, 'b> {
         first: &Class<'a>,
         second: &Class<'a>,
         has_sense: bool,
-        left: &mut usize,
+        left: &mut Left,
         found: &mut Vec<Found<'a>>,
     ) {
         let Machine { formulas, parameters, values: base, .. } = self.machine;
         let all = formulas.affected(first.formulas.iter().chain(second.formulas).copied());
-        // One number first, that is made of the fewest formulas, of those that both change, or else of those that are wrong.
-        let made_of = |number: &Linear| -> Vec<usize> {
-            let feeds =
-                |own: &usize| number.terms.iter().any(|term| term.formula.is_some_and(|at| formulas.feeds(*own, at)));
-            all.iter().copied().filter(feeds).collect()
+        // One relation first, that is made of the fewest formulas, of those that both change, or else of those that are wrong.
+        let made_of = |relation: &Relation| -> Vec<usize> {
+            let entries: Vec<usize> =
+                relation.terms.iter().filter_map(|term| self.machine.formula(term.place)).collect();
+            all.iter().copied().filter(|own| entries.iter().any(|&entry| formulas.feeds(*own, entry))).collect()
         };
         let is_in = |at: &usize, both: bool| {
             let [a, b] = [&first.changed, &second.changed].map(|own| own.contains(*at));
             if both { a && b } else { a || b }
         };
         let pivot = |both: bool| {
-            let numbers = (0..self.numbers.len()).filter(move |at| is_in(at, both));
-            numbers.map(|at| (at, made_of(&self.numbers[at]))).min_by_key(|(_, made_of)| made_of.len())
+            let meant = (0..self.relations.len()).filter(move |at| is_in(at, both));
+            meant.map(|at| (at, made_of(&self.relations[at]))).min_by_key(|(_, made_of)| made_of.len())
         };
         let Some((pivot, made_of)) = pivot(true).or_else(|| pivot(false)) else { return };
-        let pivot = &self.numbers[pivot];
-        let is_meant = |slip: &&&FormulaSlip| slip.makes_sense || !has_sense;
+        let pivot = &self.relations[pivot];
+        let uses = |slip: &FormulaSlip, other: &[usize]| other.iter().any(|own| formulas.uses(&slip.changed, *own));
+        // What each slip of the second makes of its formula, where that does not depend on the first.
+        let seconds: Vec<(&FormulaSlip, Option<f64>)> = second
+            .slips
+            .iter()
+            .map(|&own| (own, (!uses(own, first.formulas)).then(|| base.of(&own.changed, parameters))))
+            .collect();
+        let here = base.of_formula(formulas, second.formulas[0]);
         let mut values: Values = base.clone();
-        for b in second.slips.iter().filter(is_meant) {
-            for a in first.slips.iter().filter(is_meant) {
-                let uses = |slip: &FormulaSlip, other: &FormulaSlip| {
-                    other.formulas.iter().any(|formula| formulas.uses(&slip.changed, *formula))
-                };
-                if *left == 0 {
+        for &a in &first.slips {
+            let is_meant = |b: &FormulaSlip| (a.makes_sense && b.makes_sense) == has_sense;
+            if !seconds.iter().any(|(b, _)| is_meant(b)) {
+                continue;
+            }
+            let of_first = (&a.formulas[..], &a.changed);
+            let uses_second = uses(a, second.formulas);
+            let curve = if uses_second {
+                None
+            } else {
+                Curve::new(here, |value| {
+                    let number = Expression::Number(String::new(), value);
+                    values.clone_from(base);
+                    formulas.change_both([of_first, (second.formulas, &number)], &made_of, parameters, &mut values);
+                    let [off, allowed] = pivot.off(&values.entries, self.gravity);
+                    [off, allowed, pivot.size(&values.entries, self.gravity)]
+                })
+            };
+            let mut beside = base.clone();
+            if !uses_second {
+                formulas.change(&a.formulas, &a.changed, parameters, &mut beside);
+            }
+            for &(b, value) in seconds.iter().filter(|(b, _)| is_meant(b)) {
+                if left.compared == 0 || left.evaluated == 0 {
                     return;
                 }
-                *left -= 1;
-                let both = [(&a.formulas[..], &a.changed), (&b.formulas[..], &b.changed)];
+                left.compared -= 1;
+                let may_hold = curve
+                    .as_ref()
+                    .is_none_or(|curve| curve.may_hold(value.unwrap_or_else(|| beside.of(&b.changed, parameters))));
+                if !may_hold || (uses_second && value.is_none()) {
+                    continue;
+                }
+                left.evaluated -= 1;
+                let both = [of_first, (&b.formulas[..], &b.changed)];
                 values.clone_from(base);
                 formulas.change_both(both, &made_of, parameters, &mut values);
-                let value = self.value(pivot, &values.entries);
-                if !self.predictor.agrees(pivot.number, value) || (uses(a, b) && uses(b, a)) {
+                if !pivot.holds(&values.entries, self.gravity) {
                     continue;
                 }
                 values.clone_from(base);
                 formulas.change_both(both, &all, parameters, &mut values);
                 let world = self.machine.world_from(values.entries.clone(), parameters);
-                if self.whole.fits(&world) {
+                if self.predictor.fits(&world) {
                     found.push(Found { causes: vec![Cause::Slip(a), Cause::Slip(b)], world });
                 }
             }
@@ -194,13 +221,15 @@ impl<'a, 'b> Search<'a, 'b> {
     /// Two slips in the formula of one entry, or of several that have the same.
     fn doubles(&self, has_sense: bool) -> Vec<Found<'a>> {
         let formulas = &self.machine.formulas;
-        let has = |number: &Linear, own: &[usize]| number.terms.iter().any(|term| term.is_of(own));
-        // Those whose change makes all wrong numbers other ones, and no right ones.
-        let explains = |own: &[usize]| !own.is_empty() && self.set(|number| has(number, own)) == self.wrong;
+        let has = |relation: &Relation, own: &[usize]| {
+            relation.terms.iter().any(|term| term.is_seen() && self.is_of(term, own))
+        };
+        // Those whose change makes all wrong relations other ones, and no right ones.
+        let explains = |own: &[usize]| !own.is_empty() && self.set(|relation| has(relation, own)) == self.wrong;
         let mut groups: Vec<Vec<usize>> = Vec::new();
         for shared in formulas.formulas.iter().map(|formula| &formula.shared) {
-            let is_wrong = |at: &usize| self.set(|number| has(number, &[*at])).is_within(&self.wrong);
-            let is_given = |at: &usize| self.numbers.iter().any(|number| has(number, &[*at]));
+            let is_wrong = |at: &usize| self.set(|relation| has(relation, &[*at])).is_within(&self.wrong);
+            let is_given = |at: &usize| self.relations.iter().any(|relation| has(relation, &[*at]));
             // Also where the others of them are not given.
             let wrong: Vec<usize> = shared.iter().copied().filter(|at| is_wrong(at) && is_given(at)).collect();
             let is_shared = shared.iter().all(|at| wrong.contains(at) || !is_given(at));
@@ -211,15 +240,13 @@ impl<'a, 'b> Search<'a, 'b> {
         }
         let mut found = Vec::new();
         for meant in groups {
-            let Some(number) = self.numbers.iter().find(|number| has(number, &meant)) else { continue };
-            let own = || number.terms.iter().filter(|term| term.is_of(&meant));
-            let factor: f64 = own().map(|term| term.factor).sum();
-            let here = self.value(number, &self.machine.values.entries);
-            let now: f64 = own().map(|term| term.factor * self.machine.values.entries[term.place]).sum();
-            let wanted = self.predictor.numbers()[number.number].1.value - (here - now);
-            let tolerance = self.predictor.tolerances()[number.number];
-            let value = (wanted / factor, (tolerance / factor).abs());
-            found.extend(double::find(self.machine, self.whole, &meant, value));
+            let Some(relation) = self.relations.iter().find(|relation| has(relation, &meant)) else { continue };
+            let own: Vec<&Term> = relation.terms.iter().filter(|term| self.is_of(term, &meant)).collect();
+            let Some(now) = own.first().map(|term| self.machine.values.entries[term.place]) else { continue };
+            let factor: f64 = own.iter().map(|term| term.factor(self.gravity)).sum();
+            let [off, allowed] = relation.off(&self.machine.values.entries, self.gravity);
+            let value = (now - off / factor, (allowed / factor).abs());
+            found.extend(double::find(self.machine, self.predictor, &meant, value));
         }
         found.into_iter().filter(|own| !has_sense || double_has_sense(self.machine, own)).collect()
     }

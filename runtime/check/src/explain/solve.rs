@@ -13,17 +13,13 @@ const STEPS: usize = 30;
 pub fn solve(predictor: &Predictor, value: f64, world: &dyn Fn(f64) -> Option<World>) -> Option<f64> {
     let predict = |x: f64| world(x).map(|world| predictor.predict(&world));
     let scale = if value == 0.0 { 1.0 } else { value };
-    let (here, near) = (predict(value)?, predict(value + 1e-3 * scale)?);
-    // What is wrong and changes with the unknown by most of its tolerance tells the value best.
-    let effect = |at: usize| (near[at] - here[at]).abs() / predictor.tolerances()[at].max(f64::MIN_POSITIVE);
-    let wrong: Vec<usize> = (0..here.len()).filter(|&at| !predictor.agrees(at, here[at])).collect();
-    // What does not change with it, it does not mend.
-    if wrong.iter().any(|&at| effect(at) == 0.0) {
-        return None;
-    }
-    let told = wrong.into_iter().max_by(|&a, &b| effect(a).total_cmp(&effect(b)))?;
-    let goal = predictor.numbers()[told].1.value;
-    let difference = |x: f64| predict(x).map_or(f64::NAN, |found| found[told] - goal);
+    let near = value + 1e-3 * scale;
+    let by_relations = Told::of_relations(predictor, &world(value)?, &world(near)?)?;
+    let told = match by_relations {
+        Some(told) => told,
+        None => Told::of_numbers(predictor, &predict(value)?, &predict(near)?)?,
+    };
+    let difference = |x: f64| world(x).map_or(f64::NAN, |world| told.difference(predictor, &world));
     let fits = |x: f64| world(x).is_some_and(|world| predictor.fits(&world));
     let mut tried: Vec<f64> = Vec::new();
     for start in STARTS {
@@ -39,6 +35,58 @@ pub fn solve(predictor: &Predictor, value: f64, world: &dyn Fn(f64) -> Option<Wo
         tried.push(x);
     }
     None
+}
+
+/// What tells the value best: what is wrong and changes with the unknown by most of its tolerance.
+enum Told {
+    /// A relation of the entries, which costs little.
+    Relation(usize),
+    /// A number.
+    Number(usize),
+}
+
+impl Told {
+    /// None where something is wrong that does not change with the unknown, and that it does not mend; and no relation where all
+    /// of them hold.
+    fn of_relations(predictor: &Predictor, here: &World, near: &World) -> Option<Option<Self>> {
+        let entries = [here, near].map(|world| predictor.closed_entries(world));
+        let (mut told, mut most) = (None, 0.0);
+        for (at, relation) in predictor.relations().iter().enumerate() {
+            let [off, allowed] = relation.off(&entries[0], here.gravity);
+            if off.abs() <= allowed {
+                continue;
+            }
+            let [changed, _] = relation.off(&entries[1], near.gravity);
+            let effect = (changed - off).abs() / allowed.max(f64::MIN_POSITIVE);
+            if effect == 0.0 {
+                return None;
+            }
+            if effect > most {
+                (told, most) = (Some(Self::Relation(at)), effect);
+            }
+        }
+        Some(told)
+    }
+
+    fn of_numbers(predictor: &Predictor, here: &[f64], near: &[f64]) -> Option<Self> {
+        let effect = |at: usize| (near[at] - here[at]).abs() / predictor.tolerances()[at].max(f64::MIN_POSITIVE);
+        let wrong: Vec<usize> = (0..here.len()).filter(|&at| !predictor.agrees(at, here[at])).collect();
+        if wrong.iter().any(|&at| effect(at) == 0.0) {
+            return None;
+        }
+        wrong.into_iter().max_by(|&a, &b| effect(a).total_cmp(&effect(b))).map(Self::Number)
+    }
+
+    /// By how much it is larger than it should be.
+    fn difference(&self, predictor: &Predictor, world: &World) -> f64 {
+        match *self {
+            Self::Relation(at) => {
+                let [off, _] = predictor.relations()[at].off(&predictor.closed_entries(world), world.gravity);
+                off
+            }
+            Self::Number(at) => predictor.predict(world)[at] - predictor.numbers()[at].1.value,
+        }
+    }
 }
 
 /// A zero near a start, by secants.

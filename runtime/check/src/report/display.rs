@@ -131,10 +131,15 @@ fn explanations(groups: &[Group], count: usize, f: &mut fmt::Formatter<'_>) -> f
 impl fmt::Display for Suspects {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { wrong, formulas, parts, behind } = self;
-        writeln!(
-            f,
-            "\nNothing that was tried explains all numbers: no single slip, no convention and no two of them together."
-        )?;
+        let what = match self.are_explained_one_by_one() {
+            true => {
+                "There are several mistakes: nothing that was tried explains all numbers at once, but each by itself is."
+            }
+            false => {
+                "Nothing that was tried explains all numbers: no single slip, no convention and no two of them together."
+            }
+        };
+        writeln!(f, "\n{what}")?;
         writeln!(f, "  What differs: {}", wrong.join(", "))?;
         if !formulas.is_empty() {
             let these = if formulas.len() == 1 { "this formula" } else { "each of these formulas" };
@@ -142,7 +147,7 @@ impl fmt::Display for Suspects {
             formulas.iter().try_for_each(|formula| writeln!(f, "    {formula}"))?;
         }
         if !parts.is_empty() {
-            writeln!(f, "  There may be several mistakes. By itself, without a change of what agrees,")?;
+            writeln!(f, "  By itself, without a change of what agrees,")?;
             parts.iter().try_for_each(|part| part.fmt(f))?;
         }
         behind.iter().try_for_each(|behind| behind.fmt(f))

@@ -61,9 +61,17 @@ pub fn groups(machine: &Machine, predictor: &Predictor, mut found: Vec<Found>) -
     groups
 }
 
-/// Drops slips in definitions that attributes of a mechanism use, where the same slip in formulas that were derived from it makes
-/// the same matrices.
+/// Drops what is told already: another value of a parameter that is the same one, and slips in definitions that attributes of a
+/// mechanism use, where the same slip in formulas that were derived from it makes the same matrices.
 fn drop_copies(machine: &Machine, group: &mut Vec<Found>) {
+    let mut told: Vec<Vec<Changed>> = Vec::new();
+    group.retain(|found| {
+        let mut own: Vec<Changed> = found.causes.iter().map(|cause| Changed::new(machine, cause)).collect();
+        own.sort();
+        let is_new = !told.contains(&own);
+        told.push(own);
+        is_new
+    });
     let subject = |found: &Found| match found.causes[..] {
         [Cause::Slip(own)] => Some((machine.formulas.formulas[own.formulas[0]].subject, own.slip.clone())),
         _ => None,
@@ -73,6 +81,28 @@ fn drop_copies(machine: &Machine, group: &mut Vec<Found>) {
         Some((Subject::OfMechanism(name), slip)) => !all.contains(&(Subject::Definition(name), slip)),
         _ => true,
     });
+}
+
+/// What a cause changes: parameters, with the digits in which values differ that are not the same, or something else, in words.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+enum Changed {
+    Parameters(Vec<(usize, String)>),
+    Other(String),
+}
+
+impl Changed {
+    fn new(machine: &Machine, cause: &Cause) -> Self {
+        let digits = |&(at, value): &(usize, f64)| (at, format!("{value:.11e}"));
+        match cause {
+            Cause::Convention(Convention { effect: Effect::Parameters(values), .. }) => {
+                let mut values: Vec<_> = values.iter().map(digits).collect();
+                values.sort();
+                Self::Parameters(values)
+            }
+            Cause::Parameter(at, value) => Self::Parameters(vec![digits(&(*at, *value))]),
+            other => Self::Other(words(machine, other)),
+        }
+    }
 }
 
 /// How unlikely a cause is.
@@ -115,7 +145,7 @@ fn apart(machine: &Machine, predictor: &Predictor, first: &World, other: &World)
     };
     let mut largest: Option<(f64, String)> = None;
     let [first, other] = [first, other].map(|world| predictor.closed_entries(world));
-    for (at, (a, b)) in first.iter().zip(&other).enumerate() {
+    for (at, (a, b)) in first.iter().zip(other.iter()).enumerate() {
         let own = (MatrixName::ALL[at / (count * count)], at / count % count, at % count);
         let differs = (a - b).abs() / a.abs().max(b.abs());
         if differs > 1e-9 && largest.as_ref().is_none_or(|(known, _)| differs > *known) {
@@ -138,7 +168,7 @@ fn apart_in_digits(both: [f64; 2]) -> [String; 2] {
 /// What an explanation makes of another machine; `None` where that is not told.
 fn world(other: &Machine, machine: &Machine, found: &Found) -> Option<World> {
     let mut parameters = other.parameters.clone();
-    let mut of_matrices: Option<&Convention> = None;
+    let mut of_matrices: Vec<&Convention> = Vec::new();
     let mut slips: Vec<(Vec<usize>, Expression)> = Vec::new();
     for cause in &found.causes {
         match cause {
@@ -152,7 +182,7 @@ fn world(other: &Machine, machine: &Machine, found: &Found) -> Option<World> {
                 };
                 own.change_parameters(&mut parameters);
                 if !matches!(own.effect, Effect::Parameters(_)) {
-                    of_matrices = Some(own);
+                    of_matrices.push(own);
                 }
             }
             Cause::Slip(own) => slips.push((own.formulas.clone(), own.changed.clone())),
@@ -173,8 +203,9 @@ fn world(other: &Machine, machine: &Machine, found: &Found) -> Option<World> {
         }
     }
     let old = other.world_from(values.entries, &parameters);
-    let Some(convention) = of_matrices else { return Some(old) };
-    let mut own = World::default();
-    convention.change_matrices(&old, &mut own, other.formulas.count);
-    Some(own)
+    Some(of_matrices.into_iter().fold(old, |old, convention| {
+        let mut own = World::default();
+        convention.change_matrices(&old, &mut own, other.formulas.count);
+        own
+    }))
 }

@@ -49,19 +49,38 @@ pub struct Part {
 const TOLD: usize = 4;
 
 impl Suspects {
+    /// Whether all that differs is explained, though not at once.
+    pub(super) fn are_explained_one_by_one(&self) -> bool {
+        are_explained(&self.wrong, &self.parts) || self.behind.as_ref().is_some_and(Behind::are_explained)
+    }
+
     pub(super) fn new(machine: &Machine, predictor: &Predictor, here: &[f64]) -> Self {
         let name = |at: usize| predictor.name(at);
         let wrong: Vec<usize> = (0..here.len()).filter(|&at| !predictor.agrees(at, here[at])).collect();
-        Self {
-            wrong: wrong.iter().map(|&at| name(at)).collect(),
-            formulas: formulas(machine, predictor, &wrong),
-            parts: parts(machine, predictor, wrong, here, &name),
-            behind: Behind::new(machine, predictor),
+        let behind = Behind::new(machine, predictor);
+        let formulas = formulas(machine, predictor, &wrong);
+        let names: Vec<String> = wrong.iter().map(|&at| name(at)).collect();
+        let mut parts = parts(machine, predictor, wrong, here, &name);
+        // What explains all of it behind state matrices is told there.
+        if behind.as_ref().is_some_and(Behind::are_explained) && !are_explained(&names, &parts) {
+            parts.clear();
         }
+        Self { wrong: names, formulas, parts, behind }
     }
 }
 
+/// Whether each of these is explained, by one part or another.
+fn are_explained(wrong: &[String], parts: &[Part]) -> bool {
+    let names = || parts.iter().flat_map(|part| &part.numbers);
+    // Of what stands behind a state matrix the values are told with the names.
+    wrong.iter().all(|own| names().any(|name| own == name || own.starts_with(&format!("{name} is "))))
+}
+
 impl Behind {
+    fn are_explained(&self) -> bool {
+        are_explained(&self.wrong, &self.parts)
+    }
+
     /// None where no state matrix is given whole, or all is right behind it.
     fn new(machine: &Machine, predictor: &Predictor) -> Option<Self> {
         let given = behind::state_matrices(machine, predictor)?;
@@ -147,10 +166,14 @@ fn parts(
         best.sort_by_key(|(_, rank, _)| *rank);
         let explained: Vec<usize> = best[0].0.clone();
         best.retain(|(own, ..)| *own == explained);
-        // An entry of the wrong sign is also a number that was written with it.
+        // An entry of the wrong sign is also a number that was written with it, be it of C and K at a speed.
+        let same = |told: &String, cause: &String| match &explained[..] {
+            [at] => cause.strip_prefix(&name(*at)).map_or(told == cause, |how| told.ends_with(how)),
+            _ => told == cause,
+        };
         let mut causes: Vec<String> = Vec::new();
         for cause in best.iter().map(|(.., cause)| words(machine, cause)) {
-            if causes.len() < TOLD && !causes.contains(&cause) {
+            if causes.len() < TOLD && !causes.iter().any(|told| same(told, &cause)) {
                 causes.push(cause);
             }
         }

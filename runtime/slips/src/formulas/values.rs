@@ -22,6 +22,14 @@ impl Values {
         self.definitions[at]
     }
 
+    /// That of one of the formulas.
+    pub fn of_formula(&self, formulas: &Formulas, at: usize) -> f64 {
+        match formulas.formulas[at].subject {
+            Subject::Entry(matrix, row, column) => self.entries[index(matrix, row, column, formulas.count)],
+            Subject::Definition(_) | Subject::OfMechanism(_) | Subject::Attribute(_) => self.definitions[at],
+        }
+    }
+
     /// That of a formula in parameters and these definitions.
     pub fn of(&self, formula: &Expression, parameters: &[f64]) -> f64 {
         formula.evaluate(parameters, &self.definitions).unwrap_or(f64::NAN)

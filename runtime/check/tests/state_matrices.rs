@@ -1,0 +1,97 @@
+//! What explains a state matrix: the numbers come from the matrices that are printed in Meijaard, Papadopoulos, Ruina & Schwab
+//! (2007), section 5, with mistakes, by A = [0, 1; -M^-1 K, -M^-1 C] written out here.
+
+use carvallo_check::{Report, check, read};
+use carvallo_design::input::Request;
+
+type Matrix = [[f64; 2]; 2];
+
+const SPEED: f64 = 5.0;
+const M: Matrix = [[80.81722, 2.31941332208709], [2.31941332208709, 0.29784188199686]];
+const C1: Matrix = [[0.0, 33.86641391492494], [-0.85035641456978, 1.68540397397560]];
+const K0: Matrix = [[-80.95, -2.59951685249872], [-2.59951685249872, -0.80329488458618]];
+const K2: Matrix = [[0.0, 76.59734589573222], [0.0, 2.65431523794604]];
+
+fn checked(text: &str) -> Report {
+    let file = read::read("mine.toml", text.into()).expect("a file that can be read");
+    let design = file.design(&Request::default()).expect("a design");
+    check(&file.given(&design).expect("numbers"), &design).expect("a report")
+}
+
+/// A with ten digits, of M, C and K at the speed with mistakes.
+fn state_matrix(mistake: impl Fn(&mut Matrix, &mut Matrix, &mut Matrix)) -> String {
+    let (mut m, mut c) = (M, C1.map(|row| row.map(|entry| SPEED * entry)));
+    let mut k = [0, 1].map(|row| [0, 1].map(|column| 9.81 * K0[row][column] + SPEED * SPEED * K2[row][column]));
+    mistake(&mut m, &mut c, &mut k);
+    let determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
+    let inverse = [[m[1][1] / determinant, -m[0][1] / determinant], [-m[1][0] / determinant, m[0][0] / determinant]];
+    let lower = |with: &Matrix, row: usize, column: usize| {
+        -(inverse[row][0] * with[0][column] + inverse[row][1] * with[1][column])
+    };
+    let row = |at: usize| {
+        let row = [lower(&k, at, 0), lower(&k, at, 1), lower(&c, at, 0), lower(&c, at, 1)];
+        row.map(|entry| format!("{entry:.9e}")).join(", ")
+    };
+    format!("speed = {SPEED}\nA = [[0, 0, 1, 0], [0, 0, 0, 1], [{}], [{}]]", row(0), row(1))
+}
+
+/// The causes of all explanations.
+fn causes(report: &Report) -> Vec<String> {
+    let all = report.explanations.iter().flat_map(|group| &group.explanations);
+    all.map(|own| own.causes.join(", and ")).collect()
+}
+
+#[test]
+fn two_mistaken_entries_are_an_explanation() {
+    let report = checked(&state_matrix(|_, _, k| {
+        k[0][0] = -k[0][0];
+        k[1][0] /= 2.0;
+    }));
+    let found = causes(&report);
+    assert_eq!(
+        found.first().map(String::as_str),
+        Some("K0_11 has the other sign, and K0_21 is half of what it is here")
+    );
+}
+
+/// K_12 = g K0_12 + v^2 K2_12 is no entry by itself.
+#[test]
+fn entries_at_the_speed_are_written_wrongly() {
+    let one = checked(&state_matrix(|_, _, k| k[0][1] = -k[0][1]));
+    assert_eq!(causes(&one), ["K_12 at 5 m/s has the other sign"]);
+    let two = checked(&state_matrix(|_, c, k| {
+        c[1][0] = -c[1][0];
+        k[0][1] = -k[0][1];
+    }));
+    assert_eq!(causes(&two), ["C_21 at 5 m/s has the other sign, and K_12 at 5 m/s has the other sign"]);
+}
+
+#[test]
+fn three_mistakes_are_told_one_by_one_and_each_once() {
+    let report = checked(&state_matrix(|_, c, k| {
+        k[0][0] = -k[0][0];
+        k[1][0] /= 2.0;
+        c[0][1] *= 2.0;
+    }));
+    let text = report.to_string();
+    assert!(text.contains("\nThere are several mistakes: "), "{text}");
+    assert!(!text.contains("\nNothing that was tried"), "{text}");
+    for (what, count) in [("C1_12 is twice", 1), ("_11 has the other sign", 1), ("_21 is half", 1)] {
+        assert_eq!(text.matches(what).count(), count, "{what}: {text}");
+    }
+}
+
+/// One slip in M, which is in all of A, and another one in K0: ITxx has lost IRxx, and K0_22 the sine.
+#[test]
+fn two_slips_one_of_which_changes_m_are_found() {
+    let sine = (std::f64::consts::PI / 10.0).sin();
+    let report = checked(&state_matrix(|m, _, k| {
+        // ITxx without its IRxx = 0.0603.
+        m[0][0] -= 0.0603;
+        // K0_22 = -SA sin(lam) without the sine.
+        k[1][1] += 9.81 * (K0[1][1] / sine - K0[1][1]);
+    }));
+    let found = causes(&report);
+    let has_both = |own: &String| own.contains("IRxx") && own.contains("K0_22");
+    assert!(found.iter().any(has_both), "{report}");
+}
