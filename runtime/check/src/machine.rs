@@ -67,6 +67,11 @@ impl Machine {
         Self::closed(info, parameters, &[])
     }
 
+    /// The same machine with other feedback; `None` where that is none.
+    pub fn closed_by(&self, feedback: &[Law]) -> Option<Self> {
+        Self::closed(self.info, &self.parameters, feedback).ok().filter(|_| !feedback.is_empty())
+    }
+
     fn closed(info: &'static ModelInfo, parameters: &[f64], feedback: &[Law]) -> Result<Self, String> {
         let formulas = Formulas::with_attributes(info)?;
         let values = formulas.values(parameters);
@@ -167,7 +172,8 @@ impl Machine {
         let own = each.filter(|(_, gain)| {
             entries_of(gain, self.info, &self.parameters).iter().any(|(closed, _)| *closed == entry)
         });
-        own.map(|(law, gain)| format!("{} of {}", conventions::term(gain, self.info), law.force(self.info).0)).collect()
+        own.map(|(law, gain)| format!("\"{}\" of {}", conventions::term(gain, self.info), law.force(self.info).0))
+            .collect()
     }
 
     /// The formula of the entry at a place, if the model has any.

@@ -13,8 +13,13 @@ const K0: Matrix = [[-80.95, -2.59951685249872], [-2.59951685249872, -0.80329488
 const K2: Matrix = [[0.0, 76.59734589573222], [0.0, 2.65431523794604]];
 
 fn checked(text: &str) -> Report {
+    checked_with(text, &[])
+}
+
+fn checked_with(text: &str, feedback: &[&str]) -> Report {
     let file = read::read("mine.toml", text.into()).expect("a file that can be read");
-    let design = file.design(&Request::default()).expect("a design");
+    let feedback = feedback.iter().map(|law| ("--feedback".to_owned(), (*law).to_owned())).collect();
+    let design = file.design(&Request { feedback, ..Request::default() }).expect("a design");
     check(&file.given(&design).expect("numbers"), &design).expect("a report")
 }
 
@@ -94,4 +99,37 @@ fn two_slips_one_of_which_changes_m_are_found() {
     let found = causes(&report);
     let has_both = |own: &String| own.contains("IRxx") && own.contains("K0_22");
     assert!(found.iter().any(has_both), "{report}");
+}
+
+/// Tdelta = -10 phi' + 15 delta and A - B K with it: C_21 + 10 and K_22 - 15.
+#[test]
+fn a_closed_loop_that_was_not_declared_is_told() {
+    let text = state_matrix(|_, c, k| {
+        c[1][0] += 10.0;
+        k[1][1] -= 15.0;
+    });
+    let law = "Tdelta = 15*delta - 10*phi_rate";
+    let expected = format!("the loop is closed, in the span of Tdelta alone, by what --feedback '{law}' declares");
+    assert_eq!(causes(&checked(&text)), [expected]);
+    assert!(checked_with(&text, &[law]).agrees);
+}
+
+/// Gains as an optimal regulator has them are no slip of anybody's; mistakes in one equation alone look the same.
+#[test]
+fn gains_of_many_digits_are_told_beside_what_differs() {
+    let gains = [-7.123456789, 3.987654321, -1.23456789, -0.56789123];
+    let report = checked(&state_matrix(|_, c, k| {
+        (k[1][0], k[1][1]) = (k[1][0] - gains[0], k[1][1] - gains[1]);
+        (c[1][0], c[1][1]) = (c[1][0] - gains[2], c[1][1] - gains[3]);
+    }));
+    assert!(report.explanations.is_empty(), "{report}");
+    let found = report.unexplained.and_then(|own| own.feedback).expect("a feedback");
+    assert_eq!((found.forces, found.laws.len()), (vec!["Tdelta".to_owned()], 1));
+    let (_, law) = found.laws[0].split_once(" = ").expect("a law");
+    let values =
+        law.replace("- ", "+ -").split(" + ").map(|term| term.split('*').next().unwrap_or("").parse()).collect();
+    let values: Vec<f64> = Result::unwrap(values);
+    for (value, expected) in values.iter().zip(gains) {
+        assert!((value - expected).abs() < 2e-8, "{law}");
+    }
 }

@@ -50,7 +50,7 @@ pub fn gains(info: &ModelInfo, laws: &[Law]) -> Vec<Convention> {
     let all: Vec<(&Law, &Gain)> = laws.iter().flat_map(|law| law.gains.iter().map(move |gain| (law, gain))).collect();
     let mut found = Vec::new();
     for (at, (law, gain)) in all.iter().enumerate().filter(|_| all.len() > 1) {
-        let term = format!("{} in {}", term(gain, info), law.force(info).0);
+        let term = format!("\"{}\" in {}", term(gain, info), law.force(info).0);
         for (what, factor) in
             [("has the other sign", -1.0), ("is lost", 0.0), ("is ten times as large", 10.0), ("is a tenth of it", 0.1)]
         {
@@ -72,5 +72,5 @@ pub fn term(gain: &Gain, info: &ModelInfo) -> String {
         MatrixName::K2 => format!("v^2*{name}"),
         _ => name.to_owned(),
     };
-    format!("\"{}*{motion}\"", shortest(gain.value))
+    format!("{}*{motion}", shortest(gain.value))
 }

@@ -7,6 +7,7 @@ mod pairs;
 mod set;
 mod slips;
 mod solve;
+mod undeclared;
 mod unknown;
 mod written;
 
@@ -22,6 +23,7 @@ use carvallo_slips::FormulaSlip;
 pub use carvallo_slips::DoubleSlip;
 
 pub use self::solve::{digits, relation};
+pub use self::undeclared::{Undeclared, find as undeclared};
 pub use self::written::written;
 
 /// A value with up to so many significant digits may be what stood there.
@@ -53,6 +55,8 @@ pub enum Cause<'a> {
     Definition(usize, f64),
     /// The speeds are others by this factor.
     Speed(f64),
+    /// The loop is closed, by feedback that was not declared.
+    Feedback(Undeclared),
     /// A number itself was written wrongly, whatever it comes from: in words.
     Written(String),
 }
@@ -130,6 +134,12 @@ impl<'a, 'b> Search<'a, 'b> {
         }
         if found.is_empty() {
             found = self.written(predictor, WRITTEN);
+        }
+        if found.is_empty() {
+            let closed = undeclared(self.machine, predictor);
+            // Some gains or other make any mistakes in one equation.
+            let plain = closed.filter(|own| !own.laws.is_empty() && own.digits <= PLAIN);
+            found.extend(plain.map(|own| Found { causes: vec![Cause::Feedback(own)], world: self.machine.world() }));
         }
         found
     }

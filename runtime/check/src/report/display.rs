@@ -4,6 +4,7 @@ use std::fmt;
 
 use carvallo_design::number::{shortest, unit};
 
+use super::words::may_be_closed;
 use super::{Behind, Comparison, Group, Part, Report, Suspects};
 
 /// So many numbers are shown at most unless they are wrong, and so many explanations of a group, and groups.
@@ -130,12 +131,14 @@ fn explanations(groups: &[Group], count: usize, f: &mut fmt::Formatter<'_>) -> f
 
 impl fmt::Display for Suspects {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { wrong, formulas, parts, behind } = self;
-        let what = match self.are_explained_one_by_one() {
-            true => {
+        let Self { wrong, formulas, parts, behind, feedback } = self;
+        let is_closed = feedback.as_ref().is_some_and(|own| !own.laws.is_empty());
+        let what = match (self.are_explained_one_by_one(), is_closed) {
+            (true, _) => {
                 "There are several mistakes: nothing that was tried explains all numbers at once, but each by itself is."
             }
-            false => {
+            (_, true) => "No slip and no convention explains all numbers, but a feedback that was not declared does.",
+            _ => {
                 "Nothing that was tried explains all numbers: no single slip, no convention and no two of them together."
             }
         };
@@ -150,7 +153,8 @@ impl fmt::Display for Suspects {
             writeln!(f, "  By itself, without a change of what agrees,")?;
             parts.iter().try_for_each(|part| part.fmt(f))?;
         }
-        behind.iter().try_for_each(|behind| behind.fmt(f))
+        behind.iter().try_for_each(|behind| behind.fmt(f))?;
+        feedback.iter().try_for_each(|what| writeln!(f, "  {}", may_be_closed(what)))
     }
 }
 

@@ -120,7 +120,7 @@ pub fn rank(machine: &Machine, cause: &Cause) -> u32 {
         },
         Cause::Definition(..) => 8,
         Cause::Speed(_) => 3,
-        Cause::Written(_) => 4,
+        Cause::Written(_) | Cause::Feedback(_) => 4,
     }
 }
 
@@ -190,7 +190,9 @@ fn world(other: &Machine, machine: &Machine, found: &Found) -> Option<World> {
                 let text = double.apply(machine.formulas.formulas[double.formulas[0]].text);
                 slips.push((double.formulas.clone(), machine.formulas.parse(double.formulas[0], &text)?));
             }
-            Cause::Parameter(..) | Cause::Definition(..) | Cause::Speed(_) | Cause::Written(_) => return None,
+            Cause::Parameter(..) | Cause::Definition(..) | Cause::Speed(_) | Cause::Feedback(_) | Cause::Written(_) => {
+                return None;
+            }
         }
     }
     let mut values = other.formulas.values(&parameters);

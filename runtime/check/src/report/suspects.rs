@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::words::words;
 use crate::behind;
-use crate::explain::{Cause, written};
+use crate::explain::{Cause, Undeclared, undeclared, written};
 use crate::given::Quantity;
 use crate::machine::Machine;
 use crate::predict::Predictor;
@@ -23,6 +23,8 @@ pub struct Suspects {
     pub parts: Vec<Part>,
     /// Where entries of state matrices are wrong: those of the damping and stiffness that they come from.
     pub behind: Option<Behind>,
+    /// That what differs of state matrices, or of C and K, is in the span of some forces alone, where it is: a feedback makes it.
+    pub feedback: Option<Undeclared>,
 }
 
 /// The entries of C and K of `M q'' + C q' + K q = f` behind state matrices, by the mass matrix as it is here.
@@ -65,7 +67,8 @@ impl Suspects {
         if behind.as_ref().is_some_and(Behind::are_explained) && !are_explained(&names, &parts) {
             parts.clear();
         }
-        Self { wrong: names, formulas, parts, behind }
+        let feedback = undeclared(machine, predictor);
+        Self { wrong: names, formulas, parts, behind, feedback }
     }
 }
 

@@ -4,7 +4,7 @@ use carvallo_design::number::{shortest, with_unit};
 use carvallo_slips::{double_words, slip_words};
 
 use crate::conventions::{BEFORE_CLOSING, Effect};
-use crate::explain::{Cause, relation};
+use crate::explain::{Cause, Undeclared, relation};
 use crate::machine::Machine;
 
 /// What is otherwise, as the end of a sentence.
@@ -49,9 +49,29 @@ pub fn words(machine: &Machine, cause: &Cause) -> String {
             format!("{name} is {} in the place of {} = {text}", shortest(*value), shortest(rounded(old)))
         }
         Cause::Written(what) => what.clone(),
+        Cause::Feedback(own) => {
+            let forces = own.forces.join(" and ");
+            format!("the loop is closed, in the span of {forces} alone, by what {} declares", declared(own))
+        }
         Cause::Speed(factor) => {
             format!("the speeds are {} times what is given as the speed", shortest(*factor))
         }
+    }
+}
+
+/// As the feedback is declared: `--feedback 'Tdelta = -10*phi_rate'`.
+fn declared(own: &Undeclared) -> String {
+    let laws: Vec<String> = own.laws.iter().map(|law| format!("--feedback '{law}'")).collect();
+    laws.join(" ")
+}
+
+/// What is told of a feedback that may be there.
+pub(super) fn may_be_closed(own: &Undeclared) -> String {
+    let forces = own.forces.join(" and ");
+    let span = format!("What differs is in the span of {forces} alone, as M^-1 spreads it: a feedback makes that.");
+    match own.laws.is_empty() {
+        true => format!("{span} Closed loops are declared with --feedback '{} = …'.", own.forces[0]),
+        false => format!("{span} All numbers are those with {}.", declared(own)),
     }
 }
 
