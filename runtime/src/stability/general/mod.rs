@@ -6,7 +6,7 @@
 //!
 //! - [`units`], [`functions`], [`combination`], [`equations`], [`pencil`]: the equations in scaled units, their
 //!   eigenvalues and their pencil at a speed;
-//! - [`polynomials`]: the conditions of three and four coordinates as polynomials with known coefficients, which are all that
+//! - [`polynomials`]: the conditions of two to four coordinates as polynomials with known coefficients, which are all that
 //!   it takes where their zeros are certain; otherwise:
 //! - [`condition`], [`sums`], [`product`], [`polynomial`]: the conditions, and what they are as polynomials;
 //! - [`samples`], [`bernstein`], [`isolation`]: all of their zeros, each in an interval of its own;

@@ -1,7 +1,7 @@
-//! The characteristic polynomial of three or four coordinates: its coefficients as polynomials.
+//! The characteristic polynomial of two to four coordinates: its coefficients as polynomials.
 
 use super::terms::{Product, Terms};
-use crate::stability::general::equations::Equations;
+use crate::stability::general::equations::{Column, Equations};
 use crate::stability::general::functions::{GRAVITY, ONE, OVER_SPEED, SPEED, SQUARE, Variable as Along};
 
 /// What polynomials are in.
@@ -29,18 +29,21 @@ pub(super) struct Characteristic {
     pub(super) variable: Variable,
     /// Whether they are those of powers of the eigenvalue divided by v, which multiplies the conditions by powers of v.
     pub(super) is_divided: bool,
-    /// `p_0` to `p_2N`.
+    /// Ascending, of as many powers of the eigenvalue as there are states, and one.
     pub(super) coefficients: Coefficients,
 }
 
-/// That of three or four coordinates; `None` of other numbers of them.
+/// The most states of four coordinates with all powers of the speed: polynomials of higher degrees, up to 56, tell less than
+/// interpolation in parts of the range.
+const MOST_STATES: usize = 6;
+
+/// That of two to four coordinates, without the powers of the eigenvalue that divide columns; `None` of other numbers of them.
 pub(super) fn characteristic(equations: &Equations) -> Option<Characteristic> {
     let Along::Speed { gravity } = equations.variable else { return None };
-    let Equations { mass, damping, stiffness, .. } = equations;
+    let Equations { mass, damping, stiffness, columns, .. } = equations;
     let is_even = damping.term(ONE).is_none() && stiffness.term(SPEED).is_none();
     let has_over_speed = damping.term(OVER_SPEED).is_some();
-    if equations.columns.len() == MOST && has_over_speed && !is_even {
-        // Polynomials of degree 56 tell less than interpolation in parts of the range.
+    if columns.len() == MOST && has_over_speed && !is_even && equations.states() > MOST_STATES {
         return None;
     }
     let variable = if is_even { Variable::Square } else { Variable::Speed };
@@ -52,7 +55,7 @@ pub(super) fn characteristic(equations: &Equations) -> Option<Characteristic> {
         let standing = (standing.0 + weight, f64::EPSILON * (standing.0.abs() + weight.abs()));
         let (m, over, c0, c1) = (of_mass(ONE), of_damping(OVER_SPEED), of_damping(ONE), of_damping(SPEED));
         let none = (0.0, 0.0);
-        match variable {
+        let [stiffness, damping, mass] = match variable {
             Variable::Square => [&[standing, of_stiffness(SQUARE)][..], &[over, c1], &[none, m]].map(Terms::new),
             Variable::Speed => {
                 let stiffness = [standing, of_stiffness(SPEED), of_stiffness(SQUARE)];
@@ -60,10 +63,20 @@ pub(super) fn characteristic(equations: &Equations) -> Option<Characteristic> {
                     if has_over_speed { (&[over, c0, c1], &[none, none, m]) } else { (&[c0, c1], &[m]) };
                 [&stiffness[..], damping, mass].map(Terms::new)
             }
+        };
+        match columns[j] {
+            Column::Both => [stiffness, damping, mass],
+            Column::Position => [stiffness, damping, Terms::ZERO],
+            Column::Rate => [damping, mass, Terms::ZERO],
+            Column::Neither => [mass, Terms::ZERO, Terms::ZERO],
         }
     };
     let row = |i: usize| move |j: usize| entry(i, j);
-    let coefficients = match equations.columns.len() {
+    let coefficients = match columns.len() {
+        2 => {
+            let rows: [[ByPower<3, 3>; 2]; 2] = [0, 1].map(|i| core::array::from_fn(row(i)));
+            sum([(1.0, &rows[0][0], &rows[1][1]), (-1.0, &rows[0][1], &rows[1][0])].into_iter())
+        }
         3 => {
             let below = minors::<3>([&row(1), &row(2)])?;
             let first: [ByPower<3, 3>; 3] = core::array::from_fn(row(0));

@@ -11,16 +11,17 @@ pub(super) const ROOM: usize = 32;
 
 type Polynomial = Terms<ROOM>;
 
-/// What is zero where two polynomials f and g of degree N and N - 1 have a root in common: the determinant of Bezout's matrix,
-/// by its first row.
+/// What is zero where two polynomials f and g, of the same degree or g of one less, have a root in common: the determinant of
+/// Bezout's matrix, by its first row.
 pub(super) struct CommonRoot {
     pub(super) determinant: Polynomial,
-    /// The cofactors of the first row: where the determinant is zero they are to each other as the powers of the root.
+    degree: usize,
+    /// Where the determinant is zero they are to each other as the powers of the root: the cofactors of the first row.
     cofactors: [Polynomial; MOST],
 }
 
 impl CommonRoot {
-    /// Of polynomials by their coefficients, ascending, of degree three or four; `None` if there is no room for it.
+    /// Of polynomials by their coefficients, ascending, f of degree one to four; `None` if there is no room for it.
     pub(super) fn new<const R: usize>(degree: usize, f: &[Terms<R>], g: &[Terms<R>]) -> Option<Self> {
         let mut bezout = [[Polynomial::ZERO; MOST]; MOST];
         for i in 0..degree {
@@ -39,7 +40,17 @@ impl CommonRoot {
             Polynomial::sum([(1.0, a, d), (-1.0, b, c)].into_iter())
         };
         let mut cofactors = [Polynomial::ZERO; MOST];
-        if degree == 3 {
+        if degree == 1 {
+            // There is one entry, and f tells the root.
+            let one = Terms::<1>::new(&[(1.0, 0.0)]);
+            let of_f = |sign: f64, coefficient: &Terms<R>| Polynomial::sum([(sign, &one, coefficient)].into_iter());
+            let cofactors = [of_f(1.0, &f[1])?, of_f(-1.0, &f[0])?, Polynomial::ZERO, Polynomial::ZERO];
+            return Some(Self { determinant: bezout[0][0], degree, cofactors });
+        }
+        if degree == 2 {
+            cofactors[0] = bezout[1][1];
+            cofactors[1] = bezout[1][0].times(-1.0);
+        } else if degree == 3 {
             cofactors[0] = minor([1, 2], [1, 2])?;
             cofactors[1] = minor([1, 2], [2, 0])?;
             cofactors[2] = minor([1, 2], [0, 1])?;
@@ -58,7 +69,7 @@ impl CommonRoot {
             }
         }
         let determinant = Polynomial::sum((0..degree).map(|j| (1.0, &bezout[0][j], &cofactors[j])))?;
-        Some(Self { determinant, cofactors })
+        Some(Self { determinant, degree, cofactors })
     }
 
     /// The root in common near a zero x of the determinant; `None` where several are.
@@ -66,7 +77,8 @@ impl CommonRoot {
         const AGREEING: f64 = 1e-4;
         let [one, root, square, _] = self.cofactors.each_ref().map(|cofactor| cofactor.at(x));
         let [first, second] = [root / one, square / root];
-        ((first - second).abs() <= AGREEING * first.abs()).then_some(first)
+        // Of less than three powers there is no second ratio.
+        (self.degree < 3 || (first - second).abs() <= AGREEING * first.abs()).then_some(first)
     }
 }
 

@@ -1,4 +1,4 @@
-//! The critical speeds of three and four coordinates from polynomials with coefficients that are computed from the matrices,
+//! The critical speeds of two to four coordinates from polynomials with coefficients that are computed from the matrices,
 //! where all that follows from them is certain.
 //!
 //! What eigenvalues at many speeds would tell follows from the coefficients `p_k` of the characteristic polynomial: with its even
@@ -29,17 +29,25 @@ const IS_THERE: bool = !cfg!(target_family = "wasm");
 impl Equations {
     /// All critical speeds, in no order, where they are certain.
     pub(super) fn find_certain_crossings(&self) -> Option<Findings> {
-        if !IS_THERE || self.columns.iter().any(|column| *column != Column::Both) {
+        let is_conservative = self.is_conservative;
+        if !IS_THERE || (is_conservative && self.columns.iter().any(|column| *column != Column::Both)) {
             return None;
         }
         let Characteristic { variable, is_divided, coefficients: p } = characteristic(self)?;
+        // Where the highest one is zero an eigenvalue passes through infinity from one side of the axis to the other.
+        if self.columns.contains(&Column::Position) && !zeros(variable, &p[self.states()])?.is_empty() {
+            return None;
+        }
         let mut found = Vec::new();
         for bracket in zeros(variable, &p[0])? {
             let crossing = self.find_divergence(bracket.start()).filter(|crossing| bracket.contains(crossing))?;
-            let change = if self.is_conservative { None } else { change(crossing.growth) };
+            let change = if is_conservative { None } else { change(crossing.growth) };
             add(&mut found, Found { kind: CriticalKind::Capsize, crossing, change });
         }
-        let common = common_root(self.columns.len(), &p, self.is_conservative)?;
+        if self.states() < 2 {
+            return Some(Findings { found, samples: Vec::new(), unexamined: Vec::new() });
+        }
+        let common = common_root(self.states(), &p, is_conservative)?;
         for bracket in zeros(variable, &common.determinant)? {
             let v = bracket.start();
             let square = common.at(if variable == Variable::Square { v * v } else { v })?;
@@ -47,7 +55,7 @@ impl Equations {
                 continue;
             }
             let omega = (-square).sqrt() * if is_divided { v } else { 1.0 };
-            let found_there = if self.is_conservative {
+            let found_there = if is_conservative {
                 let crossing = self.find_meeting(v, omega)?;
                 Found { kind: CriticalKind::DoubleRoot, crossing, change: None }
             } else {
@@ -68,15 +76,16 @@ impl Equations {
 const CLOSE: f64 = 1e-3;
 
 /// Of the even part of the characteristic polynomial with the odd one, or where that is zero with its own derivative.
-fn common_root(degree: usize, p: &Coefficients, is_conservative: bool) -> Option<CommonRoot> {
+fn common_root(states: usize, p: &Coefficients, is_conservative: bool) -> Option<CommonRoot> {
     let (mut even, mut odd) = ([Terms::ZERO; MOST + 1], [Terms::ZERO; MOST]);
+    let degree = states / 2;
     for k in 0..=degree {
         even[k] = p[2 * k];
-        if k < degree {
+        if 2 * k < states {
             odd[k] = if is_conservative { p[2 * k + 2].times((k + 1) as f64) } else { p[2 * k + 1] };
         }
     }
-    CommonRoot::new(degree, &even[..=degree], &odd[..degree])
+    CommonRoot::new(degree, &even[..=degree], &odd[..states.div_ceil(2)])
 }
 
 /// The scaled speeds at which a polynomial is zero, each in its own bracket; `None` if they are not certain.
@@ -106,7 +115,7 @@ fn zeros_of<const R: usize, const N: usize>(variable: Variable, polynomial: &Ter
 mod tests {
     use crate::stability::critical::CriticalKind;
     use crate::stability::general::Equations;
-    use crate::system::{Coefficients, Matrix};
+    use crate::system::{Coefficients, Matrix, States};
 
     /// Entries of many digits at random.
     fn random<const N: usize>(seed: u64) -> impl FnMut(f64) -> Matrix<f64, N> {
@@ -202,5 +211,70 @@ mod tests {
             }
         }
         assert!(certain >= 70 && count > 40, "{certain} with {count}");
+    }
+
+    /// Of all matrices, with coordinates of which only the position or the rate is a state: how many of 20 are certain, and the
+    /// speeds at which a pair crosses the axis.
+    fn systems_of_orders<const N: usize>(states: [States; N]) -> (usize, usize) {
+        let (mut certain, mut count) = (0, 0);
+        for seed in 0..20 {
+            let mut matrix = random::<N>(200 + seed);
+            let has = |with: States| states.map(|states| f64::from(u8::from(states == States::Both || states == with)));
+            let [positions, rates] = [States::Position, States::Rate].map(has);
+            let columns = |mut matrix: Matrix<f64, N>, are_there: [f64; N]| {
+                (0..N).for_each(|j| matrix.column_mut(j).iter_mut().for_each(|entry| *entry *= are_there[j]));
+                matrix
+            };
+            let one = Matrix::identity();
+            let coefficients = Coefficients {
+                m: columns(symmetric(matrix(0.1)) + one, rates),
+                cm1: matrix(0.2) + one * 0.3,
+                c0: matrix(0.3) + one * 0.6,
+                c1: matrix(0.2) + one * 0.3,
+                kc: columns(matrix(1.5) + one * 2.0, positions),
+                k0: columns(matrix(1.0), positions),
+                k1: columns(matrix(1.0), positions),
+                k2: columns(matrix(1.0), positions),
+                states,
+            };
+            if let Some(there) = assert_agreement(&coefficients, CriticalKind::Weave) {
+                (certain, count) = (certain + 1, count + there);
+            }
+        }
+        (certain, count)
+    }
+
+    #[test]
+    fn are_certain_of_coordinates_of_first_order_and_by_their_rate() {
+        use States::{Both, Position, Rate};
+        let found = [
+            systems_of_orders([Both, Position]),
+            systems_of_orders([Rate, Both]),
+            systems_of_orders([Rate, Rate, Position]),
+            systems_of_orders([Both, Position, Rate]),
+            systems_of_orders([Both, Position, Both]),
+            systems_of_orders([Rate, Both, Rate, Both]),
+        ];
+        assert!(found.iter().all(|&(certain, _)| certain >= 16), "{found:?}");
+        assert!(found.iter().map(|(_, count)| count).sum::<usize>() >= 40, "{found:?}");
+    }
+
+    /// `(1 - v) q'` of a coordinate of first order that drives another: at 1 m/s its eigenvalue passes through infinity, from
+    /// one side of the axis to the other.
+    #[test]
+    fn an_eigenvalue_that_passes_through_infinity_is_left_to_others() {
+        let coefficients = |slope: f64| Coefficients::<f64, 2> {
+            m: Matrix::<f64, 2>::new(1.0, 0.0, 0.0, 0.0),
+            c0: Matrix::<f64, 2>::new(1.0, 0.0, 0.0, 1.0),
+            c1: Matrix::<f64, 2>::new(0.0, 0.0, 0.0, slope),
+            kc: Matrix::<f64, 2>::new(2.0, 0.5, 0.5, 1.0),
+            states: [States::Both, States::Position],
+            ..Default::default()
+        };
+        let is_certain = |slope: f64| {
+            let equations = Equations::new(&(&coefficients(slope)).into(), 0.0).expect("a regular system");
+            equations.find_certain_crossings().is_some()
+        };
+        assert!(is_certain(1.0) && !is_certain(-1.0));
     }
 }
