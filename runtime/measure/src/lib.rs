@@ -4,6 +4,7 @@ mod bicycle;
 mod doubts;
 mod geometry;
 mod names;
+mod origins;
 pub mod oscillation;
 mod part;
 mod pendulum;

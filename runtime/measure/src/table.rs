@@ -4,19 +4,23 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use carvallo::{ParameterInfo, Sources, Uncertain};
-use carvallo_design::input::{Named, Node, Raw, Value};
+use carvallo_design::input::{Named, Node, Raw, Value, computed, too_large};
 use carvallo_design::number::shortest;
 use carvallo_design::quantity::{Context, Measured, measured, no_names};
 use carvallo_design::{Deviation, Failure, Given, Place, Problem, WHIPPLE, nearest};
 
 use crate::doubts::doubts;
 use crate::names::{OTHERS, all, known};
+use crate::origins::{impossible, large};
 use crate::oscillation::{Oscillation, Recording};
 
 /// A fit that explains less of a signal is told to be doubtful, ...
 const DOUBTFUL: f64 = 0.9;
 /// ... and one that explains less than half of it is of noise.
 const NOISE: f64 = 0.5;
+
+/// The angle that no bicycle has below 3.1416 degrees.
+const HEAD_ANGLE: &str = "gamma";
 
 /// What is in a file of measurements.
 pub struct Table<'a> {
@@ -47,6 +51,11 @@ impl<'a> Table<'a> {
             problems: RefCell::default(),
             warnings: RefCell::default(),
         };
+        if let Some(Named { node, .. }) = members.iter().find(|member| member.name == "parameters") {
+            let message =
+                "these are parameters, and no measurements that they follow from; `carvallo analyze` reads such a file";
+            return Err(Failure::at(node.place.clone(), message));
+        }
         let mut places: BTreeMap<&str, Place> = BTreeMap::new();
         // A group of their own is as good as none.
         let flat = members.into_iter().flat_map(|member| match member.node.value {
@@ -154,16 +163,17 @@ impl<'a> Table<'a> {
         };
         let periods: Vec<(&str, f64)> = self.numbers.iter().map(|(name, number)| (*name, number.value())).collect();
         let doubts = doubts(&periods);
-        let given = carvallo_design::input::given(&WHIPPLE, &self.label, parameters.iter().map(written));
-        let mut design = given.map_err(|failure| match failure {
-            // They are the likely cause.
-            Failure::Input(mut problems) => {
-                let place = || Place::File(self.label.clone());
-                problems.extend(doubts.iter().map(|message| Problem { place: place(), message: message.clone() }));
-                Failure::Input(problems)
-            }
-            other => other,
-        })?;
+        let impossible: Vec<String> =
+            parameters.iter().filter_map(|(name, number)| impossible(name, number.value())).collect();
+        if !impossible.is_empty() {
+            // Doubtful periods are the likely cause.
+            let problem =
+                |message: &String| Problem { place: Place::File(self.label.clone()), message: message.clone() };
+            return Err(Failure::Input(impossible.iter().chain(&doubts).map(problem).collect()));
+        }
+        let mut design = computed(&WHIPPLE, &self.label, parameters.iter().map(written))?;
+        let large: Vec<String> = too_large(WHIPPLE.info, &design.values()).into_iter().map(large(&design)).collect();
+        design.warnings.extend(large);
         let numbers: Vec<Uncertain> = parameters.iter().map(|(_, number)| *number).collect();
         let covariance = self.sources.covariance(&numbers).map_err(|error| Failure::Run(error.to_string()))?;
         design.covariance = Some(covariance).filter(|covariance| !covariance.correlations().is_empty());
@@ -242,6 +252,11 @@ fn mean<'a>(
     let count = nodes.len() as f64;
     let (mut sum, mut problems) = (sources.exact(0.0), Vec::new());
     for Node { place, value } in nodes {
+        if name == HEAD_ANGLE
+            && let Some(message) = in_radians(&name, &value)
+        {
+            problems.push(Problem { place: place.clone(), message });
+        }
         let value = if info.unit == "rad" { in_degrees(value) } else { value };
         match (Named { name: name.clone(), node: Node { place, value } }).judge(info) {
             Ok(Given { value, deviation, .. }) => {
@@ -275,4 +290,15 @@ pub fn in_degrees(value: Value) -> Value {
         }
         other => other,
     }
+}
+
+/// That a plain number of degrees was probably meant in radians, of an angle that is never so small.
+pub fn in_radians(name: &str, value: &Value) -> Option<String> {
+    let (Value::Text(text) | Value::Number(text)) = value else { return None };
+    let radians = text.trim().parse().ok().filter(|radians| (0.0..std::f64::consts::PI).contains(radians))?;
+    let degrees = shortest((10.0 * f64::to_degrees(radians)).round() / 10.0);
+    Some(format!(
+        "`{name}` is {text} deg, since plain numbers are in degrees; for {degrees} degrees write \"{text} rad\", or \"{text} deg\" \
+         if that is meant"
+    ))
 }

@@ -101,6 +101,16 @@ fn wheel_assemblies_of_libbicycle_come_out() {
             assert!((found - value).abs() <= 3e-14 * value.abs().max(1.0), "{file}: {name} is {found}, not {value}");
         }
     }
+    // The trail of the paper is a `c`, too.
+    for set in ["front_c=-0.04", "front.c=-0.04", "front_.c=-0.04"] {
+        let run = directory.run(&["convert", "benchmark", "--set", set, "--to", "libbicycle", "--format", "json"]);
+        let json: serde_json::Value = serde_json::from_str(&run.stdout).unwrap_or_else(|_| panic!("{}", run.stderr));
+        let [front, rear] = ["front_c", "rear_c"].map(|name| json["parameters"][name].as_f64().unwrap());
+        assert!(
+            (front + 0.04).abs() < 1e-15 && (rear - 0.953_457_069_612_184_7).abs() < 4e-15,
+            "{set}: {front}, {rear}"
+        );
+    }
     directory.write("crown.txt", format!("{rear}{front}rear.r = 0.02\n{common}"));
     let run = directory.run(&["show", "crown.txt"]);
     assert!(run.stderr.contains("it must be 0: wheels are edged here"), "{}", run.stderr);

@@ -106,10 +106,21 @@ fn mistakes_are_told_at_their_place() {
         none.contains("it has no measurements; `carvallo measure --example` prints a file to start from"),
         "{none}"
     );
+    let parameters = mistake(&directory, "model = \"Whipple\"\n[parameters]\nw = 1.02\n");
+    assert!(parameters.starts_with("error: wrong.toml:2: these are parameters, and no measurements"), "{parameters}");
     // A period in the place of another one: of the wheel, less than that of a point at its centre.
     let short = of("TcF1 = \"1.48112737", "TcF1 = \"0.9");
     assert!(short.contains("`IFyy` is -0.0"), "{short}");
-    assert!(short.contains("it must be >= 0"), "{short}");
+    assert!(short.contains("it must be >= 0: it follows from `TcF1`, `lF` and `mF`\n"), "{short}");
+    // 67.1 degrees are 1.1711 rad.
+    let radians = of("gamma = \"67.1 +/- 0.2\"", "gamma = 1.1711");
+    assert!(radians.contains("for 67.1 degrees write \"1.1711 rad\""), "{radians}");
+    // Ten times a period is a hundred times the moment of inertia; nobody wrote that in another unit.
+    directory.write("slow.toml", example.replace("TcR1 = \"1.36108970", "TcR1 = \"13.6108970"));
+    let slow = directory.run(&["measure", "slow.toml"]);
+    let told = "kg m², too large for a bicycle: it follows from `TcR1`, `lR` and `mR`\n";
+    assert!(slow.code == Some(0) && slow.stderr.contains(told), "{}", slow.stderr);
+    assert!(!slow.stderr.contains("write that unit"), "{}", slow.stderr);
     let nothing = directory.run(&["measure"]);
     assert_eq!(nothing.code, Some(2));
     let absent = directory.run(&["measure", "absent.txt"]);

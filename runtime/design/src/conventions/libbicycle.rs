@@ -9,7 +9,7 @@ use super::dual::Dual;
 use super::gyrostats::{EDGED, GYROSTATS};
 use super::name::{Name, Values};
 use crate::failure::Problem;
-use crate::input::Entry;
+use crate::input::{Entry, is_part, without_owner};
 
 pub const LIBBICYCLE: Convention = Convention {
     name: "libbicycle",
@@ -22,9 +22,6 @@ pub const LIBBICYCLE: Convention = Convention {
     from_paper,
     complete: super::nothing,
 };
-
-/// What the assemblies are called; in C++ they are members, with an underscore behind.
-const ASSEMBLIES: [&str; 2] = ["rear", "front"];
 
 macro_rules! assembly {
     ($which:literal) => {
@@ -111,9 +108,9 @@ const KEPT: [&str; 5] = ["g", "mR", "IRxx", "mF", "IFxx"];
 fn of_assemblies(entries: &mut Vec<Entry>, _: &mut Vec<Problem>) {
     for entry in entries {
         let Some((owner, own)) = entry.name.rsplit_once('.') else { continue };
-        let owner = owner.rsplit_once('.').map_or(owner, |(_, owner)| owner);
-        if let Some(assembly) = ASSEMBLIES.iter().find(|assembly| owner.trim_end_matches('_') == **assembly) {
-            entry.name = format!("{assembly}_{own}");
+        let owner = without_owner(owner);
+        if is_part(owner) {
+            entry.name = format!("{}_{own}", owner.trim_end_matches('_'));
         }
     }
 }

@@ -153,6 +153,10 @@ impl Convention {
 
     /// What a name of a file means here.
     fn known(&self, name: &str) -> Option<&'static Name> {
+        // Those who have such names have others once they are prepared.
+        if crate::input::is_of_part(name) {
+            return None;
+        }
         let own = crate::input::without_owner(name);
         // What is called exactly so comes first.
         let exact = self.names.iter().find(|known| known.name == own);

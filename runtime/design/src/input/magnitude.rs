@@ -56,6 +56,14 @@ pub fn warnings(info: &ModelInfo, values: &[f64]) -> Vec<String> {
     units.filter_map(|(unit, _)| warning(unit, found.iter().filter(|slip| slip.unit == *unit))).collect()
 }
 
+/// The parameters that are larger than those of any bicycle, and in another unit would not be.
+#[cfg(feature = "full")]
+pub fn too_large(info: &ModelInfo, values: &[f64]) -> Vec<&'static str> {
+    let mut names: Vec<&'static str> = slips(info, values).into_iter().map(|slip| slip.name).collect();
+    names.dedup();
+    names
+}
+
 /// A warning if a value of something that varies seems to be in another unit, by the parameters of the model that follow from it.
 #[cfg(feature = "full")]
 pub fn warning_of_varied(varied: &ParameterInfo, value: f64, info: &ModelInfo, values: &[f64]) -> Option<String> {

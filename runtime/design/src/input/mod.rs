@@ -43,11 +43,11 @@ use crate::joined::Body;
 use crate::model::{Shipped, WHIPPLE};
 
 #[cfg(feature = "full")]
-pub use self::magnitude::warning_of_varied;
+pub use self::magnitude::{too_large, warning_of_varied};
 pub use self::matrices::{list, matrix_of_rows};
-#[cfg(feature = "full")]
-pub(crate) use self::names::without_owner;
 pub use self::names::{Expected, Known, known, position};
+#[cfg(feature = "full")]
+pub(crate) use self::names::{is_of_part, is_part, without_owner};
 pub use self::raw::{Named, Node, Raw, Value, load_raw, read_raw};
 pub use self::request::{Request, is_same_file};
 #[cfg(feature = "full")]
@@ -154,6 +154,21 @@ pub fn given(
     let entry = |(name, text): (String, String)| Entry::from_text(&name, Place::Option(label.to_owned()), &text);
     let document = Document { entries: values.into_iter().map(entry).collect(), ..Document::default() };
     resolve(document, label, Some(Kind::Shipped(model)), Changes::default())
+}
+
+/// The same of values that were computed, and that nobody wrote in another unit.
+///
+/// # Errors
+/// Everything that is wrong with them.
+#[cfg(feature = "full")]
+pub fn computed(
+    model: &'static Shipped,
+    label: &str,
+    values: impl IntoIterator<Item = (String, String)>,
+) -> Result<Design, Failure> {
+    let design = given(model, label, values)?;
+    let warnings = plausible::warnings(design.info(), &design.values());
+    Ok(Design { warnings, ..design })
 }
 
 /// What ships under a name, or what is in a file or the standard input; with what it is called.

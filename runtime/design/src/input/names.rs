@@ -3,8 +3,11 @@
 use carvallo::ModelInfo;
 
 /// The position of the parameter that is meant: `rR` by `rR`, `r_R` and `self.r_R`; `lam` by `lamda`, `lambda` and `λ`; `g`
-/// by `gravity`; `IBxz` by `I_Bzx` too, as inertia tensors are symmetric.
+/// by `gravity`; `IBxz` by `I_Bzx` too, as inertia tensors are symmetric. `front.c` of a wheel assembly is none of them.
 pub fn position(name: &str, info: &ModelInfo) -> Option<usize> {
+    if is_of_part(name) {
+        return None;
+    }
     let short: String = without_owner(name).chars().filter(|&c| c != '_').collect();
     let usual = match short.as_str() {
         "gravity" => "g".to_owned(),
@@ -25,6 +28,16 @@ pub fn is_gravity(name: &str) -> bool {
 /// `r_R` of `self.r_R`.
 pub fn without_owner(name: &str) -> &str {
     name.rsplit_once('.').map_or(name, |(_, own)| own)
+}
+
+/// Whether something is a part of a bicycle that has parameters of its own, as in libbicycle; members of C++ end in an underscore.
+pub fn is_part(owner: &str) -> bool {
+    matches!(owner.trim_end_matches('_'), "rear" | "front")
+}
+
+/// Whether a name is that of a parameter of such a part, as `rear.m`.
+pub fn is_of_part(name: &str) -> bool {
+    name.rsplit_once('.').is_some_and(|(owner, _)| is_part(without_owner(owner)))
 }
 
 /// A name that files of the field carry, but that the model does not need.

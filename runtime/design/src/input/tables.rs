@@ -2,6 +2,7 @@
 
 use super::document::{Document, Entry, FEEDBACK, Written};
 use super::matrices;
+use super::names::is_part;
 use crate::failure::Place;
 
 /// What the output of an analysis, or of the sensitivity, holds besides the parameters; correlations are read before these.
@@ -52,13 +53,6 @@ pub enum Value {
     Table(Vec<Named>),
     /// What has no place in a file of parameters, in words: `a boolean`.
     Other(&'static str),
-}
-
-/// Parts of a bicycle whose parameters may stand in a table of their own.
-const PARTS: [&str; 2] = ["rear", "front"];
-
-fn is_part(name: &str, members: &[Named]) -> bool {
-    PARTS.contains(&name.trim_end_matches('_')) && members.iter().all(|member| member.name != "value")
 }
 
 /// What a format calls its parts.
@@ -133,7 +127,7 @@ impl Document {
     /// its own, as attributes: `rear.m`.
     fn take(&mut self, name: String, place: Place, value: Value, words: &Words) {
         match value {
-            Value::Table(members) if is_part(&name, &members) => {
+            Value::Table(members) if is_part(&name) && members.iter().all(|member| member.name != "value") => {
                 for Named { name: own, node } in members {
                     self.take(format!("{name}.{own}"), node.place, node.value, words);
                 }

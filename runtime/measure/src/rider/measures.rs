@@ -5,7 +5,7 @@ use carvallo_design::input::{Named, Node, Raw, Value};
 use carvallo_design::number::{shortest, with_unit};
 use carvallo_design::{Failure, Given, Place, Problem, nearest};
 
-use crate::table::in_degrees;
+use crate::table::{in_degrees, in_radians};
 
 /// Lengths of the rider in m, in the order of [`Measures::lengths`].
 const LENGTHS: [ParameterInfo; 13] = [
@@ -186,17 +186,6 @@ fn in_another_unit(lengths: Vec<Length>) -> Vec<Problem> {
         Problem { place, message }
     };
     lengths.into_iter().map(told).take(if count > SEPARATE { 1 } else { count }).collect()
-}
-
-/// That a plain number of degrees was probably meant in radians.
-fn in_radians(name: &str, value: &Value) -> Option<String> {
-    let (Value::Text(text) | Value::Number(text)) = value else { return None };
-    let radians = text.trim().parse().ok().filter(|radians| (0.0..std::f64::consts::PI).contains(radians))?;
-    let degrees = shortest((10.0 * f64::to_degrees(radians)).round() / 10.0);
-    Some(format!(
-        "`{name}` is {text} deg, since plain numbers are in degrees; for {degrees} degrees write \"{text} rad\", or \"{text} deg\" \
-         if that is meant"
-    ))
 }
 
 /// What no rider on a bicycle has, most likely for being in another unit or counted the other way.
