@@ -118,7 +118,7 @@ def test_scipy_takes_the_transfer_function(benchmark):
 def test_unknown_names_are_told(benchmark):
     with pytest.raises(ValueError, match="`Tdelt` is no input of Whipple; did you mean `Tdelta`?"):
         benchmark.state_space(5.0, inputs="Tdelt")
-    with pytest.raises(ValueError, match="`roll` is no output of Whipple"):
-        benchmark.transfer_function(5.0, "Tdelta", "roll")
+    with pytest.raises(ValueError, match="`rolling` is no output of Whipple"):
+        benchmark.transfer_function(5.0, "Tdelta", "rolling")
     with pytest.raises(ValueError):
         carvallo.Whipple("benchmark", w=np.array([1.0, 1.1])).transfer_function(5.0, "Tdelta", "phi")

@@ -190,8 +190,8 @@ class Design(Linearized, Analyzed, Moving, Controlled, Drawn, Mapping[str, Union
 
     def to_dict(self, parameterization: str = "paper") -> dict[str, float]:
         """The parameters of one design by their names, in SI units: those of the paper, or of a bicycle in another
-        parameterization: ``moore``, ``pydy``, ``principal``, ``gyrostats``, ``libbicycle``, ``jbike6`` or ``geometry``. A dict in any of them
-        makes the same design again: ``carvallo.Whipple(pista.to_dict("moore"))``.
+        parameterization: ``moore``, ``pydy``, ``principal``, ``gyrostats``, ``libbicycle``, ``jbike6`` or ``geometry``. A dict
+        in any of them makes the same design again: ``carvallo.Whipple(pista.to_dict("moore"))``.
 
         Raises
         ------
