@@ -39,7 +39,7 @@ pub fn compare(found: &[Measured]) -> Result<Vec<String>, String> {
     let rows = text.lines().filter(|line| !line.starts_with('#') && *line != HEAD);
     let written = rows.map(|line| read(line).ok_or_else(|| bad(line))).collect::<Result<Vec<_>, _>>()?;
     let mut grown = Vec::new();
-    println!("{:<5}{:<26}{:>20}{:>20}{:>20}", "board", "task", "flash", "stack", "instructions");
+    println!("{:<7}{:<26}{:>20}{:>20}{:>20}", "board", "task", "flash (B)", "stack (B)", "instructions");
     for now in found {
         let Measured { board, task, .. } = now;
         let Some(before) = written.iter().find(|row| row.board == *board && row.task == *task) else {
@@ -53,7 +53,7 @@ pub fn compare(found: &[Measured]) -> Result<Vec<String>, String> {
         ];
         let cells: String =
             pairs.iter().map(|(_, before, now)| format!("{:>20}", format!("{before} -> {now}"))).collect();
-        println!("{board:<5}{task:<26}{cells}");
+        println!("{board:<7}{task:<26}{cells}");
         let more = pairs.iter().filter(|(_, before, now)| now > before);
         grown.extend(
             more.map(|(what, before, now)| format!("{task} on {board}: {what} {now} in the place of {before}")),
