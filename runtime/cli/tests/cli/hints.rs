@@ -116,6 +116,12 @@ fn usual_names_are_understood() {
     }
     let own = lines(&["transfer", "--speed", "5", "--inputs", "Tdelta", "--outputs", "phi,phi_rate"]);
     assert_eq!(lines(&["transfer", "--speed", "5", "--inputs", "steer_torque", "--outputs", "roll,roll_dot"]), own);
+    let lqr = |inputs: &str, weights: [&str; 2]| {
+        let weights = weights.map(|weight| ["--weight", weight]).concat();
+        lines(&[&["lqr", "--speeds", "5", "--inputs", inputs], &weights[..]].concat())
+    };
+    let own = lqr("Tdelta", ["phi=3", "Tdelta=2"]);
+    assert_eq!(lqr("steer_torque", ["roll=3", "steering torque=2"]), own);
     let gains = |law: &str| {
         let run = lines(&["analyze", "--feedback", law, "--format", "csv"]);
         assert!(run.lines().count() > 2, "{run}");

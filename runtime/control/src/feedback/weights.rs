@@ -2,9 +2,9 @@
 
 use carvallo_design::number::shortest;
 use carvallo_design::quantity::{self, Context, no_names};
-use carvallo_design::{Failure, Place, Problem};
+use carvallo_design::{Failure, Place, Problem, is_called};
 
-use crate::{Order, Output, Ports};
+use crate::{Order, Output, Ports, Signal};
 
 /// The weights of a linear quadratic regulator, which keeps the integral of `sum q y^2 + sum r u^2` as small as it can be: q of
 /// outputs y, r of inputs u, each in the inverse square of its unit.
@@ -46,7 +46,9 @@ impl Weights {
         let value = quantity::number(value, context);
         let value = value.map_err(|_| format!("`{}` must be a finite number", text[name.len() + 1..].trim()))?;
         let name = name.trim();
-        let own = ports.inputs.iter().position(|input| input.name.eq_ignore_ascii_case(name));
+        let is_own =
+            |input: &Signal| input.name.eq_ignore_ascii_case(name) || is_called(&input.name, &input.label, name);
+        let own = ports.inputs.iter().position(is_own);
         if let Some(input) = own {
             let name = &ports.inputs[input].name;
             let place = self.inputs.iter().position(|(other, _)| *other == input);
