@@ -6,7 +6,7 @@ use std::fmt;
 
 use carvallo::{Coefficients, CriticalKind, MatrixName, Stability};
 use carvallo_check::explain::{Cause, DoubleSlip};
-use carvallo_check::given::{CriticalSpeed, Eigenvalues, Given, Reading};
+use carvallo_check::given::{CriticalSpeed, Eigenvalues, Given, Reading, StateMatrix};
 use carvallo_check::machine::Machine;
 use carvallo_check::{Explanation, check_machine, words};
 use carvallo_models::{Whipple, WhippleMechanism};
@@ -17,6 +17,8 @@ use carvallo_slips::{FormulaSlip, Kind, Slip, slips};
 pub enum Evidence {
     /// The matrices M, C1, K0 and K2, to so many digits.
     Matrices(usize),
+    /// The state matrix at 5 m/s.
+    StateMatrix(usize),
     /// The eigenvalues at 2, 4 and 6 m/s.
     Eigenvalues(usize),
     /// The weave and capsize speeds.
@@ -31,9 +33,11 @@ const SPEEDS: [f64; 3] = [2.0, 4.0, 6.0];
 
 impl Evidence {
     /// Those that are measured.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 8] = [
         Self::Matrices(FULL),
         Self::Matrices(4),
+        Self::StateMatrix(FULL),
+        Self::StateMatrix(4),
         Self::Eigenvalues(FULL),
         Self::Eigenvalues(4),
         Self::CriticalSpeeds(FULL),
@@ -45,6 +49,7 @@ impl fmt::Display for Evidence {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (what, digits) = match self {
             Self::Matrices(digits) => ("M, C1, K0, K2", *digits),
+            Self::StateMatrix(digits) => ("state matrix at 5 m/s", *digits),
             Self::Eigenvalues(digits) => ("eigenvalues at 2, 4 and 6 m/s", *digits),
             Self::CriticalSpeeds(digits) => ("weave and capsize speeds", *digits),
         };
@@ -305,6 +310,18 @@ fn given(evidence: Evidence, entries: &[f64]) -> Option<Given> {
             };
             let matrices = [MatrixName::M, MatrixName::C1, MatrixName::K0, MatrixName::K2].map(matrix).to_vec();
             Given { matrices, ..Given::default() }
+        }
+        Evidence::StateMatrix(digits) => {
+            const SPEED: f64 = 5.0;
+            let space = coefficients.at(SPEED, gravity).ok()?.state_space().ok()?;
+            let entry = |row: usize, column: usize| match (row, column) {
+                (0 | 1, _) => f64::from(u8::from(column == row + 2)),
+                (_, 0 | 1) => space.stiffness[(row - 2, column)],
+                _ => space.damping[(row - 2, column - 2)],
+            };
+            let reading = |row: usize, column: usize| Some(Reading::rounded(entry(row, column), digits));
+            let rows = (0..4).map(|row| (0..4).map(|column| reading(row, column)).collect()).collect();
+            Given { state_matrices: vec![StateMatrix { speed: SPEED, rows }], ..Given::default() }
         }
         Evidence::Eigenvalues(digits) => {
             let at = |speed: f64| {

@@ -10,7 +10,7 @@
 use std::time::Instant;
 
 use carvallo_tests::explained::{
-    Evidence, FULL, Outcome, Tally, benchmark, count, measure, measure_attributes, measure_pairs, mechanism,
+    Evidence, Outcome, Tally, benchmark, count, measure, measure_attributes, measure_pairs, mechanism,
 };
 
 fn main() {
@@ -31,7 +31,13 @@ fn main() {
         row(&format!("attributes of the mechanism: {evidence}"), &|| measure_attributes(&bodies, evidence, every));
     }
     for (of, has_sense) in [("that make sense by their units", true), ("of all", false)] {
-        for evidence in [Evidence::Matrices(FULL), Evidence::Matrices(4)] {
+        // Of eigenvalues those alone are tried that make sense.
+        let all = Evidence::ALL.into_iter().filter(|own| match own {
+            Evidence::Matrices(_) | Evidence::StateMatrix(_) => true,
+            Evidence::Eigenvalues(_) => has_sense,
+            Evidence::CriticalSpeeds(_) => false,
+        });
+        for evidence in all {
             let what = format!("{pairs} pairs {of}: {evidence}");
             row(&what, &|| measure_pairs(&machine, evidence, pairs, has_sense));
         }

@@ -11,6 +11,7 @@ pub mod read;
 mod relation;
 mod report;
 mod states;
+mod zero;
 
 use carvallo_design::Design;
 use carvallo_design::units::Units;

@@ -13,6 +13,7 @@ use crate::machine::{Machine, entries_of};
 use crate::motion::Nonlinear;
 use crate::relation::{Relation, relations};
 use crate::states::{order, states};
+use crate::zero::{Zero, zeros};
 use carvallo_slips::index;
 
 /// What makes numbers of matrices.
@@ -34,6 +35,8 @@ pub struct Predictor<'a> {
     feedback: &'a [Law],
     /// What is linear in the entries and holds where numbers agree: what does not as it is here first.
     relations: Vec<Relation>,
+    /// The eigenvalues that are given as zeros of a determinant, what is the farthest off as it is here first.
+    zeros: Vec<Zero>,
 }
 
 /// Nonlinear equations, and what they make of the parameters as they are.
@@ -73,15 +76,25 @@ impl<'a> Predictor<'a> {
         let closing = machine.gains().map(|gain| entries_of(gain, info, &machine.parameters));
         let (closing, system) = (closing.collect(), matrices::model(&form));
         let (nonlinear, feedback) = (Vec::new(), &machine.feedback[..]);
-        let (tolerances, relations) = (Vec::new(), Vec::new());
+        let (tolerances, relations, zeros) = (Vec::new(), Vec::new(), Vec::new());
         let mut made =
-            Self { given, numbers, tolerances, info, system, orders, closing, nonlinear, feedback, relations };
+            Self { given, numbers, tolerances, info, system, orders, closing, nonlinear, feedback, relations, zeros };
         made.nonlinear = made.meant(machine);
         let world = machine.world();
         made.tolerances = self::tolerances(&made.numbers, &made.predict(&world));
         made.relations = self::relations(&made, info);
         let entries = made.closed_entries(&world);
         made.relations.sort_by_key(|own| own.holds(&entries, world.gravity));
+        let closing = machine.gains().map(|gain| gain.matrix);
+        let mut matrices: Vec<MatrixName> = info.matrices.iter().copied().chain(closing).collect();
+        matrices.sort_by_key(|matrix| *matrix as usize);
+        matrices.dedup();
+        let far = |own: &Zero| {
+            let [off, allowed] = own.off(&own.matrices(&entries, world.gravity));
+            off / allowed
+        };
+        made.zeros = self::zeros(&made, info, &matrices);
+        made.zeros.sort_by(|a, b| far(b).total_cmp(&far(a)));
         made
     }
 
@@ -157,7 +170,9 @@ impl<'a> Predictor<'a> {
     pub fn fits(&self, world: &World) -> bool {
         // These cost nothing, and hardly anything passes them.
         let entries = self.closed_entries(world);
-        if !self.relations.iter().all(|own| own.holds(&entries, world.gravity)) {
+        let holds = self.relations.iter().all(|own| own.holds(&entries, world.gravity))
+            && self.zeros.iter().all(|own| own.holds(&entries, world.gravity));
+        if !holds {
             return false;
         }
         let has_others = self.numbers.iter().any(|(quantity, _)| !matches!(quantity, Quantity::Entry(..)));
@@ -199,7 +214,12 @@ impl<'a> Predictor<'a> {
         &self.relations
     }
 
-    /// The same of the entries of the open loop, which this closes.
+    /// The eigenvalues that are given as zeros of a determinant, what is the farthest off here first.
+    pub fn zeros(&self) -> &[Zero] {
+        &self.zeros
+    }
+
+    /// The relations of the entries of the open loop, which this closes.
     pub fn relations_of_open_loop(&self, world: &World) -> Vec<Relation> {
         let closing: Vec<(usize, f64)> = self.closed(world).collect();
         self.relations.iter().map(|own| own.clone().of_open_loop(&closing, world.gravity)).collect()

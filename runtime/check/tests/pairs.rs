@@ -1,4 +1,4 @@
-//! Two slips at once in what matrices make: the damping and stiffness at a speed, and state matrices.
+//! Two slips at once in what matrices make: the damping and stiffness at a speed, state matrices, and eigenvalues.
 //!
 //! The numbers come from the formulas and the parameters of Meijaard, Papadopoulos, Ruina & Schwab (2007), Table 1, written out here
 //! with the slips: C1_21 = -(mu ST + SF cos lam) without its minus, and K2_12 = (ST - mT zT) cos(lam)/w with a plus.
@@ -55,4 +55,16 @@ fn two_slips_are_found_behind_a_state_matrix() {
     let row = |at: usize| [lower(k, at, 0), lower(k, at, 1), lower(c, at, 0), lower(c, at, 1)];
     let row = |at: usize| row(at).map(|entry| format!("{entry:.6}")).join(", ");
     both_are_found(&format!("speed = {SPEED}\nA = [[0, 0, 1, 0], [0, 0, 0, 1], [{}], [{}]]", row(0), row(1)));
+}
+
+/// The eigenvalues of `A = [0, 1; -M^-1 K, -M^-1 C]` of these matrices by NumPy (`numpy.linalg.eigvals`), with nine digits.
+#[test]
+fn two_slips_are_found_from_eigenvalues() {
+    both_are_found(
+        r#"eigenvalues = {
+            "2" = ["3.11008504", "-4.05783927", "-2.50546596 ± 6.15217104i"],
+            "4" = ["2.98608928", "-3.91224879", "-5.49560640 ± 15.4116353i"],
+            "6" = ["2.84767165", "-4.06173973", "-8.33099519 ± 23.9043872i"],
+        }"#,
+    );
 }

@@ -1,6 +1,7 @@
 //! The search for what makes the numbers that were given.
 
 mod acting;
+mod beside;
 mod curve;
 mod double;
 mod pairs;
@@ -10,6 +11,7 @@ mod solve;
 mod undeclared;
 mod unknown;
 mod written;
+mod zeros;
 
 use std::cell::OnceCell;
 
@@ -183,7 +185,11 @@ impl<'a, 'b> Search<'a, 'b> {
     }
 
     fn slips(&self) -> &[Found<'a>] {
-        self.slips.get_or_init(|| slips::find(self.machine, self.any))
+        self.slips.get_or_init(|| {
+            let mut found = slips::find(self.machine, self.any);
+            found.extend(zeros::find(self.machine, self.any));
+            found
+        })
     }
 
     /// The parameters of which another value fits, and speeds, where something else than matrices was given.

@@ -5,9 +5,9 @@
 
 use std::collections::BTreeMap;
 
-use carvallo::Expression;
-use carvallo_slips::{FormulaSlip, Values};
+use carvallo_slips::FormulaSlip;
 
+use super::beside::{self, Condition, Left};
 use super::curve::Curve;
 use super::set::Set;
 use super::{Cause, DoubleSlip, Found, double};
@@ -50,10 +50,25 @@ struct Class<'a> {
     slips: Vec<&'a FormulaSlip>,
 }
 
-/// How many pairs may still be compared and evaluated.
-struct Left {
-    compared: usize,
-    evaluated: usize,
+/// The relation that is tried first.
+struct Pivot<'a> {
+    relation: &'a Relation,
+    gravity: f64,
+}
+
+impl Condition for Pivot<'_> {
+    fn holds(&self, entries: &[f64]) -> bool {
+        self.relation.holds(entries, self.gravity)
+    }
+
+    fn curve(&self, here: f64, entries: &mut dyn FnMut(f64) -> Vec<f64>) -> Option<Box<dyn Fn(f64) -> bool>> {
+        let curve = Curve::new(here, |value| {
+            let entries = entries(value);
+            let [off, allowed] = self.relation.off(&entries, self.gravity);
+            [off, allowed, self.relation.size(&entries, self.gravity)]
+        });
+        curve.map(|curve| Box::new(move |value| curve.may_hold(value)) as Box<_>)
+    }
 }
 
 struct Search<'a, 'b> {
@@ -141,7 +156,7 @@ impl<'a, 'b> Search<'a, 'b> {
         left: &mut Left,
         found: &mut Vec<Found<'a>>,
     ) {
-        let Machine { formulas, parameters, values: base, .. } = self.machine;
+        let formulas = &self.machine.formulas;
         let all = formulas.affected(first.formulas.iter().chain(second.formulas).copied());
         // One relation first, that is made of the fewest formulas, of those that both change, or else of those that are wrong.
         let made_of = |relation: &Relation| -> Vec<usize> {
@@ -158,64 +173,15 @@ impl<'a, 'b> Search<'a, 'b> {
             meant.map(|at| (at, made_of(&self.relations[at]))).min_by_key(|(_, made_of)| made_of.len())
         };
         let Some((pivot, made_of)) = pivot(true).or_else(|| pivot(false)) else { return };
-        let pivot = &self.relations[pivot];
-        let uses = |slip: &FormulaSlip, other: &[usize]| other.iter().any(|own| formulas.uses(&slip.changed, *own));
-        // What each slip of the second makes of its formula, where that does not depend on the first.
-        let seconds: Vec<(&FormulaSlip, Option<f64>)> = second
-            .slips
-            .iter()
-            .map(|&own| (own, (!uses(own, first.formulas)).then(|| base.of(&own.changed, parameters))))
-            .collect();
-        let here = base.of_formula(formulas, second.formulas[0]);
-        let mut values: Values = base.clone();
-        for &a in &first.slips {
-            let is_meant = |b: &FormulaSlip| (a.makes_sense && b.makes_sense) == has_sense;
-            if !seconds.iter().any(|(b, _)| is_meant(b)) {
-                continue;
+        let pivot = Pivot { relation: &self.relations[pivot], gravity: self.gravity };
+        let slips = [&first.slips[..], &second.slips[..]];
+        let is_meant = |a: &FormulaSlip, b: &FormulaSlip| (a.makes_sense && b.makes_sense) == has_sense;
+        beside::pairs(self.machine, &pivot, &made_of, slips, &is_meant, left, &mut |a, b| {
+            let world = self.machine.world_of_both(a, b, &all);
+            if self.predictor.fits(&world) {
+                found.push(Found { causes: vec![Cause::Slip(a), Cause::Slip(b)], world });
             }
-            let of_first = (&a.formulas[..], &a.changed);
-            let uses_second = uses(a, second.formulas);
-            let curve = if uses_second {
-                None
-            } else {
-                Curve::new(here, |value| {
-                    let number = Expression::Number(String::new(), value);
-                    values.clone_from(base);
-                    formulas.change_both([of_first, (second.formulas, &number)], &made_of, parameters, &mut values);
-                    let [off, allowed] = pivot.off(&values.entries, self.gravity);
-                    [off, allowed, pivot.size(&values.entries, self.gravity)]
-                })
-            };
-            let mut beside = base.clone();
-            if !uses_second {
-                formulas.change(&a.formulas, &a.changed, parameters, &mut beside);
-            }
-            for &(b, value) in seconds.iter().filter(|(b, _)| is_meant(b)) {
-                if left.compared == 0 || left.evaluated == 0 {
-                    return;
-                }
-                left.compared -= 1;
-                let may_hold = curve
-                    .as_ref()
-                    .is_none_or(|curve| curve.may_hold(value.unwrap_or_else(|| beside.of(&b.changed, parameters))));
-                if !may_hold || (uses_second && value.is_none()) {
-                    continue;
-                }
-                left.evaluated -= 1;
-                let both = [of_first, (&b.formulas[..], &b.changed)];
-                values.clone_from(base);
-                formulas.change_both(both, &made_of, parameters, &mut values);
-                if !pivot.holds(&values.entries, self.gravity) {
-                    continue;
-                }
-                values.clone_from(base);
-                formulas.change_both(both, &all, parameters, &mut values);
-                let world = self.machine.world_from(values.entries.clone(), parameters);
-                if self.predictor.fits(&world) {
-                    found.push(Found { causes: vec![Cause::Slip(a), Cause::Slip(b)], world });
-                }
-            }
-        }
+        });
     }
 
     /// Two slips in the formula of one entry, or of several that have the same.

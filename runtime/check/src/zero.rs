@@ -1,0 +1,138 @@
+//! Eigenvalues that were given, as zeros of the determinant of `s^2 M + s C + K`: whether matrices can have them is told so by a few
+//! products, before their eigenvalues are computed.
+
+use carvallo::{Complex, MatrixName, ModelInfo};
+
+use crate::given::Quantity;
+use crate::predict::Predictor;
+
+/// More than rounding leaves, relative to what is added up.
+pub const ROUNDING: f64 = 1e-12;
+
+/// Beyond so much of an eigenvalue it is not known well enough for this.
+const LARGEST: f64 = 1e-2;
+
+/// A square matrix, row by row.
+pub type Square = Vec<Complex<f64>>;
+
+/// An eigenvalue that was given, at its speed.
+#[derive(Clone, Debug)]
+pub struct Zero {
+    /// What each matrix is multiplied by in the sum, and at eigenvalues that are as far away on either side as may be.
+    factors: Vec<(MatrixName, [Complex<f64>; 3])>,
+    count: usize,
+}
+
+/// All of which both parts are known, once of each pair; these matrices are not zero.
+pub fn zeros(predictor: &Predictor, info: &ModelInfo, matrices: &[MatrixName]) -> Vec<Zero> {
+    let (numbers, tolerances) = (predictor.numbers(), predictor.tolerances());
+    let mut zeros = Vec::new();
+    for (at, pair) in numbers.windows(2).enumerate() {
+        let [(Quantity::RealPart(set, _), re), (Quantity::ImaginaryPart(..), im)] = pair else { continue };
+        let eigenvalue = Complex::new(re.value, im.value);
+        let tolerance = tolerances[at].hypot(tolerances[at + 1]);
+        let speed = predictor.given().eigenvalues[*set].speed;
+        let factor = |&matrix: &MatrixName| {
+            let own = |s: Complex<f64>| match matrix {
+                MatrixName::M => s * s,
+                MatrixName::Cm1 => s / speed,
+                MatrixName::C0 => s,
+                MatrixName::C1 => s * speed,
+                // Gravity is multiplied with the entry.
+                MatrixName::Kc | MatrixName::K0 => Complex::new(1.0, 0.0),
+                MatrixName::K1 => Complex::new(speed, 0.0),
+                MatrixName::K2 => Complex::new(speed * speed, 0.0),
+            };
+            (matrix, [0.0, tolerance, -tolerance].map(|away| own(eigenvalue + away)))
+        };
+        let factors: Vec<_> = matrices.iter().map(factor).collect();
+        let is_finite = factors.iter().flat_map(|(_, own)| own).all(|own| own.re.is_finite() && own.im.is_finite());
+        if is_finite && im.value >= 0.0 && tolerance <= LARGEST * eigenvalue.norm() {
+            zeros.push(Zero { factors, count: info.coordinates.len() });
+        }
+    }
+    zeros
+}
+
+impl Zero {
+    /// Whether these entries of the closed loop may have it: those that have do.
+    pub fn holds(&self, entries: &[f64], gravity: f64) -> bool {
+        let [off, allowed] = self.off(&self.matrices(entries, gravity));
+        off <= allowed
+    }
+
+    /// The matrix whose determinant is zero, and the same on either side.
+    pub fn matrices(&self, entries: &[f64], gravity: f64) -> [Square; 3] {
+        let square = self.count * self.count;
+        [0, 1, 2].map(|which| {
+            let mut sum = vec![Complex::new(0.0, 0.0); square];
+            for (matrix, factors) in &self.factors {
+                let weight = if *matrix == MatrixName::K0 { gravity } else { 1.0 };
+                let own = &entries[*matrix as usize * square..][..square];
+                sum.iter_mut().zip(own).for_each(|(sum, entry)| *sum += factors[which] * (weight * entry));
+            }
+            sum
+        })
+    }
+
+    /// How large the determinant is, and how large it may be: beside another eigenvalue twice as large as on the side that differs more.
+    pub fn off(&self, [here, right, left]: &[Square; 3]) -> [f64; 2] {
+        let [off, right, left] = [here, right, left].map(|own| determinant(own.clone(), self.count));
+        let allowed = (right - off).norm().max((left - off).norm());
+        [off.norm(), 4.0 * allowed + ROUNDING * size(here, self.count)]
+    }
+}
+
+/// What a determinant is at most.
+pub fn size(matrix: &[Complex<f64>], count: usize) -> f64 {
+    matrix.chunks_exact(count).map(|row| row.iter().map(|own| own.norm()).sum::<f64>()).product()
+}
+
+/// By elimination with the largest pivots.
+pub fn determinant(mut matrix: Square, count: usize) -> Complex<f64> {
+    if let [a, b, c, d] = matrix[..] {
+        return a * d - b * c;
+    }
+    let mut product = Complex::new(1.0, 0.0);
+    for column in 0..count {
+        let largest = (column..count)
+            .max_by(|&a, &b| matrix[a * count + column].norm().total_cmp(&matrix[b * count + column].norm()))
+            .unwrap_or(column);
+        if largest != column {
+            (0..count).for_each(|at| matrix.swap(column * count + at, largest * count + at));
+            product = -product;
+        }
+        let pivot = matrix[column * count + column];
+        product *= pivot;
+        if pivot.norm() == 0.0 {
+            break;
+        }
+        for row in column + 1..count {
+            let factor = matrix[row * count + column] / pivot;
+            for at in column..count {
+                let change = factor * matrix[column * count + at];
+                matrix[row * count + at] -= change;
+            }
+        }
+    }
+    product
+}
+
+#[cfg(test)]
+mod tests {
+    use carvallo::Complex;
+
+    use super::determinant;
+
+    /// Vandermonde's of 1, 2, i and -1: the product of all differences.
+    #[test]
+    fn determinants_have_their_sign() {
+        let points = [(1.0, 0.0), (2.0, 0.0), (0.0, 1.0), (-1.0, 0.0)].map(|(re, im)| Complex::new(re, im));
+        let rows = points.iter().flat_map(|own| (0..4).map(|power| own.powi(power))).collect();
+        let mut expected = Complex::new(1.0, 0.0);
+        for (at, a) in points.iter().enumerate() {
+            points[at + 1..].iter().for_each(|b| expected *= b - a);
+        }
+        assert!((determinant(rows, 4) - expected).norm() < 1e-12);
+    }
+}
