@@ -13,6 +13,15 @@ pub fn states(info: &ModelInfo) -> Vec<(bool, usize)> {
     of(false, States::Rate).chain(of(true, States::Position)).collect()
 }
 
+/// What they are called, in this order: `phi`, `phi_rate`.
+pub fn names(info: &ModelInfo) -> Vec<String> {
+    let name = |(is_rate, of): (bool, usize)| {
+        let own = info.coordinates[of].name;
+        if is_rate { format!("{own}_rate") } else { own.to_owned() }
+    };
+    states(info).into_iter().map(name).collect()
+}
+
 /// Which of the usual orders of states a matrix is in: positions before rates, rates before positions, or each position with
 /// its rate. Its rows that say what a rate is tell, and where they do not, it is the first.
 pub fn order(matrix: &StateMatrix, info: &ModelInfo) -> Vec<usize> {

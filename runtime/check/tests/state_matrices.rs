@@ -133,3 +133,31 @@ fn gains_of_many_digits_are_told_beside_what_differs() {
         assert!((value - expected).abs() < 2e-8, "{law}");
     }
 }
+
+/// Rates before positions: [phi', delta', phi, delta].
+#[test]
+fn states_are_named_in_the_order_of_the_matrix() {
+    let text = "speed = 5\nA = [[0, 0, 9.4897, -22.851], [0, 0, 11.719, -1.8384], [1, 0, 0, 0], [0, 1, 0, 0]]";
+    let report = checked(text);
+    assert_eq!(report.states, [["phi_rate", "delta_rate", "phi", "delta"]]);
+    let line = "\n  Rows and columns of A: phi_rate, delta_rate, phi, delta\n";
+    assert!(report.to_string().contains(line), "{report}");
+}
+
+#[test]
+fn states_are_named_where_there_are_others() {
+    let file = read::read("mine.toml", "speed = 5\nA = [[0, 1], [2, 3]]".into()).expect("a file that can be read");
+    let design = file.design(&Request::default()).expect("a design");
+    let told = check(&file.given(&design).expect("numbers"), &design).expect_err("two rows of four");
+    assert!(told.contains("one for each state: phi, delta, phi_rate, delta_rate"), "{told}");
+}
+
+/// M_11 is 80.81722 in the paper, 80.82 with four digits.
+#[test]
+fn zeros_behind_fewer_digits_are_told() {
+    let report = checked("M = [[80.820, 2.31941], [2.31941, 0.297842]]");
+    assert_eq!((report.agrees, report.padded), (false, Some(4)), "{report}");
+    assert!(report.to_string().contains("\nTo 4 digits all agree, with zeros behind: `digits = 4` in"), "{report}");
+    let wrong = checked("M = [[80.920, 2.31941], [2.31941, 0.297842]]");
+    assert_eq!((wrong.agrees, wrong.padded), (false, None));
+}

@@ -28,7 +28,7 @@ pub fn solve(predictor: &Predictor, value: f64, world: &dyn Fn(f64) -> Option<Wo
             continue;
         }
         if let Some(x) = middle(predictor, x, scale, &predict)
-            && let Some(x) = simplest(x, &fits)
+            && let Some(x) = simplest(x, scale, &fits)
         {
             return Some(x);
         }
@@ -131,8 +131,12 @@ fn middle(predictor: &Predictor, x: f64, scale: f64, predict: &dyn Fn(f64) -> Op
     (low <= high + step).then_some(middle)
 }
 
-/// With the fewest digits that fit; `None` if it fits with none.
-fn simplest(x: f64, fits: &dyn Fn(f64) -> bool) -> Option<f64> {
+/// With the fewest digits that fit; `None` if it fits with none. What is nothing beside the scale is zero or nobody's value.
+fn simplest(x: f64, scale: f64, fits: &dyn Fn(f64) -> bool) -> Option<f64> {
+    const NOTHING: f64 = 1e-9;
+    if x.abs() <= NOTHING * scale.abs() {
+        return fits(0.0).then_some(0.0);
+    }
     let rounded = (0..16).filter_map(|digits| format!("{x:.digits$e}").parse().ok());
     rounded.chain([x]).find(|&x| fits(x))
 }
@@ -184,11 +188,19 @@ pub fn relation(from: f64, to: f64) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use super::{digits, relation};
+    use super::{digits, relation, simplest};
 
     #[test]
     fn digits_are_counted_without_zeros() {
         assert_eq!([19.2, 0.0051, 100.0, -2.5e-7, 0.30000000000000004].map(digits), [3, 2, 1, 2, 17]);
+    }
+
+    /// What arithmetic leaves of a stiffness of 1000 N/m is none, or nobody's value.
+    #[test]
+    fn what_rounding_leaves_is_no_value() {
+        let near_zero = |x: f64| x.abs() < 1e-6;
+        let not_zero = |x: f64| x != 0.0;
+        assert_eq!([simplest(1e-12, 1e3, &near_zero), simplest(1e-12, 1e3, &not_zero)], [Some(0.0), None]);
     }
 
     #[test]

@@ -237,7 +237,8 @@ impl Given {
         let system =
             |own: &SystemMatrix| square(if own.is_stiffness { "K" } else { "C" }, &own.rows, coordinates, "coordinate");
         self.system_matrices.iter().try_for_each(system)?;
-        self.state_matrices.iter().try_for_each(|own| square("A", &own.rows, states, "state"))?;
+        let state = format!("state: {}", crate::states::names(info).join(", "));
+        self.state_matrices.iter().try_for_each(|own| square("A", &own.rows, states, &state))?;
         for Eigenvalues { speed, values } in &self.eigenvalues {
             let count = values.len();
             if count > states {

@@ -24,9 +24,13 @@ impl fmt::Display for Report {
         if !shown.is_empty() {
             table(&shown, f)?;
             match numbers.len() - shown.len() {
-                0 => writeln!(f)?,
-                others => writeln!(f, "  and {others} that agree\n")?,
+                0 => {}
+                others => writeln!(f, "  and {others} that agree")?,
             }
+            let mut states = self.states.clone();
+            states.dedup();
+            states.iter().try_for_each(|own| writeln!(f, "  Rows and columns of A: {}", own.join(", ")))?;
+            writeln!(f)?;
         }
         let first = numbers.iter().find_map(|own| Some((own, own.ours?, own.cut_off.as_ref()?)));
         if let Some((Comparison { yours, .. }, value, rounded)) = first {
@@ -52,6 +56,12 @@ impl fmt::Display for Report {
             (1, 1) => writeln!(f, "The number does not agree.")?,
             (1, count) => writeln!(f, "1 of {count} numbers does not agree.")?,
             (wrong, count) => writeln!(f, "{wrong} of {count} numbers do not agree.")?,
+        }
+        if let Some(digits) = self.padded.filter(|_| wrong > 0) {
+            writeln!(
+                f,
+                "To {digits} digits all agree, with zeros behind: `digits = {digits}` in the file says that no more are known."
+            )?;
         }
         match &self.unexplained {
             Some(suspects) => suspects.fmt(f),

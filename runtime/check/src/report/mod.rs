@@ -13,10 +13,11 @@ use serde::Serialize;
 pub use self::suspects::{Behind, Part, Suspects};
 pub use self::words::words;
 
-use crate::explain::Found;
+use crate::explain::{Found, digits as significant};
 use crate::given::{Quantity, Reading};
 use crate::machine::Machine;
 use crate::predict::Predictor;
+use crate::states::names;
 
 /// Whether somebody's numbers are those of a machine, and what explains it where they are not.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -32,6 +33,10 @@ pub struct Report {
     /// What reproduces all numbers to the given digits, the likeliest first: none where all agree, or where nothing does.
     /// Those of one group make the same matrices of this machine.
     pub explanations: Vec<Group>,
+    /// The states that the rows and columns of each state matrix stand for, in the order in which they were given.
+    pub states: Vec<Vec<String>>,
+    /// So many digits, where all numbers that do not agree do to them and have zeros behind: `46470.0` of 46473.2.
+    pub padded: Option<usize>,
     /// Where nothing explains all numbers: what is known of them.
     pub unexplained: Option<Suspects>,
 }
@@ -118,9 +123,31 @@ impl Report {
             agrees,
             numbers,
             explanations,
+            states: (0..predictor.given().state_matrices.len()).map(|at| states(predictor, at, machine.info)).collect(),
+            padded: padded(predictor, &here),
             unexplained,
         }
     }
+}
+
+/// The states of a state matrix, in its order: `phi`, `phi_rate`.
+fn states(predictor: &Predictor, at: usize, info: &ModelInfo) -> Vec<String> {
+    let all = names(info);
+    predictor.order(at).iter().map(|state| all[*state].clone()).collect()
+}
+
+/// The least number of digits to which those that do not agree do, all of them with zeros behind.
+fn padded(predictor: &Predictor, here: &[f64]) -> Option<usize> {
+    /// Fewer agree by chance.
+    const ENOUGH: usize = 3;
+    let wrong = (0..here.len()).filter(|&at| !predictor.agrees(at, here[at]));
+    let digits = wrong.map(|at| {
+        let reading = predictor.numbers()[at].1;
+        let digits = significant(reading.value);
+        let is_padded = (ENOUGH..reading.digits).contains(&digits);
+        (is_padded && Reading::rounded(here[at], digits).value == reading.value).then_some(digits)
+    });
+    digits.collect::<Option<Vec<usize>>>()?.into_iter().min()
 }
 
 /// A number as it is written in the unit that it was declared in; in another one with as many digits as it was given to.
