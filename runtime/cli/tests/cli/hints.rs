@@ -167,6 +167,18 @@ fn steers_in_degrees_are_hinted_at() {
     assert!(turns.lines().count() > 1, "{turns}");
 }
 
+/// One mistake, and not one for each cell.
+#[test]
+fn tables_of_designs_are_no_parameters() {
+    let message = "this is a table with a design in each row, which `carvallo sweep --designs` reads";
+    for (name, text) in [
+        ("bikes.csv", ",bike,w,c,lam,g\n0,one,1.02,0.08,pi/10,9.81\n1,other,1.1,0.08,pi/10,9.81\n"),
+        ("bikes.txt", "name;w;c;lam;mB [kg]\none;1,02;0,08;0,314;85\n"),
+    ] {
+        check_file(name, text, &format!("{name}:1: {message}"));
+    }
+}
+
 #[test]
 fn measurements_are_no_parameters() {
     let directory = Directory::of_this_test();

@@ -11,6 +11,22 @@ pub fn is_heading(line: &str) -> bool {
     cells.len() > 1 && cells[..2] == COLUMNS[..2]
 }
 
+/// Whether a line names the columns of a table that has a design in each row.
+pub fn is_heading_of_designs(line: &str) -> bool {
+    const LEAST: usize = 4;
+    let is_name =
+        |cell: &String| !cell.contains(['=', ':']) && (cell.is_empty() || cell.starts_with(char::is_alphabetic));
+    let cells = cells(line, separator(line));
+    cells.len() >= LEAST && cells.iter().all(is_name)
+}
+
+/// That a table has a design in each row.
+pub fn refuse_designs(file: File) -> Document {
+    let mut document = Document::default();
+    document.problem(file.line(1), "this is a table with a design in each row, which `carvallo sweep --designs` reads");
+    document
+}
+
 /// Reads lines of cells, of which the first names the columns.
 pub fn read(file: File) -> Document {
     let mut document = Document::default();

@@ -21,6 +21,8 @@ pub(super) fn parse(label: &str, bytes: Vec<u8>) -> Result<Document, Failure> {
         Form::Lines(separator) => lines::read(file, separator),
         #[cfg(feature = "full")]
         Form::Cells => cells::read(file),
+        #[cfg(feature = "full")]
+        Form::Designs => cells::refuse_designs(file),
     })
 }
 
@@ -50,6 +52,9 @@ pub(super) enum Form {
     /// One of each a line, in columns that have names.
     #[cfg(feature = "full")]
     Cells,
+    /// Many designs, one a line, which is no file of parameters.
+    #[cfg(feature = "full")]
+    Designs,
 }
 
 impl Form {
@@ -82,6 +87,10 @@ impl Form {
         #[cfg(feature = "full")]
         if cells::is_heading(first) {
             return Self::Cells;
+        }
+        #[cfg(feature = "full")]
+        if cells::is_heading_of_designs(first) {
+            return Self::Designs;
         }
         if first.starts_with('{') {
             Self::Json

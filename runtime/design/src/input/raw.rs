@@ -47,6 +47,8 @@ pub fn read_raw(label: &str, bytes: Vec<u8>) -> Result<Raw, Failure> {
         Form::Lines(separator) => flat(label, lines::read(file, separator), &mut problems),
         #[cfg(feature = "full")]
         Form::Cells => flat(label, super::cells::read(file), &mut problems),
+        #[cfg(feature = "full")]
+        Form::Designs => flat(label, super::cells::refuse_designs(file), &mut problems),
     };
     if problems.is_empty() { Ok(Raw { label: label.to_owned(), members }) } else { Err(Failure::Input(problems)) }
 }
