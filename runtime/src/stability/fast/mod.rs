@@ -16,6 +16,7 @@ use arrayvec::ArrayVec;
 use super::certain::{CertainStability, MOST};
 use super::verdict::Verdict;
 use super::verdicts::stretches_between;
+use crate::characteristic::powers::Matrices;
 use crate::system::Coefficients;
 use certain_speeds::{CertainSpeed, CertainSpeeds};
 use conditions::{Conditions, Variable};
@@ -31,8 +32,14 @@ pub(super) fn find_stability(
     if matrices.are_undamped_at_rest() {
         conditions::in_square(&matrices).find_stability(stability)
     } else {
-        conditions::in_speed(&matrices).find_stability(stability)
+        damped(&matrices, stability)
     }
+}
+
+/// With damping at rest: in a place of its own, so that others do not take its room on the stack.
+#[inline(never)]
+fn damped(matrices: &Matrices, stability: &mut CertainStability) -> Option<()> {
+    conditions::in_speed(matrices).find_stability(stability)
 }
 
 impl<const P: usize, const H: usize, const D: usize> Conditions<P, H, D> {
