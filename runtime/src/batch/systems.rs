@@ -4,6 +4,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, dispatch};
 use nalgebra::Complex;
 
+use super::transpose::transpose;
 use super::{Batch, BatchError, Lanes};
 use crate::eigenvalues::quick::{self, IS_THERE, Of, Roots, is_damped};
 use crate::system::{States, System, SystemError};
@@ -112,22 +113,19 @@ fn side_by_side<'a, S: Simd, const H: usize, const C: usize>(
         for (lane, of_lane) in of_lanes.iter_mut().enumerate().take(lanes) {
             *of_lane = matrices(first + lane.min(last));
         }
+        let m = side_by_side_entries::<S, H>(simd, n, &of_lanes, 0);
+        let c = side_by_side_entries::<S, H>(simd, n, &of_lanes, 1);
+        let k = side_by_side_entries::<S, H>(simd, n, &of_lanes, 2);
         let (roots, are_certain) = quick::find::<Lanes<S>, H, C>(
             n,
             #[inline(always)]
             |of, i, j| {
-                Lanes::from_fn(
-                    simd,
-                    #[inline(always)]
-                    |lane| {
-                        let [m, c, k] = of_lanes[lane % MOST_LANES];
-                        match of {
-                            Of::Mass => m[i + n * j],
-                            Of::Damping => c[i + n * j],
-                            Of::Stiffness => k[i + n * j],
-                        }
-                    },
-                )
+                let entries = match of {
+                    Of::Mass => &m,
+                    Of::Damping => &c,
+                    Of::Stiffness => &k,
+                };
+                entries.as_flattened()[i + n * j]
             },
             #[inline(always)]
             |size, reduced_columns, rows| quick::of_matrix(size, reduced_columns, rows),
@@ -143,4 +141,27 @@ fn side_by_side<'a, S: Simd, const H: usize, const C: usize>(
             *eigenvalues = if is_here { Ok(values) } else { alone(first + lane) };
         }
     }
+}
+
+/// The entries of a matrix of n coordinates by columns, those of each lane from its own slice: squares of them are transposed,
+/// the last of which takes some entries again rather than fewer.
+#[inline(always)]
+fn side_by_side_entries<S: Simd, const H: usize>(
+    simd: S,
+    n: usize,
+    of_lanes: &[[&[f64]; 3]; MOST_LANES],
+    of: usize,
+) -> [[Lanes<S>; H]; H] {
+    let (lanes, count) = (Lanes::<S>::COUNT, n * n);
+    let mut entries = [[Lanes::splat(simd, 0.0); H]; H];
+    let flat = &mut entries.as_flattened_mut()[..count];
+    for first in (0..count).step_by(lanes) {
+        let first = first.min(count - lanes);
+        let square = &mut flat[first..first + lanes];
+        for (numbers, of_lane) in square.iter_mut().zip(of_lanes) {
+            *numbers = Lanes::load(simd, &of_lane[of][first..first + lanes]);
+        }
+        transpose(square);
+    }
+    entries
 }

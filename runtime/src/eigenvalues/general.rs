@@ -39,9 +39,11 @@ impl<const N: usize, T: Scalar> System<N, T> {
             return Ok(system.quartic_eigenvalues()?.to_vec());
         }
         if (3..=quick::MOST).contains(&N) && self.states == [States::Both; N] {
-            let f64s = |matrix: &Matrix<T, N>| matrix.map(Scalar::to_f64);
-            let [m, c, k] = [&self.m, &self.c, &self.k].map(f64s);
-            if let Some(values) = quick::of_system(N, [m.as_slice(), c.as_slice(), k.as_slice()]) {
+            let quick = |system: &System<N>| {
+                let System { m, c, k, .. } = system;
+                quick::of_system(N, [m.as_slice(), c.as_slice(), k.as_slice()])
+            };
+            if let Some(values) = self.widened(quick) {
                 return Ok(values);
             }
         }

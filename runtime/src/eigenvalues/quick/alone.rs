@@ -15,12 +15,12 @@ pub(crate) fn of_system(n: usize, matrices: [&[f64]; 3]) -> Option<Vec<Complex<f
         return None;
     }
     match n {
-        3 => sorted::<3, 6>(n, matrices),
-        4 => sorted::<4, 8>(n, matrices),
-        5 => sorted::<5, 10>(n, matrices),
-        6 => sorted::<6, 12>(n, matrices),
-        7 => sorted::<7, 14>(n, matrices),
-        8 => sorted::<8, 16>(n, matrices),
+        3 => sorted::<3, 6>(matrices),
+        4 => sorted::<4, 8>(matrices),
+        5 => sorted::<5, 10>(matrices),
+        6 => sorted::<6, 12>(matrices),
+        7 => sorted::<7, 14>(matrices),
+        8 => sorted::<8, 16>(matrices),
         _ => None,
     }
 }
@@ -30,18 +30,19 @@ pub(crate) fn is_damped(c: &[f64]) -> bool {
     c.iter().any(|&entry| entry != 0.0)
 }
 
-fn sorted<const H: usize, const C: usize>(n: usize, [m, c, k]: [&[f64]; 3]) -> Option<Vec<Complex<f64>>> {
+fn sorted<const H: usize, const C: usize>([m, c, k]: [&[f64]; 3]) -> Option<Vec<Complex<f64>>> {
     let entry = |of, i, j| {
         let entries = match of {
             Of::Mass => m,
             Of::Damping => c,
             Of::Stiffness => k,
         };
-        entries[i + n * j]
+        entries[i + H * j]
     };
-    let (roots, are_certain) = find::<f64, H, C>(n, entry, of_matrix_alone);
-    let mut values = Vec::with_capacity(2 * n);
-    (are_certain && roots.sort_into(2 * n, &mut values)).then_some(values)
+    let of_matrix = |_, reduced_columns, rows| of_matrix_alone::<C>(reduced_columns, rows);
+    let (roots, are_certain) = find::<f64, H, C>(H, entry, of_matrix);
+    let mut values = Vec::with_capacity(C);
+    (are_certain && roots.sort_into(C, &mut values)).then_some(values)
 }
 
 /// The eigenvalues of a matrix of an even number of rows from four to sixteen, where they are certain.
@@ -64,13 +65,13 @@ pub(crate) fn spectrum(rows: &Square<f64>, reduced_columns: usize) -> Option<Spe
 fn of_rows<const C: usize>(rows: &Square<f64>, reduced_columns: usize) -> Option<Spectrum> {
     let mut copy = [[0.0; C]; C];
     copy.iter_mut().zip(rows.rows()).for_each(|(copy, row)| copy.copy_from_slice(row));
-    let (roots, are_certain) = of_matrix_alone::<C>(C, reduced_columns, copy);
+    let (roots, are_certain) = of_matrix_alone::<C>(reduced_columns, copy);
     let Roots { re, im, norm } = roots;
     (are_certain && roots.are_of_one_size(C))
         .then(|| Spectrum { values: re.iter().zip(im).map(|(&re, im)| Complex::new(re, im)).collect(), norm })
 }
 
 #[inline(never)]
-fn of_matrix_alone<const C: usize>(size: usize, reduced_columns: usize, rows: [[f64; C]; C]) -> (Roots<f64, C>, bool) {
-    of_matrix(size, reduced_columns, rows)
+fn of_matrix_alone<const C: usize>(reduced_columns: usize, rows: [[f64; C]; C]) -> (Roots<f64, C>, bool) {
+    of_matrix(C, reduced_columns, rows)
 }

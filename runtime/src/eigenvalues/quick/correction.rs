@@ -17,7 +17,7 @@ const LEFT: f64 = 1.0 / (1u64 << 55) as f64;
 /// left after the step is `|w_i| sum |w_j| / |s_i - s_j|` to first order.
 #[inline(always)]
 pub(super) fn correct<T: Lane, const C: usize>(
-    recurrence: &Recurrence<T, C>,
+    recurrence: &Recurrence<'_, T, C>,
     [re, im]: &mut [[T; C]; 2],
     norm: T,
 ) -> T::Mask {

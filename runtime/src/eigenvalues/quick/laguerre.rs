@@ -2,7 +2,7 @@
 //! not make errors larger (Wilkinson 1963).
 
 use super::MOST;
-use crate::eigenvalues::quadratic::{Pair, Quadratic};
+use crate::eigenvalues::quadratic::Pair;
 use crate::eigenvalues::quartic::Quartic;
 use crate::number::lane::Lane;
 
@@ -27,7 +27,7 @@ type Complex<T> = [T; 2];
 /// no root.
 #[inline(always)]
 pub(super) fn find<T: Lane, const C: usize>(size: usize, below: &[T; C]) -> [[T; C]; 2] {
-    assert!(2 <= size && size <= C && size.is_multiple_of(2));
+    assert!(4 <= size && size <= C && size.is_multiple_of(2));
     let (zero, one) = (below[0].like(0.0), below[0].like(1.0));
     let (two, four) = (zero.like(2.0), zero.like(4.0));
     let mut a = [zero; 2 * MOST + 1];
@@ -36,31 +36,40 @@ pub(super) fn find<T: Lane, const C: usize>(size: usize, below: &[T; C]) -> [[T;
     let mut roots = Pairs { re: [zero; C], im: [zero; C], count: zero, alone: zero, is_alone: one.less(zero) };
     // Of each lane, and of all of them at most: what a lane does depends on no other.
     let (mut degree, mut most) = (zero.like(size as f64), size);
-    loop {
-        // What is of the fourth or second degree is written down.
-        let (is_quartic, is_quadratic) = (is_equal(degree, four), is_equal(degree, two));
-        if !T::all(!is_quartic) {
-            let (factors, _) = Quartic { a: a[3], b: a[2], c: a[1], d: a[0] }.quick_factors();
-            for factor in factors {
-                roots.push(size / 2, is_quartic, factor.roots());
+    while most > 4 {
+        let is_here = four.less(degree);
+        let [x, y] = smallest(&a, most, degree, !is_here);
+        let is_real = y.abs().less_or_equal(x.abs() * x.like(REAL));
+        if T::all(is_here) {
+            divide(&mut a, most, [x, y], is_real);
+        } else {
+            let before = a;
+            divide(&mut a, most, [x, y], is_real);
+            for k in 0..=most {
+                a[k] = T::select(is_here, a[k], before[k]);
             }
         }
-        if !T::all(!is_quadratic) {
-            roots.push(size / 2, is_quadratic, Quadratic { p: a[1], q: a[0] }.roots());
-        }
-        degree = T::select(is_quartic | is_quadratic, zero, degree);
-        while most > 0 && T::all(degree.less_or_equal(zero.like((most - 1) as f64))) {
-            most -= 1;
-        }
-        if most == 0 {
-            break;
-        }
-        let is_here = zero.less(degree);
-        let [x, y] = smallest(&a, most, degree);
-        let is_real = y.abs().less_or_equal(x.abs() * x.like(REAL));
-        divide(&mut a, most, [x, y], is_real);
         roots.push_either(size / 2, is_here, is_real, [x, y.abs()]);
         degree = degree - T::select(is_here, T::select(is_real, one, two), zero);
+        while most > 4 && T::all(degree.less_or_equal(zero.like((most - 1) as f64))) {
+            most -= 1;
+        }
+    }
+    // What is of the fourth degree is written down, and what is of the third with a root that is zero.
+    let is_quartic = four.less_or_equal(degree);
+    let [d, c, b, a] = if T::all(is_quartic) {
+        [a[0], a[1], a[2], a[3]]
+    } else {
+        let place = |k: usize| T::select(is_quartic, a[k], if k == 0 { zero } else { a[k - 1] });
+        [place(0), place(1), place(2), place(3)]
+    };
+    let ([large, small], _) = Quartic { a, b, c, d }.quick_factors();
+    roots.push(size / 2, is_quartic | !is_quartic, large.roots());
+    if !T::all(!is_quartic) {
+        roots.push(size / 2, is_quartic, small.roots());
+    }
+    if !T::all(is_quartic) {
+        roots.push_either(size / 2, !is_quartic, is_quartic | !is_quartic, [zero - small.p, zero]);
     }
     [roots.re, roots.im]
 }
@@ -119,15 +128,25 @@ fn divide<T: Lane>(a: &mut Coefficients<T>, most: usize, [x, y]: Complex<T>, is_
     a[most] = zero;
 }
 
-/// A root of a polynomial near zero.
+/// A root of a polynomial near zero; in lanes that wait, nothing that counts.
 #[inline(always)]
-fn smallest<T: Lane>(a: &Coefficients<T>, most: usize, degree: T) -> Complex<T> {
+fn smallest<T: Lane>(a: &Coefficients<T>, most: usize, degree: T, mut is_there: T::Mask) -> Complex<T> {
     let (zero, close) = (degree.like(0.0), degree.like(CLOSE * CLOSE));
-    let mut is_there = degree.less_or_equal(zero);
-    let (mut x, mut y) = (zero, zero);
-    let mut derivatives = [[a[0], zero], [a[1], zero], [a[2] + a[2], zero]];
-    for _ in 0..STEPS {
-        let [by_x, by_y] = step(degree, derivatives);
+    let [by_x, by_y] = real_step(degree, [a[0], a[1], a[2] + a[2]]);
+    let (mut x, mut y) = (zero - by_x, zero - by_y);
+    for _ in 1..STEPS {
+        let is_real = y.abs().less_or_equal(zero);
+        let [by_x, by_y] = if T::all(!is_real | is_there) {
+            step(degree, derivatives_at(a, most, x, y))
+        } else {
+            let real = real_step(degree, real_derivatives_at(a, most, x));
+            if T::all(is_real | is_there) {
+                real
+            } else {
+                let [by_x, by_y] = step(degree, derivatives_at(a, most, x, y));
+                [T::select(is_real, real[0], by_x), T::select(is_real, real[1], by_y)]
+            }
+        };
         x = T::select(is_there, x, x - by_x);
         y = T::select(is_there, y, y - by_y);
         let square = x * x + y * y;
@@ -136,9 +155,37 @@ fn smallest<T: Lane>(a: &Coefficients<T>, most: usize, degree: T) -> Complex<T> 
         if T::all(is_there | !zero.less_or_equal(square)) {
             break;
         }
-        derivatives = derivatives_at(a, most, x, y);
     }
     [x, y]
+}
+
+/// Laguerre's step from a real number, which may lead off the axis.
+#[inline(always)]
+fn real_step<T: Lane>(n: T, [value, slope, curvature]: [T; 3]) -> Complex<T> {
+    let zero = n.like(0.0);
+    let less = n - n.like(1.0);
+    let square = less * (less * (slope * slope) - n * (value * curvature));
+    let root = square.abs().sqrt();
+    let is_real = zero.less_or_equal(square);
+    let re = slope + T::select(is_real, root.copysign(slope), zero);
+    let im = T::select(is_real, zero, root);
+    let scale = n * value / (re * re + im * im);
+    [re * scale, zero - im * scale]
+}
+
+/// A polynomial and its first two derivatives at a real number.
+#[inline(always)]
+fn real_derivatives_at<T: Lane>(a: &Coefficients<T>, most: usize, x: T) -> [T; 3] {
+    assert!(most <= 2 * MOST);
+    let zero = x.like(0.0);
+    let [mut value, mut slope, mut half] = [a[most], zero, zero];
+    for k in (1..most).rev() {
+        slope = slope * x + value;
+        value = value * x + a[k];
+        half = half * x + slope;
+    }
+    let (slope, value) = (slope * x + value, value * x + a[0]);
+    [value, slope, half + half]
 }
 
 /// Laguerre's step `n f / (f' + sqrt((n - 1) ((n - 1) f'^2 - n f f'')))`, where the root is the one that does not cancel.

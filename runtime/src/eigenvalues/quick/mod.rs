@@ -86,7 +86,7 @@ pub(crate) fn of_matrix<T: Lane, const C: usize>(
 ) -> (Roots<T, C>, T::Mask) {
     let norm = reduction::balance(size, &mut rows);
     reduction::reduce(size, reduced_columns, &mut rows);
-    let recurrence = Recurrence::new(size, &rows);
+    let recurrence = Recurrence::new(size, &mut rows);
     let mut roots = laguerre::find(size, &recurrence.coefficients());
     let are_certain = correction::correct(&recurrence, &mut roots, norm);
     let [re, im] = roots;
@@ -101,11 +101,28 @@ impl<const C: usize> Roots<f64, C> {
         if !self.are_of_one_size(size) {
             return false;
         }
-        for (&re, &im) in self.re.iter().zip(&self.im).take(size) {
-            // From behind, to where it belongs.
-            let place = values.iter().rposition(|before| (before.re, before.im) <= (re, im));
-            values.insert(place.map_or(0, |place| place + 1), Complex::new(re, im));
+        let is_after = |x: &Complex<f64>, y: &Complex<f64>| x.re > y.re || (x.re == y.re && x.im > y.im);
+        let mut sorted = [Complex::new(0.0, 0.0); C];
+        for place in (0..size).step_by(2) {
+            let half = |i: usize| Complex::new(self.re[place + i], self.im[place + i]);
+            let [mut first, mut second] = [half(0), half(1)];
+            if is_after(&first, &second) {
+                core::mem::swap(&mut first, &mut second);
+            }
+            // From behind to where the first belongs, and from there on for the second: halves of a pair stay together.
+            let (mut at, end) = (place, place + 2);
+            while at > 0 && is_after(&sorted[at - 1], &first) {
+                sorted[at + 1] = sorted[at - 1];
+                at -= 1;
+            }
+            sorted[at] = first;
+            while at + 2 < end && is_after(&second, &sorted[at + 2]) {
+                sorted[at + 1] = sorted[at + 2];
+                at += 1;
+            }
+            sorted[at + 1] = second;
         }
+        values.extend_from_slice(&sorted[..size]);
         true
     }
 
@@ -126,4 +143,12 @@ fn pairs<T>(row: &[T]) -> &[[T; 2]] {
 #[inline(always)]
 fn pairs_mut<T>(row: &mut [T]) -> &mut [[T; 2]] {
     row.as_chunks_mut().0
+}
+
+/// The first of the columns after k, or an even one before. In few columns all count: then everything is written out, and what
+/// nobody asks for left out again.
+#[inline(always)]
+fn first_meant<const C: usize>(k: usize) -> usize {
+    const FEW: usize = 6;
+    if C <= FEW { 0 } else { k.div_ceil(2) * 2 }
 }

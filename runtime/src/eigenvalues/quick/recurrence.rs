@@ -1,28 +1,30 @@
 //! The characteristic polynomial of a Hessenberg matrix.
 
-use super::{pairs, pairs_mut};
+use super::{first_meant, pairs, pairs_mut};
 use crate::number::lane::Lane;
 
-/// Of a matrix in Hessenberg form, scaled so that the entries below the diagonal are one, the entries on and above it. The
+/// Of a matrix in Hessenberg form, scaled so that the entries below the diagonal are one, the entries on and above it; what is
+/// below is not meant. The
 /// polynomials of its leading blocks follow from each other: `p_(k+1) = s p_k - sum h_ik p_i`. At a number that gives the value
 /// of the last one for a matrix that differs from this one by rounding of its entries (Hyman; Wilkinson 1963).
-pub(super) struct Recurrence<T, const C: usize> {
+pub(super) struct Recurrence<'a, T, const C: usize> {
     pub(super) size: usize,
-    pub(super) rows: [[T; C]; C],
+    pub(super) rows: &'a [[T; C]; C],
 }
 
-impl<T: Lane, const C: usize> Recurrence<T, C> {
+impl<'a, T: Lane, const C: usize> Recurrence<'a, T, C> {
     #[inline(always)]
-    pub(super) fn new(size: usize, hessenberg: &[[T; C]; C]) -> Self {
+    pub(super) fn new(size: usize, rows: &'a mut [[T; C]; C]) -> Self {
         assert!(size <= C);
-        let zero = hessenberg[0][0].like(0.0);
-        let mut rows = [[zero; C]; C];
+        let mut below = [rows[0][0]; C];
+        for k in 1..size {
+            below[k] = rows[k][k - 1];
+        }
         for i in 0..size {
-            let mut below = zero.like(1.0);
-            rows[i][i] = hessenberg[i][i];
+            let mut product = below[i].like(1.0);
             for k in i + 1..size {
-                below = below * hessenberg[k][k - 1];
-                rows[i][k] = hessenberg[i][k] * below;
+                product = product * below[k];
+                rows[i][k] = rows[i][k] * product;
             }
         }
         Self { size, rows }
@@ -69,7 +71,7 @@ impl<T: Lane, const C: usize> Recurrence<T, C> {
             (value_re, value_im) =
                 (re * value_re - im * value_im - sums_re[k], re * value_im + im * value_re - sums_im[k]);
             if k + 1 < *size {
-                let even = k.div_ceil(2) * 2;
+                let even = first_meant::<C>(k);
                 let row = pairs(&rows[k + 1][even..*size]);
                 let sums = pairs_mut(&mut sums_re[even..*size]).iter_mut().zip(pairs_mut(&mut sums_im[even..*size]));
                 for ((re, im), entry) in sums.zip(row) {
@@ -91,7 +93,7 @@ impl<T: Lane, const C: usize> Recurrence<T, C> {
         for k in 0..*size {
             value = re * value - sums[k];
             if k + 1 < *size {
-                let even = k.div_ceil(2) * 2;
+                let even = first_meant::<C>(k);
                 for (sum, entry) in pairs_mut(&mut sums[even..*size]).iter_mut().zip(pairs(&rows[k + 1][even..*size])) {
                     *sum = [sum[0] + entry[0] * value, sum[1] + entry[1] * value];
                 }

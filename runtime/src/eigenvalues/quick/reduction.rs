@@ -95,52 +95,74 @@ pub(super) fn balance<T: Lane, const C: usize>(size: usize, a: &mut [[T; C]; C])
 #[inline(always)]
 pub(super) fn reduce<T: Lane, const C: usize>(size: usize, first: usize, a: &mut [[T; C]; C]) {
     assert!(size <= C);
+    if C == 6 && size == C {
+        // Of three coordinates each column has loops of its own, which are written out.
+        if first == 0 {
+            reflect(0, C, a);
+        }
+        if first <= 1 {
+            reflect(1, C, a);
+        }
+        if first <= 2 {
+            reflect(2, C, a);
+        }
+        if first <= 3 {
+            reflect(3, C, a);
+        }
+        return;
+    }
+    for k in first..size - 2 {
+        reflect(k, size, a);
+    }
+}
+
+#[inline(always)]
+fn reflect<T: Lane, const C: usize>(k: usize, size: usize, a: &mut [[T; C]; C]) {
+    assert!(k + 1 < size && size <= C);
     // Squares below this have lost digits, of numbers that are nothing beside those of about one.
     const TINY: f64 = 1e-200;
     let (zero, one) = (a[0][0].like(0.0), a[0][0].like(1.0));
-    for k in first..size - 2 {
-        let head = a[k + 1][k];
-        let mut square = zero;
-        let mut direction = [zero; C];
-        for i in k + 2..size {
-            direction[i] = a[i][k];
-            square = square + a[i][k] * a[i][k];
+    let head = a[k + 1][k];
+    let mut square = zero;
+    let mut direction = [zero; C];
+    for i in k + 2..size {
+        direction[i] = a[i][k];
+        square = square + a[i][k] * a[i][k];
+    }
+    let is_reduced = square.less_or_equal(square.like(TINY));
+    let norm = (head * head + square).sqrt().copysign(head);
+    let pivot = head + norm;
+    direction[k + 1] = pivot;
+    let factor = T::select(is_reduced, zero, one / (norm * pivot));
+    // Two columns at a time, from one with an even number on: left of those that are meant nothing counts.
+    let even = k.div_ceil(2) * 2;
+    let direction = &direction[..size];
+    // From the left, in the columns after k.
+    let mut sums = [zero; C];
+    let sums = pairs_mut(&mut sums[even..size]);
+    for (row, along) in a[k + 1..size].iter().zip(&direction[k + 1..]) {
+        for (sum, entry) in sums.iter_mut().zip(pairs(&row[even..size])) {
+            *sum = [sum[0] + *along * entry[0], sum[1] + *along * entry[1]];
         }
-        let is_reduced = square.less_or_equal(square.like(TINY));
-        let norm = (head * head + square).sqrt().copysign(head);
-        let pivot = head + norm;
-        direction[k + 1] = pivot;
-        let factor = T::select(is_reduced, zero, one / (norm * pivot));
-        // Two columns at a time, from one with an even number on: left of those that are meant nothing counts.
-        let even = k.div_ceil(2) * 2;
-        let direction = &direction[..size];
-        // From the left, in the columns after k.
-        let mut sums = [zero; C];
-        let sums = pairs_mut(&mut sums[even..size]);
-        for (row, along) in a[k + 1..size].iter().zip(&direction[k + 1..]) {
-            for (sum, entry) in sums.iter_mut().zip(pairs(&row[even..size])) {
-                *sum = [sum[0] + *along * entry[0], sum[1] + *along * entry[1]];
-            }
+    }
+    for (row, along) in a[k + 1..size].iter_mut().zip(&direction[k + 1..]) {
+        let along = *along * factor;
+        for (entry, sum) in pairs_mut(&mut row[even..size]).iter_mut().zip(&*sums) {
+            *entry = [entry[0] - along * sum[0], entry[1] - along * sum[1]];
         }
-        for (row, along) in a[k + 1..size].iter_mut().zip(&direction[k + 1..]) {
-            let along = *along * factor;
-            for (entry, sum) in pairs_mut(&mut row[even..size]).iter_mut().zip(&*sums) {
-                *entry = [entry[0] - along * sum[0], entry[1] - along * sum[1]];
-            }
+    }
+    a[k + 1][k] = T::select(is_reduced, head, zero - norm);
+    // From the right, in all rows.
+    let direction = pairs(&direction[even..]);
+    for row in &mut a[..size] {
+        let row = pairs_mut(&mut row[even..size]);
+        let mut sum = [zero; 2];
+        for (entry, along) in row.iter().zip(direction) {
+            sum = [sum[0] + entry[0] * along[0], sum[1] + entry[1] * along[1]];
         }
-        a[k + 1][k] = T::select(is_reduced, head, zero - norm);
-        // From the right, in all rows.
-        let direction = pairs(&direction[even..]);
-        for row in &mut a[..size] {
-            let row = pairs_mut(&mut row[even..size]);
-            let mut sum = [zero; 2];
-            for (entry, along) in row.iter().zip(direction) {
-                sum = [sum[0] + entry[0] * along[0], sum[1] + entry[1] * along[1]];
-            }
-            let sum = (sum[0] + sum[1]) * factor;
-            for (entry, along) in row.iter_mut().zip(direction) {
-                *entry = [entry[0] - sum * along[0], entry[1] - sum * along[1]];
-            }
+        let sum = (sum[0] + sum[1]) * factor;
+        for (entry, along) in row.iter_mut().zip(direction) {
+            *entry = [entry[0] - sum * along[0], entry[1] - sum * along[1]];
         }
     }
 }
