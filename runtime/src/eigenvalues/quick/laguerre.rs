@@ -9,8 +9,8 @@ use crate::number::lane::Lane;
 /// The bound on steps to a root; four or five are usual.
 const STEPS: usize = 20;
 
-/// The last step, relative to the root: what is left is about its cube.
-const CLOSE: f64 = 1e-3;
+/// The last step, relative to the root: what is left is about its cube, so that one correction is enough.
+const CLOSE: f64 = 1e-4;
 
 /// The imaginary part of a real root, relative to the real one, that is only what is left. A pair so close to the real axis is
 /// not certain.
