@@ -6,6 +6,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use fearless_simd::SimdFloatElement;
 use fearless_simd::prelude::*;
 
+use super::transpose;
 use crate::number::lane::{Lane, UPPER_HALF};
 use crate::number::real::Real;
 use crate::number::trigonometry::{double, single};
@@ -21,6 +22,10 @@ pub trait InLanes: Scalar + SimdFloatElement + Send + Sync {
     /// Sine and cosine, in each lane those of the number alone.
     #[doc(hidden)]
     fn sin_cos_of_lanes<S: Simd>(angle: Lanes<S, Self>) -> (Lanes<S, Self>, Lanes<S, Self>);
+
+    /// Rows to columns, within each four lanes of four registers.
+    #[doc(hidden)]
+    fn transpose_fours<S: Simd>(registers: [Lanes<S, Self>; 4]) -> [Lanes<S, Self>; 4];
 }
 
 impl InLanes for f64 {
@@ -30,6 +35,11 @@ impl InLanes for f64 {
     fn sin_cos_of_lanes<S: Simd>(angle: Lanes<S>) -> (Lanes<S>, Lanes<S>) {
         double::sin_cos_of_lanes(angle)
     }
+
+    #[inline(always)]
+    fn transpose_fours<S: Simd>(registers: [Lanes<S>; 4]) -> [Lanes<S>; 4] {
+        transpose::transpose_f64(registers)
+    }
 }
 
 impl InLanes for f32 {
@@ -38,6 +48,11 @@ impl InLanes for f32 {
     #[inline(always)]
     fn sin_cos_of_lanes<S: Simd>(angle: Lanes<S, f32>) -> (Lanes<S, f32>, Lanes<S, f32>) {
         single::sin_cos_of_lanes(angle)
+    }
+
+    #[inline(always)]
+    fn transpose_fours<S: Simd>(registers: [Lanes<S, f32>; 4]) -> [Lanes<S, f32>; 4] {
+        transpose::transpose_f32(registers)
     }
 }
 

@@ -21,6 +21,8 @@ mod structs;
 #[cfg(feature = "std")]
 mod systems;
 mod transpose;
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+mod wide;
 
 use core::fmt;
 

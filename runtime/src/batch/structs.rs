@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use fearless_simd::Simd;
 
-use super::transpose::{MOST, transpose};
+use super::transpose::{GROUP, as_a_whole, transpose};
 use super::{InLanes, Lanes};
 use crate::model::{Evaluator, Model};
 use crate::number::Scalar;
@@ -29,7 +29,7 @@ pub fn structs<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
     }
 }
 
-/// The designs in lanes: squares of them are transposed, the last of which takes some parameters again rather than fewer.
+/// The designs in lanes: groups of numbers are transposed, the last of which takes some parameters again rather than fewer.
 #[inline(always)]
 fn parameters<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
     simd: S,
@@ -37,34 +37,36 @@ fn parameters<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
 ) -> M::Over<Lanes<S, M::Scalar>> {
     let lanes = Lanes::<S, M::Scalar>::COUNT;
     let count = M::INFO.parameters.len();
-    let mut square = [Lanes::splat(simd, M::Scalar::from_f64(0.0)); MOST];
+    let group = lanes.min(GROUP);
+    let mut columns = [Lanes::splat(simd, M::Scalar::from_f64(0.0)); GROUP];
     let mut begin = usize::MAX;
     M::Over::<Lanes<S, M::Scalar>>::from_parameters(
         #[inline(always)]
         |position| {
-            if count < lanes {
+            if count < group {
                 return Lanes::from_fn(
                     simd,
                     #[inline(always)]
                     |lane| designs[lane].parameters().as_ref()[position],
                 );
             }
-            // They are asked for in order, so a square is made once.
-            let first = (position - position % lanes).min(count - lanes);
+            // They are asked for in order, so a group is transposed once.
+            let first = (position - position % group).min(count - group);
             if first != begin {
-                for (numbers, design) in square[..lanes].iter_mut().zip(designs) {
-                    *numbers = Lanes::load(simd, &design.parameters().as_ref()[first..][..lanes]);
+                for (row, numbers) in columns[..group].iter_mut().enumerate() {
+                    *numbers = as_a_whole(Lanes::from_fn(
+                        simd,
+                        #[inline(always)]
+                        |lane| designs[row + lane / group * group].parameters().as_ref()[first + lane % group],
+                    ));
                 }
-                transpose(&mut square[..lanes]);
+                transpose(&mut columns[..group]);
                 begin = first;
             }
-            square[position - first]
+            columns[position - first]
         },
     )
 }
-
-/// Numbers of a design that are brought side by side: the more, the more rounds it takes; a matrix of two coordinates has four.
-const GROUP: usize = 4;
 
 /// Writes what lanes hold as the matrices of one design after the other.
 #[inline(always)]
@@ -83,17 +85,36 @@ fn write<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
                     columns[column][row] = *number;
                 }
             }
-            columns.as_flattened_mut().chunks_exact_mut(group).for_each(transpose);
+            for group in columns.as_flattened_mut().chunks_exact_mut(group) {
+                transpose(group);
+            }
             *matrix = columns;
         }
     }
+    // One after the other, not in a loop: what is in a lane is only known where the lane is.
+    write_four::<S, N, M>(&matrices, coefficients, 0);
+    if lanes > GROUP {
+        write_four::<S, N, M>(&matrices, coefficients, 1);
+    }
+    if lanes > 2 * GROUP {
+        write_four::<S, N, M>(&matrices, coefficients, 2);
+        write_four::<S, N, M>(&matrices, coefficients, 3);
+    }
+}
+
+/// Writes the matrices of four designs, or of as many as there are lanes.
+#[inline(always)]
+fn write_four<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
+    matrices: &[Rows<Lanes<S, M::Scalar>, N>; 8],
+    coefficients: &mut [Coefficients<M::Scalar, N>],
+    four: usize,
+) {
+    let group = Lanes::<S, M::Scalar>::COUNT.min(GROUP);
     let states = core::array::from_fn(|coordinate| M::INFO.coordinates[coordinate].states);
-    for (lane, coefficients) in coefficients.iter_mut().enumerate() {
-        // Each register of a group has the numbers of so many designs.
-        let designs = lanes / group;
+    for (row, coefficients) in coefficients[four * group..][..group].iter_mut().enumerate() {
         let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, states: of_all } = coefficients;
         for ((matrix, columns), is_there) in
-            [m, cm1, c0, c1, kc, k0, k1, k2].into_iter().zip(&matrices).zip(Matrices::<N, M>::ARE_THERE)
+            [m, cm1, c0, c1, kc, k0, k1, k2].into_iter().zip(matrices).zip(Matrices::<N, M>::ARE_THERE)
         {
             if !is_there {
                 matrix.as_mut_slice().fill(M::Scalar::from_f64(0.0));
@@ -102,16 +123,11 @@ fn write<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
             let groups = columns.as_flattened().chunks_exact(group);
             let mut places = matrix.as_mut_slice().chunks_exact_mut(group);
             let rest = groups.remainder();
-            for (group_of_all, places) in groups.zip(&mut places) {
-                let register = &group_of_all[lane / designs];
-                if designs == 1 {
-                    register.store(places);
-                } else {
-                    places.copy_from_slice(&register.numbers()[lane % designs * group..][..group]);
-                }
+            for (registers, places) in groups.zip(&mut places) {
+                places.copy_from_slice(&registers[row].numbers()[four * group..][..group]);
             }
             for (numbers, place) in rest.iter().zip(places.into_remainder()) {
-                *place = numbers.lane(lane);
+                *place = numbers.lane(four * group + row);
             }
         }
         *of_all = states;
