@@ -1,6 +1,6 @@
 //! The critical speeds and stable ranges of many designs with two coordinates.
 
-use fearless_simd::{Level, Simd, dispatch};
+use fearless_simd::{Simd, dispatch};
 
 use super::transpose::MOST;
 use super::{Batch, BatchError, Lanes};
@@ -15,9 +15,8 @@ impl Batch {
     /// equal length.
     ///
     /// They are those of [`Stability::new`], to the last bit, with all that it promises; a design that has none gets its
-    /// error, and the others are not affected. What is computed in lanes, of the baseline of the target whatever the processor
-    /// has, are the polynomials along the speed, in twice the precision of `f64`; their roots are found for one design after
-    /// the other.
+    /// error, and the others are not affected. What is computed in lanes are the polynomials along the speed, in twice the
+    /// precision of `f64`; their roots are found for one design after the other.
     ///
     /// # Errors
     /// If the slices differ in length. Nothing is written then.
@@ -29,8 +28,7 @@ impl Batch {
     ) -> Result<(), BatchError> {
         BatchError::require_room("gravity", coefficients.len(), gravity.len())?;
         BatchError::require_room("result", coefficients.len(), stability.len())?;
-        // In wider registers the arithmetic of twice the precision is not compiled into one function, and is slower than alone.
-        dispatch!(Level::baseline(), simd => of_designs(simd, coefficients, gravity, stability));
+        dispatch!(self.level, simd => of_designs(simd, coefficients, gravity, stability));
         Ok(())
     }
 
@@ -100,8 +98,9 @@ fn of_designs<S: Simd>(
         let matrices =
             Matrices::new([of_lanes(0), of_lanes(1), of_lanes(2), of_lanes(3), of_lanes(4), of_lanes(5)], gravities);
         let ways = &ways[..=last];
-        let square = ways.contains(&Way::Square).then(|| in_square(&matrices));
-        let speed = ways.contains(&Way::Speed).then(|| in_speed(&matrices));
+        // No closures: they would be functions of their own, for which the instructions of the processor are not known.
+        let square = if ways.contains(&Way::Square) { Some(in_square(&matrices)) } else { None };
+        let speed = if ways.contains(&Way::Speed) { Some(in_speed(&matrices)) } else { None };
         for (lane, (way, stability)) in ways.iter().zip(stability).enumerate() {
             let found = match way {
                 Way::Square => square.as_ref().and_then(|conditions| of_lane(conditions, lane)),

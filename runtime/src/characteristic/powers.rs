@@ -95,14 +95,16 @@ pub(crate) struct Powers<V: Variable, T: Part = f64> {
 
 impl<V: Variable, T: Part> Powers<V, T> {
     /// All of its coefficients, each with as many of its own.
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     pub(crate) fn padded<P: Fixed<T>>(&self) -> [P; 5] {
         let Self { p0, p1, p2, p3, p4 } = *self;
         [padded(p0), padded(p1), padded(p2), padded(p3), padded([p4])]
     }
 
     /// With the last coefficient positive.
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     fn normalized(self) -> Self {
         let leading = self.p4.value.high();
         let is_negative = leading.less(leading.like(0.0));
@@ -137,18 +139,24 @@ pub(crate) struct Matrices<T = f64> {
 
 impl<T: Part> Matrices<T> {
     /// From the rows of M, C0, C1, Kc, K0 and K2.
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     pub(crate) fn new(rows: [Rows<T>; 6], gravity: T) -> Self {
         let [m, c0, c1, kc, k0, k2] = rows;
         let exact = |[[a, b], [c, d]]: Rows<T>| [[Exact(a), Exact(b)], [Exact(c), Exact(d)]];
         let [m, c0, c1, k2] = [exact(m), exact(c0), exact(c1), exact(k2)];
-        let stiffness = |i: usize, j: usize| Exact(gravity) * Exact(k0[i][j]) + DoubleDouble::from(kc[i][j]).into();
+        // Only what is given to a function can be told to be inlined.
+        let stiffness = core::convert::identity(
+            #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+            |i: usize, j: usize| Exact(gravity) * Exact(k0[i][j]) + DoubleDouble::from(kc[i][j]).into(),
+        );
         let k = [[stiffness(0, 0), stiffness(0, 1)], [stiffness(1, 0), stiffness(1, 1)]];
         Self { m, c0, c1, k, k2, mass: determinant(m) }
     }
 
     /// In the speed.
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     pub(crate) fn in_speed(&self) -> Powers<InSpeed, T> {
         let Self { m, c0, c1, k, k2, mass } = *self;
         let zero = mass.zero();
@@ -163,7 +171,8 @@ impl<T: Part> Matrices<T> {
     }
 
     /// In the square of the speed, without damping at rest.
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     pub(crate) fn in_square(&self) -> Powers<InSquare, T> {
         let Self { m, c1, k, k2, mass, .. } = *self;
         Powers {
@@ -186,7 +195,8 @@ fn shared<T: Part, X: Copy + Mul<Y, Output = Tracked<T>>, Y: Copy>(x: Rows<X>, y
 }
 
 impl Matrices {
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     pub(crate) fn are_undamped_at_rest(&self) -> bool {
         self.c0 == [[Exact(0.0); 2]; 2]
     }

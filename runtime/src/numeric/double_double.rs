@@ -1,4 +1,8 @@
 //! Numbers with twice the precision of `f64`, or of `f32`.
+//!
+//! Where there are batches, all of it is inlined always, and what is made of it for lanes: a function that is called knows nothing of the
+//! instructions of the processor that its caller was compiled for, and would call another one for every addition. In debug builds
+//! that would take more stack than a thread has.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -33,7 +37,8 @@ impl Part for f32 {
 
 impl<T: Part> DoubleDouble<T> {
     /// `a b`, exactly.
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     pub(crate) fn product(a: T, b: T) -> Self {
         let hi = a * b;
         let (a_hi, a_lo) = split(a);
@@ -64,20 +69,23 @@ impl DoubleDouble {
 /// Operations of polynomials.
 impl<T: Part> DoubleDouble<T> {
     /// The product with one number of half the precision.
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     pub(crate) fn times(self, factor: T) -> Self {
         let product = Self::product(self.hi, factor);
         quick_sum(product.hi, product.lo + self.lo * factor)
     }
 
     /// Twice the number, exactly.
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     pub(crate) fn doubled(self) -> Self {
         Self { hi: self.hi + self.hi, lo: self.lo + self.lo }
     }
 
     /// Each part of one of two numbers.
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     pub(crate) fn choose(mask: T::Mask, yes: Self, no: Self) -> Self {
         Self { hi: T::select(mask, yes.hi, no.hi), lo: T::select(mask, yes.lo, no.lo) }
     }
@@ -89,7 +97,8 @@ impl<T: Part> DoubleDouble<T> {
     }
 
     /// The sum, to within 2^-104 of the magnitudes of both: not of the sum itself, and so with less work.
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     pub(crate) fn add_roughly(self, other: Self) -> Self {
         let hi = sum(self.hi, other.hi);
         quick_sum(hi.hi, hi.lo + (self.lo + other.lo))
@@ -97,6 +106,7 @@ impl<T: Part> DoubleDouble<T> {
 }
 
 impl<T: Part> From<T> for DoubleDouble<T> {
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
     fn from(value: T) -> Self {
         Self { hi: value, lo: value.like(0.0) }
     }
@@ -104,7 +114,8 @@ impl<T: Part> From<T> for DoubleDouble<T> {
 
 impl<T: Part> Neg for DoubleDouble<T> {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     fn neg(self) -> Self {
         Self { hi: -self.hi, lo: -self.lo }
     }
@@ -112,7 +123,8 @@ impl<T: Part> Neg for DoubleDouble<T> {
 
 impl<T: Part> Add for DoubleDouble<T> {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     fn add(self, other: Self) -> Self {
         let hi = sum(self.hi, other.hi);
         let lo = sum(self.lo, other.lo);
@@ -123,7 +135,8 @@ impl<T: Part> Add for DoubleDouble<T> {
 
 impl<T: Part> Sub for DoubleDouble<T> {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -131,7 +144,8 @@ impl<T: Part> Sub for DoubleDouble<T> {
 
 impl<T: Part> Mul for DoubleDouble<T> {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     fn mul(self, other: Self) -> Self {
         let product = Self::product(self.hi, other.hi);
         quick_sum(product.hi, product.lo + (self.hi * other.lo + self.lo * other.hi))
@@ -182,7 +196,8 @@ impl<T: Part + Scalar> Real for DoubleDouble<T> {
 }
 
 /// `a + b`, exactly.
-#[inline]
+#[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+#[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
 fn sum<T: Part>(a: T, b: T) -> DoubleDouble<T> {
     let hi = a + b;
     let b_part = hi - a;
@@ -190,14 +205,16 @@ fn sum<T: Part>(a: T, b: T) -> DoubleDouble<T> {
 }
 
 /// `a + b`, exactly, where |a| >= |b|.
-#[inline]
+#[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+#[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
 fn quick_sum<T: Part>(a: T, b: T) -> DoubleDouble<T> {
     let hi = a + b;
     DoubleDouble { hi, lo: b - (hi - a) }
 }
 
 /// Two parts of half of the bits each that sum to `a`.
-#[inline]
+#[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+#[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
 fn split<T: Part>(a: T) -> (T, T) {
     let t = a.like(T::SPLITTER) * a;
     let hi = t - (t - a);

@@ -27,7 +27,8 @@ impl<T: Part, const N: usize> Fixed<T> for [Tracked<T>; N] {
 }
 
 /// The product of two polynomials, which has as many coefficients as both together, less one.
-#[inline]
+#[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+#[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
 pub(crate) fn product<T: Part, A: Fixed<T>, B: Fixed<T>, C: Fixed<T>>(a: &A, b: &B) -> C {
     const { assert!(C::COUNT + 1 == A::COUNT + B::COUNT) }
     let mut result = C::filled(a.first().zero());
@@ -42,7 +43,8 @@ pub(crate) fn product<T: Part, A: Fixed<T>, B: Fixed<T>, C: Fixed<T>>(a: &A, b: 
 }
 
 /// The square of a polynomial.
-#[inline]
+#[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+#[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
 pub(crate) fn square<T: Part, A: Fixed<T>, C: Fixed<T>>(a: &A) -> C {
     const { assert!(C::COUNT + 1 == 2 * A::COUNT) }
     let zero = a.first().zero();
@@ -51,7 +53,11 @@ pub(crate) fn square<T: Part, A: Fixed<T>, C: Fixed<T>>(a: &A) -> C {
     // A coefficient is always there. Indexing would link a panic into the programs of microcontrollers, where loops are not
     // unrolled; here and below.
     let coefficient = |power: usize| a.get(power).copied().unwrap_or(zero);
-    let term = |i: usize, j: usize| coefficient(i) * coefficient(j);
+    // Only what is given to a function can be told to be inlined.
+    let term = core::convert::identity(
+        #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+        |i: usize, j: usize| coefficient(i) * coefficient(j),
+    );
     for (power, square) in result.as_mut().iter_mut().enumerate() {
         // The terms before the middle one come twice.
         let first = (power + 1).saturating_sub(A::COUNT);
@@ -74,7 +80,8 @@ pub(crate) fn square<T: Part, A: Fixed<T>, C: Fixed<T>>(a: &A) -> C {
 
 /// The sum of two polynomials, of which the first may have more coefficients: those of the second are added from the power
 /// `shift` on.
-#[inline]
+#[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+#[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
 pub(crate) fn add<T: Part, A: Fixed<T>, B: Fixed<T>>(mut a: A, b: B, shift: usize) -> A {
     for (a, &b) in a.as_mut().iter_mut().skip(shift).zip(b.as_ref()) {
         *a = *a + b;
@@ -83,7 +90,8 @@ pub(crate) fn add<T: Part, A: Fixed<T>, B: Fixed<T>>(mut a: A, b: B, shift: usiz
 }
 
 /// Each coefficient through a function.
-#[inline]
+#[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+#[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
 pub(crate) fn map<T: Part, A: Fixed<T>>(mut a: A, f: impl Fn(Tracked<T>) -> Tracked<T>) -> A {
     for coefficient in a.as_mut() {
         *coefficient = f(*coefficient);
@@ -92,7 +100,8 @@ pub(crate) fn map<T: Part, A: Fixed<T>>(mut a: A, f: impl Fn(Tracked<T>) -> Trac
 }
 
 /// The same polynomial with more coefficients.
-#[inline]
+#[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+#[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
 pub(crate) fn padded<T: Part, A: Fixed<T>, B: Fixed<T>>(a: A) -> B {
     let mut padded = B::filled(a.first().zero());
     padded.as_mut().iter_mut().zip(a.as_ref()).for_each(|(padded, a)| *padded = *a);
@@ -100,7 +109,8 @@ pub(crate) fn padded<T: Part, A: Fixed<T>, B: Fixed<T>>(a: A) -> B {
 }
 
 /// The value at x.
-#[inline]
+#[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+#[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
 pub(crate) fn evaluate(coefficients: &[Tracked], x: f64) -> Tracked {
     let mut descending = coefficients.iter().rev().skip_while(|c| c.size == 0.0);
     let first = descending.next().copied().unwrap_or(Tracked::ZERO);

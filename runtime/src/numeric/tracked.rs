@@ -19,31 +19,36 @@ pub(crate) struct Tracked<T = f64> {
 
 impl<T: Part> Tracked<T> {
     /// The product with one number without error.
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     pub(crate) fn times(self, factor: T) -> Self {
         Self { value: self.value.times(factor), size: self.size * factor.abs() }
     }
 
     /// The product with a constant.
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     pub(crate) fn scaled(self, factor: f64) -> Self {
         self.times(self.size.like(factor))
     }
 
     /// Twice the number.
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     pub(crate) fn doubled(self) -> Self {
         Self { value: self.value.doubled(), size: self.size + self.size }
     }
 
     /// Zero, in as many lanes as this number has.
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     pub(crate) fn zero(self) -> Self {
         DoubleDouble::from(self.size.like(0.0)).into()
     }
 
     /// This number, or its opposite where a mask is true.
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     pub(crate) fn opposite_where(self, mask: T::Mask) -> Self {
         Self { value: DoubleDouble::choose(mask, -self.value, self.value), size: self.size }
     }
@@ -66,14 +71,16 @@ impl Tracked {
 }
 
 impl<T: Part> From<DoubleDouble<T>> for Tracked<T> {
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     fn from(value: DoubleDouble<T>) -> Self {
         Self { value, size: value.high().abs() }
     }
 }
 
 impl From<f64> for Tracked {
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     fn from(value: f64) -> Self {
         DoubleDouble::from(value).into()
     }
@@ -81,7 +88,8 @@ impl From<f64> for Tracked {
 
 impl<T: Part> Neg for Tracked<T> {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     fn neg(self) -> Self {
         Self { value: -self.value, size: self.size }
     }
@@ -89,7 +97,8 @@ impl<T: Part> Neg for Tracked<T> {
 
 impl<T: Part> Add for Tracked<T> {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     fn add(self, other: Self) -> Self {
         Self { value: self.value.add_roughly(other.value), size: self.size + other.size }
     }
@@ -97,7 +106,8 @@ impl<T: Part> Add for Tracked<T> {
 
 impl<T: Part> Sub for Tracked<T> {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -105,7 +115,8 @@ impl<T: Part> Sub for Tracked<T> {
 
 impl<T: Part> Mul for Tracked<T> {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     fn mul(self, other: Self) -> Self {
         Self { value: self.value * other.value, size: self.size * other.size }
     }
@@ -117,7 +128,8 @@ pub(crate) struct Exact<T = f64>(pub(crate) T);
 
 impl<T: Part> Mul for Exact<T> {
     type Output = Tracked<T>;
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     fn mul(self, other: Self) -> Tracked<T> {
         DoubleDouble::product(self.0, other.0).into()
     }
@@ -125,7 +137,8 @@ impl<T: Part> Mul for Exact<T> {
 
 impl<T: Part> Mul<Tracked<T>> for Exact<T> {
     type Output = Tracked<T>;
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     fn mul(self, other: Tracked<T>) -> Tracked<T> {
         other.times(self.0)
     }

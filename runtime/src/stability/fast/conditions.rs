@@ -70,7 +70,8 @@ fn is_regular(mass: Tracked) -> bool {
 }
 
 impl<const P: usize, const H: usize, const D: usize, T: Part> Conditions<P, H, D, T> {
-    #[inline]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
     fn new<V>(variable: Variable, powers: &Powers<V, T>) -> Self
     where
         V: InVariable<Hurwitz<T> = [Tracked<T>; H], Discriminant<T> = [Tracked<T>; D]>,
@@ -85,24 +86,37 @@ impl<const P: usize, const H: usize, const D: usize, T: Part> Conditions<P, H, D
 impl<const P: usize, const H: usize, const D: usize, S: Simd> Conditions<P, H, D, Lanes<S>> {
     /// Those of a lane; `None` if its mass matrix may be singular.
     pub(crate) fn lane(&self, lane: usize) -> Option<Conditions<P, H, D>> {
-        let number = |number: Tracked<Lanes<S>>| Tracked {
-            value: number.value.map(|part| part.lane(lane)),
-            size: number.size.lane(lane),
+        let mut conditions = Conditions {
+            variable: self.variable,
+            p: [[Tracked::ZERO; P]; 5],
+            hurwitz: [Tracked::ZERO; H],
+            discriminant: [Tracked::ZERO; D],
         };
-        let p = self.p.map(|p| p.map(number));
-        let (hurwitz, discriminant) = (self.hurwitz.map(number), self.discriminant.map(number));
-        is_regular(p[4][0]).then_some(Conditions { variable: self.variable, p, hurwitz, discriminant })
+        conditions.p.iter_mut().zip(&self.p).for_each(|(of_lane, p)| take_lane(of_lane, p, lane));
+        take_lane(&mut conditions.hurwitz, &self.hurwitz, lane);
+        take_lane(&mut conditions.discriminant, &self.discriminant, lane);
+        is_regular(conditions.p[4][0]).then_some(conditions)
+    }
+}
+
+#[cfg(all(feature = "batch", feature = "std"))]
+#[inline]
+fn take_lane<S: Simd>(of_lane: &mut [Tracked], of_lanes: &[Tracked<Lanes<S>>], lane: usize) {
+    for (number, lanes) in of_lane.iter_mut().zip(of_lanes) {
+        *number = Tracked { value: lanes.value.map(|part| part.lane(lane)), size: lanes.size.lane(lane) };
     }
 }
 
 /// In the square of the speed, without damping at rest.
-#[inline]
+#[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+#[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
 pub(crate) fn in_square<T: Part>(matrices: &Matrices<T>) -> Conditions<3, 3, 7, T> {
     Conditions::new::<InSquare>(Variable::Square, &matrices.in_square())
 }
 
 /// In the speed.
-#[inline]
+#[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+#[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
 pub(crate) fn in_speed<T: Part>(matrices: &Matrices<T>) -> Conditions<5, 7, 13, T> {
     Conditions::new::<InSpeed>(Variable::Speed, &matrices.in_speed())
 }
