@@ -11,6 +11,10 @@
 pub mod backward;
 pub mod bicycles;
 pub mod chain;
+/// The bicycle by formulas that asks for a few of its derivatives.
+#[rustfmt::skip]
+#[allow(clippy::pedantic)]
+pub mod chosen;
 pub mod designs;
 pub mod differences;
 pub mod exact;

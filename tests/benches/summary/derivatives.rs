@@ -5,6 +5,7 @@ use std::hint::black_box;
 use carvallo::Scalar;
 use carvallo_compare::Task;
 use carvallo_models::{Whipple, WhippleMatrices, WhippleMechanism};
+use carvallo_tests::chosen::WhippleChosen;
 use carvallo_tests::designs;
 use carvallo_tests::hand_written::{self, Float};
 use carvallo_tests::peers::symplex::Symplex;
@@ -21,11 +22,16 @@ pub fn add(summary: &mut Summary) {
 
 fn for_scalar<T: Float + Symplex>(summary: &mut Summary, scalar: &str, design: &Whipple<T>, step: f64) {
     let mechanism = WhippleMechanism::from_array(design.to_array());
+    let chosen = WhippleChosen::from_array(design.to_array());
     let task = Task::new(format!("Four matrices and their Jacobian, {scalar}, one design"), REPETITIONS)
         .contender("ours, from bodies, no Jacobian", repeated(&mechanism, WhippleMechanism::matrices))
         .contender("ours, from bodies", repeated(&mechanism, WhippleMechanism::matrices_and_derivatives))
         .contender("ours, from formulas, no Jacobian", repeated(design, Whipple::matrices))
         .contender("ours, from formulas", repeated(design, Whipple::matrices_and_derivatives))
+        .contender(
+            "ours, from formulas, those of M, K0 by w, c",
+            repeated(&chosen, WhippleChosen::matrices_and_derivatives),
+        )
         .contender("symplex-build 0.57", repeated(design, Symplex::entries_and_derivatives))
         .contender("by hand, central differences", repeated(design, |design| differences(design, step)));
     summary.run(task);

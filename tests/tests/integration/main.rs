@@ -10,6 +10,8 @@ mod batch_stability;
 mod bicycles;
 mod c;
 #[cfg(feature = "compiler")]
+mod chosen_derivatives;
+#[cfg(feature = "compiler")]
 mod claims;
 #[cfg(feature = "compiler")]
 mod compared;

@@ -2,9 +2,9 @@
 
 use std::hint::black_box;
 
-use carvallo::Model;
 use carvallo::batch::{Batch, Blocks, InLanes};
-use carvallo_models::WhippleMechanism;
+use carvallo::{Model, Stability};
+use carvallo_models::{Whipple, WhippleMechanism};
 
 /// Designs in a batch.
 pub const DESIGNS: usize = 64;
@@ -76,6 +76,18 @@ pub fn rates(calls: usize, level: &str) -> Option<()> {
         let states = black_box(&states);
         let done = batch.motion_derivatives::<2, WhippleMechanism>(&parameters, states, black_box(&mut derivatives));
         done.expect("blocks that fit");
+    }
+    Some(())
+}
+
+/// Of matrices that are there.
+pub fn critical_speeds(calls: usize, level: &str) -> Option<()> {
+    let batch = of_level(level)?;
+    let (coefficients, gravity) = ([Whipple::BENCHMARK.coefficients(); DESIGNS], [Whipple::BENCHMARK.g; DESIGNS]);
+    let mut found = vec![Stability::new(&coefficients[0], gravity[0]); DESIGNS];
+    for _ in 0..calls / DESIGNS {
+        let done = batch.stability(black_box(&coefficients), &gravity, black_box(&mut found));
+        done.expect("slices of equal length");
     }
     Some(())
 }

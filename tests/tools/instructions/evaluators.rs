@@ -6,9 +6,10 @@ use std::process::ExitCode;
 use carvallo::batch::Eigenvalues;
 use carvallo::{Model, Sensitivity, Stability, System};
 use carvallo_models::{Whipple, WhippleLeaning, WhippleMechanism};
+use carvallo_tests::chosen::WhippleChosen;
 use carvallo_tests::{designs, hand_written};
 
-use crate::batches::{DESIGNS, blocks, columns, jacobians, of_level, rates, structs};
+use crate::batches::{DESIGNS, blocks, columns, critical_speeds, jacobians, of_level, rates, structs};
 
 /// An evaluator.
 pub struct Evaluator {
@@ -73,6 +74,13 @@ pub const EVALUATORS: &[Evaluator] = &[
         name: "matrices and Jacobian from formulas, f32",
         calls: 1000,
         run: |calls| one(calls, &designs::narrowed(&bicycle()), Whipple::matrices_and_derivatives),
+    },
+    Evaluator {
+        name: "matrices and derivatives of M, K0 by w, c from formulas, f64",
+        calls: 1000,
+        run: |calls| {
+            one(calls, &WhippleChosen::from_array(bicycle().to_array()), WhippleChosen::matrices_and_derivatives)
+        },
     },
     Evaluator { name: "matrices from bodies, batch, SSE2", calls: 6400, run: |calls| blocks(calls, "SSE2") },
     Evaluator { name: "matrices from bodies, batch, AVX2", calls: 6400, run: |calls| blocks(calls, "AVX2") },
@@ -144,6 +152,16 @@ pub const EVALUATORS: &[Evaluator] = &[
             let coefficients = bicycle().coefficients();
             one(calls, &coefficients, |coefficients| Stability::new(coefficients, bicycle().g))
         },
+    },
+    Evaluator {
+        name: "critical speeds and stable ranges, batch, SSE2",
+        calls: 640,
+        run: |calls| critical_speeds(calls, "SSE2"),
+    },
+    Evaluator {
+        name: "critical speeds and stable ranges, batch, AVX2",
+        calls: 640,
+        run: |calls| critical_speeds(calls, "AVX2"),
     },
 ];
 
