@@ -4,12 +4,12 @@
 use std::fs;
 use std::path::Path;
 
-use carvallo::{MatrixName, Model, Scalar};
+use carvallo::MatrixName;
 use carvallo_compare::Real;
 use carvallo_compiler::files::{Language, expand};
 use carvallo_tests::chosen::WhippleChosen;
-use carvallo_tests::exact::{Matrices, derivative_sizes, derivatives};
 use carvallo_tests::designs;
+use carvallo_tests::exact::{Matrices, derivative_sizes, derivatives};
 
 /// The shipped declaration by formulas, but for its name and for what it asks for.
 fn declaration() -> String {
@@ -55,11 +55,7 @@ fn derivatives_that_are_asked_for_are_those_in_exact_arithmetic() {
     });
     for number in 0..100 {
         let design = designs::numbered(number);
-        let (matrices, found) = WhippleChosen::from_array(design.to_array()).matrices_and_derivatives();
-        assert_eq!((matrices.m, matrices.k0), {
-            let alone = WhippleChosen::from_array(design.to_array()).matrices();
-            (alone.m, alone.k0)
-        });
+        let (_, found) = WhippleChosen::from_array(design.to_array()).matrices_and_derivatives();
         for parameter in positions {
             let exact: Matrices<Real> = derivatives(&design, parameter);
             let sizes = derivative_sizes(&design, parameter);
