@@ -1,13 +1,16 @@
 //! Numbers that lie one design after the other, into lanes and back.
 
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+use fearless_simd::Level;
+use fearless_simd::Simd;
 use fearless_simd::prelude::*;
-use fearless_simd::{Level, Simd};
 
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 use super::wide;
 use super::{InLanes, Lanes};
 
 /// As many lanes as the widest registers have, in `f32`.
+#[cfg(feature = "std")]
 pub const MOST: usize = 16;
 
 /// Numbers of a design that are brought side by side. More would take more rounds; a matrix of two coordinates has four.
