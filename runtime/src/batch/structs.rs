@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use fearless_simd::Simd;
 
-use super::transpose::{GROUP, as_a_whole, transpose};
+use super::transpose::{GROUP, as_a_whole, transpose_group};
 use super::{InLanes, Lanes};
 use crate::model::{Evaluator, Model};
 use crate::number::Scalar;
@@ -60,7 +60,7 @@ fn parameters<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
                         |lane| designs[row + lane / group * group].parameters().as_ref()[first + lane % group],
                     ));
                 }
-                transpose(&mut columns[..group]);
+                transpose_group(&mut columns[..group]);
                 begin = first;
             }
             columns[position - first]
@@ -86,7 +86,7 @@ fn write<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
                 }
             }
             for group in columns.as_flattened_mut().chunks_exact_mut(group) {
-                transpose(group);
+                transpose_group(group);
             }
             *matrix = columns;
         }

@@ -21,11 +21,29 @@ pub const GROUP: usize = 4;
 /// So registers of the first to the fourth number of designs become registers of the numbers of the first to the fourth
 /// design, beside which in the next four lanes stand those of the designs four further on; and back.
 #[inline(always)]
-pub fn transpose<S: Simd, T: InLanes>(registers: &mut [Lanes<S, T>]) {
+pub fn transpose_group<S: Simd, T: InLanes>(registers: &mut [Lanes<S, T>]) {
     match *registers {
         [a, b, c, d] => registers.copy_from_slice(&T::transpose_fours([a, b, c, d])),
         [a, b] => registers.copy_from_slice(&zip(a, b)),
         _ => {}
+    }
+}
+
+/// Rows to columns, of as many registers as there are lanes.
+///
+/// Each round zips the first half with the second; after as many rounds as the logarithm of the number of lanes, each number is in
+/// its place.
+#[cfg(feature = "std")]
+#[inline(always)]
+pub fn transpose<S: Simd, T: InLanes>(square: &mut [Lanes<S, T>]) {
+    let count = square.len();
+    let half = count / 2;
+    for _ in 0..count.ilog2() {
+        let mut rows = [square[0]; MOST];
+        rows[..count].copy_from_slice(square);
+        for row in 0..half {
+            [square[2 * row], square[2 * row + 1]] = zip(rows[row], rows[row + half]);
+        }
     }
 }
 
