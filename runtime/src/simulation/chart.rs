@@ -68,7 +68,7 @@ impl Chart {
             if largest < MODERATE {
                 return Ok(Some(Self::of_speeds(machine)));
             }
-            let by_these = self.rows(&shares).try_inverse().map(|inverse| &shares * inverse);
+            let by_these = self.rows(&shares).full_piv_lu().try_inverse().map(|inverse| &shares * inverse);
             if by_these.is_some_and(|shares| shares.amax() <= LARGE) {
                 return Ok(None);
             }

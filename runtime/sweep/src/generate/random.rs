@@ -4,8 +4,8 @@ use carvallo_design::conventions::{Naming, Varying};
 use carvallo_design::input::measured;
 use carvallo_design::number::with_unit;
 use carvallo_design::parameter::{any_possible, check_units, number, too_wide};
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{RngCore as _, SeedableRng as _};
+use chacha20::ChaCha8Rng;
+use chacha20::rand_core::{Rng as _, SeedableRng as _};
 
 /// The 32-bit words that each sample takes, whatever its distribution.
 const WORDS: u128 = 4;

@@ -25,7 +25,9 @@ use crate::table::{Column, Heading, Kind, written};
 /// # Errors
 /// What the library says.
 pub fn part(headings: &[Heading], tables: &[Vec<Column>]) -> Result<Vec<u8>, ParquetError> {
-    let mut writer = SerializedFileWriter::new(Vec::new(), schema(headings)?, Arc::new(properties(headings)))?;
+    let mut bytes = Vec::new();
+    // Of the type that the end is written to as well: for each the library is compiled once.
+    let mut writer = SerializedFileWriter::new(&mut bytes, schema(headings)?, Arc::new(properties(headings)))?;
     let mut group = writer.next_row_group()?;
     for index in 0..headings.len() {
         if let Some(mut column) = group.next_column()? {
@@ -34,7 +36,8 @@ pub fn part(headings: &[Heading], tables: &[Vec<Column>]) -> Result<Vec<u8>, Par
         }
     }
     group.close()?;
-    writer.into_inner()
+    writer.close()?;
+    Ok(bytes)
 }
 
 fn write(writer: &mut SerializedColumnWriter, column: &Column) -> Result<(), ParquetError> {
