@@ -128,9 +128,10 @@ fn along<S: Simd>(
     eigenvalues: &mut [Eigenvalues],
 ) {
     let lanes = Lanes::<S>::COUNT;
+    let scalar = |speed: f64| coefficients.at(speed, gravity)?.quartic_eigenvalues();
     if coefficients.has_odd_powers() {
         for (speed, eigenvalues) in speeds.iter().zip(eigenvalues) {
-            *eigenvalues = alone(coefficients, *speed, gravity);
+            *eigenvalues = scalar(*speed);
         }
         return;
     }
@@ -160,15 +161,8 @@ fn along<S: Simd>(
             #[inline(always)]
             |i, j| standing[i][j] + k2[i][j] * v * v,
         );
-        write(quick_eigenvalues(m, c, k), eigenvalues, |lane| alone(coefficients, speeds[lane], gravity));
+        write(quick_eigenvalues(m, c, k), eigenvalues, |lane| scalar(speeds[lane]));
     }
-}
-
-/// Beside the lanes, which need all registers.
-#[cold]
-#[inline(never)]
-fn alone(coefficients: &Coefficients<f64, 2>, speed: f64, gravity: f64) -> Eigenvalues {
-    coefficients.at(speed, gravity)?.quartic_eigenvalues()
 }
 
 #[inline(always)]
