@@ -326,6 +326,26 @@ fn deviations_and_correlations_lead_back() {
     }
 }
 
+/// What was set is exact: on the way back deviations cancel, and rounding is none.
+#[test]
+fn what_is_exact_stays_exact() {
+    let directory = Directory::new("convert-exact");
+    for (convention, setting, exact) in
+        [("moore", ["head_angle=72 deg", "trail=0.06"], ["lam", "c"]), ("pydy", ["lam=0.3", "w=1"], ["lam", "w"])]
+    {
+        let [first, second] = setting;
+        let to = ["convert", "pista", "--to", convention, "--set", first, "--set", second, "--output", "there.json"];
+        assert_eq!(directory.run(&to).code, Some(0), "{convention}");
+        let run = directory.run(&["convert", "there.json", "--to", "paper", "--format", "json"]);
+        let back: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+        for name in exact {
+            assert!(back["parameters"][name].is_number(), "{convention}: {name} is {}", back["parameters"][name]);
+            assert!(back["correlations"].get(name).is_none(), "{convention}: {}", back["correlations"]);
+        }
+        assert!(back["parameters"]["mB"]["std"].is_number(), "{convention}: {}", back["parameters"]["mB"]);
+    }
+}
+
 /// A bicycle in the paper's parameters takes settings in those that manufacturers print: the fork offset stays where the head
 /// angle changes, as that of a fork in a steeper frame.
 #[test]

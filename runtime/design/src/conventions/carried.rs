@@ -6,6 +6,9 @@ use super::dual::Dual;
 use super::name::Values;
 use crate::design::Given;
 
+/// Less than this, relative to a value, is what rounding leaves of deviations that cancel.
+const ROUNDING: f64 = 1e-12;
+
 /// The deviations of what formulas make of values, as sums of the same independent parts that those of the values are.
 pub struct Carried(Vec<(&'static str, Vec<f64>)>);
 
@@ -28,6 +31,9 @@ impl Carried {
                 sum.iter_mut().zip(parts).for_each(|(sum, part)| *sum += slope * part);
             }
         }
+        let results = formulas(values).unwrap_or_default();
+        let size = |name: &str| results.get(name).map_or(0.0, |result| result.value.abs());
+        carried.retain(|(name, parts)| norm(parts) > ROUNDING * size(name));
         Self(carried)
     }
 
@@ -38,7 +44,7 @@ impl Carried {
 
     /// The standard deviation of a result; zero if it does not vary.
     pub fn deviation(&self, name: &str) -> f64 {
-        self.parts(name).iter().fold(0.0, |sum: f64, part| sum.hypot(*part))
+        norm(self.parts(name))
     }
 
     /// How results vary together, in the order of these names; nothing if none do.
@@ -46,6 +52,10 @@ impl Carried {
         let parts = names.map(|name| self.parts(name).to_vec()).collect();
         Covariance::of_parts(parts).ok().filter(|covariance| !covariance.correlations().is_empty())
     }
+}
+
+fn norm(parts: &[f64]) -> f64 {
+    parts.iter().fold(0.0, |sum: f64, part| sum.hypot(*part))
 }
 
 /// The standard deviations of values; zero where there is none.
