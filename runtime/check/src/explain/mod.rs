@@ -30,6 +30,8 @@ pub use self::written::written;
 
 /// A value with up to so many significant digits may be what stood there.
 const PLAIN: usize = 5;
+/// So many digits fewer than the numbers have gains that were meant.
+const SPARE: usize = 2;
 /// So many numbers may have been written wrongly, all of them.
 const WRITTEN: usize = 2;
 
@@ -139,8 +141,10 @@ impl<'a, 'b> Search<'a, 'b> {
         }
         if found.is_empty() {
             let closed = undeclared(self.machine, predictor);
-            // Some gains or other make any mistakes in one equation.
-            let plain = closed.filter(|own| !own.laws.is_empty() && own.digits <= PLAIN);
+            // Some gains or other make any mistakes in one equation; by few digits, short ones do.
+            let known = predictor.numbers().iter().map(|(_, reading)| reading.digits).max().unwrap_or_default();
+            let most = PLAIN.min(known.saturating_sub(SPARE));
+            let plain = closed.filter(|own| !own.laws.is_empty() && own.digits <= most);
             found.extend(plain.map(|own| Found { causes: vec![Cause::Feedback(own)], world: self.machine.world() }));
         }
         found

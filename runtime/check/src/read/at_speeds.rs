@@ -7,7 +7,13 @@ use carvallo_design::{Place, Problem};
 use super::eigenvalues;
 use super::members::Reader;
 use super::numbers::{problem, reading, rows, speed, speed_of};
-use crate::given::{CriticalSpeed, Eigenvalues, Reading, StateMatrix};
+use crate::given::{CriticalSpeed, Eigenvalues, Reading, Rows, StateMatrix};
+
+/// Whether there are numbers, and all of them are 0.
+fn is_zero(rows: &Rows) -> bool {
+    let mut numbers = rows.iter().flatten().flatten().peekable();
+    numbers.peek().is_some() && numbers.all(|reading| reading.value == 0.0)
+}
 
 impl Reader {
     /// The speed of a table, or else that of the file.
@@ -52,6 +58,11 @@ impl Reader {
 
     fn state_matrix(&mut self, speed: f64, node: &Node) {
         match rows("A", node) {
+            Ok(rows) if is_zero(&rows) => {
+                let why =
+                    "`A` has no entry but 0; a state matrix has ones, by which the rates are those of the coordinates";
+                self.problems.push(problem(&node.place, why));
+            }
             Ok(rows) => self.given.state_matrices.push(StateMatrix { speed, rows }),
             Err(problems) => self.problems.extend(problems),
         }

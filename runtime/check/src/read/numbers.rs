@@ -6,6 +6,9 @@ use carvallo_design::{Place, Problem, speeds};
 
 use crate::given::{Reading, Rows, level};
 
+/// In m/s: what is faster is no machine's, and its powers soon are no numbers.
+const FASTEST: f64 = 1e9;
+
 /// What is wrong, and where.
 pub fn problem(place: &Place, message: impl Into<String>) -> Problem {
     Problem { place: place.clone(), message: message.into() }
@@ -102,7 +105,11 @@ pub fn speed(node: &Node) -> Result<f64, Problem> {
 /// That it is none, as the end of a sentence.
 pub fn speed_of(text: &str) -> Result<f64, String> {
     let speed = number(text, speeds::CONTEXT).map_err(reason)?;
-    if speed < 0.0 { Err("expected a speed >= 0 in m/s".to_owned()) } else { Ok(speed) }
+    match speed {
+        _ if speed < 0.0 => Err("expected a speed >= 0 in m/s".to_owned()),
+        _ if speed > FASTEST => Err(format!("expected a speed of at most {FASTEST} m/s")),
+        _ => Ok(speed),
+    }
 }
 
 /// The rows of a matrix, as lists or as the text of MATLAB and Python.
