@@ -20,8 +20,8 @@ pub(crate) struct QuarticConditions<'a, V: Variable, T: Part = f64> {
 }
 
 impl<'a, V: Variable, T: Part> QuarticConditions<'a, V, T> {
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     pub(crate) fn new(p: &'a Powers<V, T>) -> Self {
         let p13: V::P1P3<T> = product(&p.p1, &p.p3);
         let p33: V::P3P3<T> = square(&p.p3);
@@ -32,15 +32,15 @@ impl<'a, V: Variable, T: Part> QuarticConditions<'a, V, T> {
 
     /// The Hurwitz determinant `p_1 p_2 p_3 - p_1^2 p_4 - p_0 p_3^2`, without the power of the variable that
     /// [`Variable::LACKING`] says.
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     pub(crate) fn hurwitz(&self) -> V::Hurwitz<T> {
         add(self.first, map(self.rest, |rest| -rest), 0)
     }
 
     /// The discriminant `4 I^3 - J^2`, up to a factor, with the invariants I and J of the quartic.
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     pub(crate) fn discriminant(&self) -> V::Discriminant<T> {
         let Powers { p0, p2, p4, .. } = self.p;
         let p04 = map(*p0, |p0| *p4 * p0);

@@ -95,16 +95,16 @@ pub(crate) struct Powers<V: Variable, T: Part = f64> {
 
 impl<V: Variable, T: Part> Powers<V, T> {
     /// All of its coefficients, each with as many of its own.
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     pub(crate) fn padded<P: Fixed<T>>(&self) -> [P; 5] {
         let Self { p0, p1, p2, p3, p4 } = *self;
         [padded(p0), padded(p1), padded(p2), padded(p3), padded([p4])]
     }
 
     /// With the last coefficient positive.
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     fn normalized(self) -> Self {
         let leading = self.p4.value.high();
         let is_negative = leading.less(leading.like(0.0));
@@ -139,15 +139,15 @@ pub(crate) struct Matrices<T = f64> {
 
 impl<T: Part> Matrices<T> {
     /// From the rows of M, C0, C1, Kc, K0 and K2.
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     pub(crate) fn new(rows: [Rows<T>; 6], gravity: T) -> Self {
         let [m, c0, c1, kc, k0, k2] = rows;
         let exact = |[[a, b], [c, d]]: Rows<T>| [[Exact(a), Exact(b)], [Exact(c), Exact(d)]];
         let [m, c0, c1, k2] = [exact(m), exact(c0), exact(c1), exact(k2)];
         // Only what is given to a function can be told to be inlined.
         let stiffness = core::convert::identity(
-            #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+            #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
             |i: usize, j: usize| Exact(gravity) * Exact(k0[i][j]) + DoubleDouble::from(kc[i][j]).into(),
         );
         let k = [[stiffness(0, 0), stiffness(0, 1)], [stiffness(1, 0), stiffness(1, 1)]];
@@ -155,8 +155,8 @@ impl<T: Part> Matrices<T> {
     }
 
     /// In the speed.
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     pub(crate) fn in_speed(&self) -> Powers<InSpeed, T> {
         let Self { m, c0, c1, k, k2, mass } = *self;
         let zero = mass.zero();
@@ -171,8 +171,8 @@ impl<T: Part> Matrices<T> {
     }
 
     /// In the square of the speed, without damping at rest.
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     pub(crate) fn in_square(&self) -> Powers<InSquare, T> {
         let Self { m, c1, k, k2, mass, .. } = *self;
         Powers {
@@ -188,15 +188,15 @@ impl<T: Part> Matrices<T> {
 
 /// The same as [`mixed`], compiled once for a microcontroller, which has little room: of the ten in the speed that takes 3 to 8 kB
 /// less. Those in its square stay apart, for they share what their factors are split into.
-#[cfg_attr(target_os = "none", inline(never))]
-#[cfg_attr(not(target_os = "none"), inline(always))]
+#[cfg_attr(any(target_os = "none", target_family = "wasm"), inline(never))]
+#[cfg_attr(not(any(target_os = "none", target_family = "wasm")), inline(always))]
 fn shared<T: Part, X: Copy + Mul<Y, Output = Tracked<T>>, Y: Copy>(x: Rows<X>, y: Rows<Y>) -> Tracked<T> {
     mixed(x, y)
 }
 
 impl Matrices {
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     pub(crate) fn are_undamped_at_rest(&self) -> bool {
         self.c0 == [[Exact(0.0); 2]; 2]
     }

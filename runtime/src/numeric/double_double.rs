@@ -37,8 +37,8 @@ impl Part for f32 {
 
 impl<T: Part> DoubleDouble<T> {
     /// `a b`, exactly.
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     pub(crate) fn product(a: T, b: T) -> Self {
         let hi = a * b;
         let (a_hi, a_lo) = split(a);
@@ -69,23 +69,23 @@ impl DoubleDouble {
 /// Operations of polynomials.
 impl<T: Part> DoubleDouble<T> {
     /// The product with one number of half the precision.
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     pub(crate) fn times(self, factor: T) -> Self {
         let product = Self::product(self.hi, factor);
         quick_sum(product.hi, product.lo + self.lo * factor)
     }
 
     /// Twice the number, exactly.
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     pub(crate) fn doubled(self) -> Self {
         Self { hi: self.hi + self.hi, lo: self.lo + self.lo }
     }
 
     /// Each part of one of two numbers.
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     pub(crate) fn choose(mask: T::Mask, yes: Self, no: Self) -> Self {
         Self { hi: T::select(mask, yes.hi, no.hi), lo: T::select(mask, yes.lo, no.lo) }
     }
@@ -97,8 +97,8 @@ impl<T: Part> DoubleDouble<T> {
     }
 
     /// The sum, to within 2^-104 of the magnitudes of both: not of the sum itself, and so with less work.
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     pub(crate) fn add_roughly(self, other: Self) -> Self {
         let hi = sum(self.hi, other.hi);
         quick_sum(hi.hi, hi.lo + (self.lo + other.lo))
@@ -106,7 +106,7 @@ impl<T: Part> DoubleDouble<T> {
 }
 
 impl<T: Part> From<T> for DoubleDouble<T> {
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
     fn from(value: T) -> Self {
         Self { hi: value, lo: value.like(0.0) }
     }
@@ -114,8 +114,8 @@ impl<T: Part> From<T> for DoubleDouble<T> {
 
 impl<T: Part> Neg for DoubleDouble<T> {
     type Output = Self;
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     fn neg(self) -> Self {
         Self { hi: -self.hi, lo: -self.lo }
     }
@@ -123,8 +123,8 @@ impl<T: Part> Neg for DoubleDouble<T> {
 
 impl<T: Part> Add for DoubleDouble<T> {
     type Output = Self;
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     fn add(self, other: Self) -> Self {
         let hi = sum(self.hi, other.hi);
         let lo = sum(self.lo, other.lo);
@@ -135,8 +135,8 @@ impl<T: Part> Add for DoubleDouble<T> {
 
 impl<T: Part> Sub for DoubleDouble<T> {
     type Output = Self;
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -144,8 +144,8 @@ impl<T: Part> Sub for DoubleDouble<T> {
 
 impl<T: Part> Mul for DoubleDouble<T> {
     type Output = Self;
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     fn mul(self, other: Self) -> Self {
         let product = Self::product(self.hi, other.hi);
         quick_sum(product.hi, product.lo + (self.hi * other.lo + self.lo * other.hi))
@@ -196,8 +196,8 @@ impl<T: Part + Scalar> Real for DoubleDouble<T> {
 }
 
 /// `a + b`, exactly.
-#[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-#[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+#[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+#[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
 fn sum<T: Part>(a: T, b: T) -> DoubleDouble<T> {
     let hi = a + b;
     let b_part = hi - a;
@@ -205,16 +205,16 @@ fn sum<T: Part>(a: T, b: T) -> DoubleDouble<T> {
 }
 
 /// `a + b`, exactly, where |a| >= |b|.
-#[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-#[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+#[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+#[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
 fn quick_sum<T: Part>(a: T, b: T) -> DoubleDouble<T> {
     let hi = a + b;
     DoubleDouble { hi, lo: b - (hi - a) }
 }
 
 /// Two parts of half of the bits each that sum to `a`.
-#[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-#[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+#[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+#[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
 fn split<T: Part>(a: T) -> (T, T) {
     let t = a.like(T::SPLITTER) * a;
     let hi = t - (t - a);

@@ -27,8 +27,8 @@ impl<T: Part, const N: usize> Fixed<T> for [Tracked<T>; N] {
 }
 
 /// The product of two polynomials, which has as many coefficients as both together, less one.
-#[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-#[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+#[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+#[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
 pub(crate) fn product<T: Part, A: Fixed<T>, B: Fixed<T>, C: Fixed<T>>(a: &A, b: &B) -> C {
     const { assert!(C::COUNT + 1 == A::COUNT + B::COUNT) }
     let mut result = C::filled(a.first().zero());
@@ -43,8 +43,8 @@ pub(crate) fn product<T: Part, A: Fixed<T>, B: Fixed<T>, C: Fixed<T>>(a: &A, b: 
 }
 
 /// The square of a polynomial.
-#[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-#[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+#[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+#[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
 pub(crate) fn square<T: Part, A: Fixed<T>, C: Fixed<T>>(a: &A) -> C {
     const { assert!(C::COUNT + 1 == 2 * A::COUNT) }
     let zero = a.first().zero();
@@ -55,7 +55,7 @@ pub(crate) fn square<T: Part, A: Fixed<T>, C: Fixed<T>>(a: &A) -> C {
     let coefficient = |power: usize| a.get(power).copied().unwrap_or(zero);
     // Only what is given to a function can be told to be inlined.
     let term = core::convert::identity(
-        #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
+        #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
         |i: usize, j: usize| coefficient(i) * coefficient(j),
     );
     for (power, square) in result.as_mut().iter_mut().enumerate() {
@@ -80,8 +80,8 @@ pub(crate) fn square<T: Part, A: Fixed<T>, C: Fixed<T>>(a: &A) -> C {
 
 /// The sum of two polynomials, of which the first may have more coefficients: those of the second are added from the power
 /// `shift` on.
-#[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-#[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+#[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+#[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
 pub(crate) fn add<T: Part, A: Fixed<T>, B: Fixed<T>>(mut a: A, b: B, shift: usize) -> A {
     for (a, &b) in a.as_mut().iter_mut().skip(shift).zip(b.as_ref()) {
         *a = *a + b;
@@ -90,8 +90,8 @@ pub(crate) fn add<T: Part, A: Fixed<T>, B: Fixed<T>>(mut a: A, b: B, shift: usiz
 }
 
 /// Each coefficient through a function.
-#[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-#[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+#[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+#[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
 pub(crate) fn map<T: Part, A: Fixed<T>>(mut a: A, f: impl Fn(Tracked<T>) -> Tracked<T>) -> A {
     for coefficient in a.as_mut() {
         *coefficient = f(*coefficient);
@@ -100,8 +100,8 @@ pub(crate) fn map<T: Part, A: Fixed<T>>(mut a: A, f: impl Fn(Tracked<T>) -> Trac
 }
 
 /// The same polynomial with more coefficients.
-#[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-#[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+#[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+#[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
 pub(crate) fn padded<T: Part, A: Fixed<T>, B: Fixed<T>>(a: A) -> B {
     let mut padded = B::filled(a.first().zero());
     padded.as_mut().iter_mut().zip(a.as_ref()).for_each(|(padded, a)| *padded = *a);
@@ -109,8 +109,8 @@ pub(crate) fn padded<T: Part, A: Fixed<T>, B: Fixed<T>>(a: A) -> B {
 }
 
 /// The value at x.
-#[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-#[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+#[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+#[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
 pub(crate) fn evaluate(coefficients: &[Tracked], x: f64) -> Tracked {
     let mut descending = coefficients.iter().rev().skip_while(|c| c.size == 0.0);
     let first = descending.next().copied().unwrap_or(Tracked::ZERO);

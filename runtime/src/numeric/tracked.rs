@@ -19,36 +19,36 @@ pub(crate) struct Tracked<T = f64> {
 
 impl<T: Part> Tracked<T> {
     /// The product with one number without error.
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     pub(crate) fn times(self, factor: T) -> Self {
         Self { value: self.value.times(factor), size: self.size * factor.abs() }
     }
 
     /// The product with a constant.
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     pub(crate) fn scaled(self, factor: f64) -> Self {
         self.times(self.size.like(factor))
     }
 
     /// Twice the number.
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     pub(crate) fn doubled(self) -> Self {
         Self { value: self.value.doubled(), size: self.size + self.size }
     }
 
     /// Zero, in as many lanes as this number has.
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     pub(crate) fn zero(self) -> Self {
         DoubleDouble::from(self.size.like(0.0)).into()
     }
 
     /// This number, or its opposite where a mask is true.
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     pub(crate) fn opposite_where(self, mask: T::Mask) -> Self {
         Self { value: DoubleDouble::choose(mask, -self.value, self.value), size: self.size }
     }
@@ -71,16 +71,16 @@ impl Tracked {
 }
 
 impl<T: Part> From<DoubleDouble<T>> for Tracked<T> {
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     fn from(value: DoubleDouble<T>) -> Self {
         Self { value, size: value.high().abs() }
     }
 }
 
 impl From<f64> for Tracked {
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     fn from(value: f64) -> Self {
         DoubleDouble::from(value).into()
     }
@@ -88,8 +88,8 @@ impl From<f64> for Tracked {
 
 impl<T: Part> Neg for Tracked<T> {
     type Output = Self;
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     fn neg(self) -> Self {
         Self { value: -self.value, size: self.size }
     }
@@ -97,8 +97,8 @@ impl<T: Part> Neg for Tracked<T> {
 
 impl<T: Part> Add for Tracked<T> {
     type Output = Self;
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     fn add(self, other: Self) -> Self {
         Self { value: self.value.add_roughly(other.value), size: self.size + other.size }
     }
@@ -106,8 +106,8 @@ impl<T: Part> Add for Tracked<T> {
 
 impl<T: Part> Sub for Tracked<T> {
     type Output = Self;
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -115,8 +115,8 @@ impl<T: Part> Sub for Tracked<T> {
 
 impl<T: Part> Mul for Tracked<T> {
     type Output = Self;
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     fn mul(self, other: Self) -> Self {
         Self { value: self.value * other.value, size: self.size * other.size }
     }
@@ -128,8 +128,8 @@ pub(crate) struct Exact<T = f64>(pub(crate) T);
 
 impl<T: Part> Mul for Exact<T> {
     type Output = Tracked<T>;
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     fn mul(self, other: Self) -> Tracked<T> {
         DoubleDouble::product(self.0, other.0).into()
     }
@@ -137,8 +137,8 @@ impl<T: Part> Mul for Exact<T> {
 
 impl<T: Part> Mul<Tracked<T>> for Exact<T> {
     type Output = Tracked<T>;
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     fn mul(self, other: Tracked<T>) -> Tracked<T> {
         other.times(self.0)
     }

@@ -70,8 +70,8 @@ fn is_regular(mass: Tracked) -> bool {
 }
 
 impl<const P: usize, const H: usize, const D: usize, T: Part> Conditions<P, H, D, T> {
-    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-    #[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+    #[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
     fn new<V>(variable: Variable, powers: &Powers<V, T>) -> Self
     where
         V: InVariable<Hurwitz<T> = [Tracked<T>; H], Discriminant<T> = [Tracked<T>; D]>,
@@ -108,15 +108,15 @@ fn take_lane<S: Simd>(of_lane: &mut [Tracked], of_lanes: &[Tracked<Lanes<S>>], l
 }
 
 /// In the square of the speed, without damping at rest.
-#[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-#[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+#[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+#[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
 pub(crate) fn in_square<T: Part>(matrices: &Matrices<T>) -> Conditions<3, 3, 7, T> {
     Conditions::new::<InSquare>(Variable::Square, &matrices.in_square())
 }
 
 /// In the speed.
-#[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
-#[cfg_attr(not(all(feature = "batch", not(debug_assertions))), inline)]
+#[cfg_attr(all(feature = "batch", not(any(debug_assertions, target_family = "wasm"))), inline(always))]
+#[cfg_attr(not(all(feature = "batch", not(any(debug_assertions, target_family = "wasm")))), inline)]
 pub(crate) fn in_speed<T: Part>(matrices: &Matrices<T>) -> Conditions<5, 7, 13, T> {
     Conditions::new::<InSpeed>(Variable::Speed, &matrices.in_speed())
 }
