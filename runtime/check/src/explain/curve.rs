@@ -1,10 +1,25 @@
 //! How far a relation is off as one formula has other values, without evaluating what it is made of each time.
 
-/// Where it is tried, in steps from the value that the formula has; the last one tells whether the others make it.
-const NODES: [f64; 4] = [0.0, 1.0, -1.0, 2.0];
+use std::ops::{Add, Div, Sub};
+
+/// Where a formula is tried, in steps from the value that it has; the last one tells whether the others make a parabola.
+pub const NODES: [f64; 4] = [0.0, 1.0, -1.0, 2.0];
 
 /// Relative to what is added up: more than rounding leaves, and less than a curve that is no parabola.
 const SAME: f64 = 1e-12;
+
+/// The step from the value that a formula has.
+pub fn step(value: f64) -> f64 {
+    if value == 0.0 { 1.0 } else { value }
+}
+
+/// The coefficients, by powers of the steps, of the parabola through what there is at the first three nodes.
+pub fn parabola<T>(here: T, right: T, left: T) -> [T; 3]
+where
+    T: Copy + Add<Output = T> + Sub<Output = T> + Div<f64, Output = T>,
+{
+    [here, (right - left) / 2.0, (right + left) / 2.0 - here]
+}
 
 /// A parabola: definitions are squared at most in most of what comes of them.
 pub struct Curve {
@@ -20,11 +35,11 @@ impl Curve {
     /// Around the value that a formula has; `off` tells by how much the relation is off for another one, how much that may be,
     /// and the size of what is added up. `None` where it is no parabola.
     pub fn new(value: f64, mut off: impl FnMut(f64) -> [f64; 3]) -> Option<Self> {
-        let step = if value == 0.0 { 1.0 } else { value };
+        let step = step(value);
         let nodes = NODES.map(|node| off(value + node * step));
         let [here, right, left, far] = nodes.map(|[off, ..]| off);
         let largest = |at: usize| nodes.iter().fold(0.0, |largest: f64, node| largest.max(node[at]));
-        let coefficients = [here, (right - left) / 2.0, (right + left) / 2.0 - here];
+        let coefficients = parabola(here, right, left);
         let own = Self { value, step, coefficients, allowed: largest(1), size: largest(2) };
         let is_parabola = (own.off(NODES[3]) - far).abs() <= SAME * own.size;
         is_parabola.then_some(own)

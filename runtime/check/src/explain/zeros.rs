@@ -9,6 +9,7 @@ use carvallo::Complex;
 use carvallo_slips::FormulaSlip;
 
 use super::beside::{self, Condition, Left};
+use super::curve::{NODES, parabola, step};
 use super::{Cause, Found};
 use crate::machine::Machine;
 use crate::predict::Predictor;
@@ -19,8 +20,6 @@ const COMPARED: usize = 10_000_000;
 const EVALUATED: usize = 1_000_000;
 const KEPT: usize = 100;
 
-/// Where the value of a formula is tried, in steps from that which it has; the last one tells whether the others make a parabola.
-const NODES: [f64; 4] = [0.0, 1.0, -1.0, 2.0];
 /// All pairs of slips in two formulas that make sense by their units, with which everything fits, where nothing but eigenvalues and
 /// critical speeds is given.
 pub fn find<'a>(machine: &'a Machine, predictor: &Predictor) -> Vec<Found<'a>> {
@@ -81,16 +80,14 @@ impl Condition for Pivot<'_> {
     }
 
     fn curve(&self, here: f64, entries: &mut dyn FnMut(f64) -> Vec<f64>) -> Option<Box<dyn Fn(f64) -> bool>> {
-        let (step, count) = (if here == 0.0 { 1.0 } else { here }, self.count);
+        let (step, count) = (step(here), self.count);
         let nodes = NODES.map(|node| self.zero.matrices(&self.closed(&entries(here + node * step)), self.gravity));
         let allowed = nodes.iter().map(|own| self.zero.off(own)[1]).fold(0.0, f64::max);
         let [middle, right, left, far] = nodes.map(|[own, ..]| own);
-        let parabola = |at: usize| {
-            let (right, left) = (right[at], left[at]);
-            [middle[at], (right - left) / 2.0, (right + left) / 2.0 - middle[at]]
-        };
-        let parabolas: Vec<[Complex<f64>; 3]> = (0..count * count).map(parabola).collect();
-        let at = |steps: f64| -> Square { parabolas.iter().map(|[a, b, c]| a + (b + c * steps) * steps).collect() };
+        let entry = |at: usize| parabola(middle[at], right[at], left[at]);
+        let parabolas: Vec<[Complex<f64>; 3]> = (0..count * count).map(entry).collect();
+        let at =
+            move |steps: f64| -> Square { parabolas.iter().map(|[a, b, c]| a + (b + c * steps) * steps).collect() };
         let largest = far.iter().chain(&middle).fold(0.0, |largest: f64, own| largest.max(own.norm()));
         let is_parabola = at(NODES[3]).iter().zip(&far).all(|(own, far)| (own - far).norm() <= ROUNDING * largest);
         if !is_parabola {
@@ -98,7 +95,7 @@ impl Condition for Pivot<'_> {
         }
         Some(Box::new(move |value| {
             let steps = (value - here) / step;
-            let own: Square = parabolas.iter().map(|[a, b, c]| a + (b + c * steps) * steps).collect();
+            let own = at(steps);
             let rounding = 10.0 * ROUNDING * size(&own, count);
             determinant(own, count).norm() <= 4.0 * allowed * (1.0 + steps * steps).powi(count as i32) + rounding
         }))
