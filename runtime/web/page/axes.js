@@ -1,6 +1,7 @@
 // Axes with ticks, grid and labels, and the way from values to the page.
 
-import { round, tag, text, through } from "carvallo/svg.js";
+import { tag } from "carvallo/nodes.js";
+import { round, text, through } from "carvallo/svg.js";
 
 const MARGIN = { left: 52, right: 12, top: 10, bottom: 40 };
 
@@ -18,13 +19,13 @@ export function axes({ width, height, x, y, labels }) {
   return { x, y, left, right, top, bottom, across, upward, labels, width, height };
 }
 
-/** The grid, behind everything: of few elements, since a browser makes them anew in each step of a slider. */
+/** The grid, behind everything. */
 export function grid({ x, y, left, right, top, bottom, across, upward }) {
   const vertical = (value) => `M${round(across(value))} ${top}V${bottom}`;
   const level = (value) => `M${left} ${round(upward(value))}H${right}`;
   const lines = [...ticks(x, (right - left) / ACROSS).map(vertical), ...ticks(y, (bottom - top) / UPWARD).map(level)];
   const zero = (inside, drawn) => (inside[0] < 0 && inside[1] > 0 ? drawn(0) : "");
-  return tag("path", { class: "grid", d: lines.join("") }) + tag("path", { class: "zero", d: zero(y, level) + zero(x, vertical) });
+  return [tag("path", { class: "grid", d: lines.join("") }), tag("path", { class: "zero", d: zero(y, level) + zero(x, vertical) })];
 }
 
 /** The frame with numbers and labels, before everything. */
@@ -34,16 +35,18 @@ export function frame({ x, y, left, right, top, bottom, across, upward, labels }
     ...ticks(y, (bottom - top) / UPWARD).map((value) => text(left - 6, upward(value) + 4, number(value), { "text-anchor": "end" })),
   ];
   const [middle, centre] = [(left + right) / 2, (top + bottom) / 2];
-  const named = text(middle, bottom + 33, labels[0], { "text-anchor": "middle", class: "label" }) +
-    text(13, centre, labels[1], { "text-anchor": "middle", class: "label", transform: `rotate(-90 13 ${centre})` });
+  const named = [
+    text(middle, bottom + 33, labels[0], { "text-anchor": "middle", class: "label" }),
+    text(13, centre, labels[1], { "text-anchor": "middle", class: "label", transform: `rotate(-90 13 ${centre})` }),
+  ];
   const box = tag("path", { class: "frame", d: `M${left} ${top}H${right}V${bottom}H${left}Z` });
-  return box + tag("g", { class: "ticks" }, numbers.join("")) + named;
+  return [box, tag("g", { class: "ticks" }, numbers), named];
 }
 
 /** What is drawn inside of the axes, cut off at them. */
 export function inside({ left, right, top, bottom }, id, content) {
   const clip = tag("clipPath", { id }, tag("rect", { x: left, y: top, width: right - left, height: bottom - top }));
-  return clip + tag("g", { "clip-path": `url(#${id})` }, content);
+  return [clip, tag("g", { "clip-path": `url(#${id})` }, content)];
 }
 
 /** The data of a path through values, pair by pair. */

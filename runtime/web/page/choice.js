@@ -3,7 +3,7 @@
 import { models } from "carvallo/models.js";
 import { MOST, design, state } from "carvallo/state.js";
 import { saved } from "carvallo/saved.js";
-import { escaped } from "carvallo/svg.js";
+import { escaped } from "carvallo/escaped.js";
 
 const [tabs, select] = ["tabs", "base"].map((id) => document.getElementById(id));
 

@@ -3,7 +3,8 @@
 import { axes, frame, grid, inside, path } from "carvallo/axes.js";
 import { boxOf, names } from "carvallo/labels.js";
 import { legend, others } from "carvallo/legend.js";
-import { line, picture, tag, text } from "carvallo/svg.js";
+import { tag } from "carvallo/nodes.js";
+import { line, picture, text } from "carvallo/svg.js";
 
 /**
  * @param {object} known the chosen design, as it was analyzed
@@ -11,19 +12,19 @@ import { line, picture, tag, text } from "carvallo/svg.js";
  */
 export function drawCurves(known, beside, speed, width) {
   if (known.panels.length === 0) {
-    return `<p>Nothing in the model ${known.model} depends on the speed: see the root locus for its eigenvalues.</p>`;
+    return tag("p", {}, `Nothing in the model ${known.model} depends on the speed: see the root locus for its eigenvalues.`);
   }
   const height = known.panels.length > 1 ? 240 : 340;
   const drawn = known.panels.map((panel, index) => draw(known, panel, index, beside, speed, width, height));
   const entries = known.panels.flatMap(({ series }) => series).filter(({ curves, hasLabel }) => hasLabel && curves.length > 0);
   const unique = entries.filter(({ name }, index) => entries.findIndex((other) => other.name === name) === index);
-  return drawn.join("") + legend([...unique, ...others(beside)]);
+  return [drawn, legend([...unique, ...others(beside)])];
 }
 
 function draw(known, panel, index, beside, speed, width, height) {
   const of = axes({ width, height, x: known.range, y: panel.y, labels: ["forward speed v (m/s)", panel.label] });
   const ranges = known.stable_ranges.map(([from, to]) => stable(of, from, to ?? known.range[1]));
-  const background = grid(of) + ranges.map(({ drawn }) => drawn).join("");
+  const background = [grid(of), ranges.map(({ drawn }) => drawn)];
   const thin = beside.flatMap(({ known: other, place }) => {
     const curves = other.panels[index]?.series.flatMap((series) => series.curves.map((curve) => [curve, series.isDashed])) ?? [];
     return curves.map(([curve, isDashed]) =>
@@ -31,8 +32,9 @@ function draw(known, panel, index, beside, speed, width, height) {
   });
   const thick = panel.series.flatMap(({ color, border, isDashed, curves }) => {
     const d = curves.map((curve) => path(of, curve)).join("");
+    if (!d) return [];
     const edge = border ? tag("path", { class: "curve edge", style: `--c:${border}`, d }) : "";
-    return d && edge + tag("path", { class: `curve ${isDashed ? "dashed" : ""}`, style: `--c:${color}`, d });
+    return [edge, tag("path", { class: `curve ${isDashed ? "dashed" : ""}`, style: `--c:${color}`, d })];
   });
   const critical = known.critical_speeds
     .filter((critical) => critical.name !== "double_root" && critical.speed <= known.range[1])
@@ -42,9 +44,9 @@ function draw(known, panel, index, beside, speed, width, height) {
     const longest = curves.reduce((a, b) => (b.length > a.length ? b : a));
     return [longest.map(([x, y]) => [of.across(x), of.upward(y)]), name, { style: `--c:${color}` }];
   });
-  const content = background + inside(of, `curves-${index}`, thin.join("") + critical.join("") + thick.join("") + marker);
+  const content = [background, inside(of, `curves-${index}`, [thin, critical, thick, marker])];
   const label = `${panel.label} of ${known.title} against speed, from ${known.range[0]} to ${known.range[1]} m/s`;
-  return picture(width, height, label, content + frame(of) + names(of, lines, ranges.flatMap(({ taken }) => taken)));
+  return picture(width, height, label, [content, frame(of), names(of, lines, ranges.flatMap(({ taken }) => taken))]);
 }
 
 /** A stable range, and where its name stands, if there is room for one. */
@@ -55,5 +57,5 @@ function stable(of, from, to) {
   if (right - left <= 50) return { drawn: box, taken: [] };
   const middle = (left + right) / 2;
   const name = text(middle, of.bottom - 8, "stable", { class: "stable-name", "text-anchor": "middle" });
-  return { drawn: box + name, taken: [boxOf(middle, of.bottom - 4, "stable")] };
+  return { drawn: [box, name], taken: [boxOf(middle, of.bottom - 4, "stable")] };
 }

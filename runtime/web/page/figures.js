@@ -5,6 +5,7 @@ import { Mistake } from "carvallo/engine.js";
 import { drawLocus } from "carvallo/locus.js";
 import { parametersOf } from "carvallo/models.js";
 import { drawMotion, simulate, usual } from "carvallo/motion.js";
+import { fill } from "carvallo/nodes.js";
 import { drawNumbers } from "carvallo/numbers.js";
 import { drawSide } from "carvallo/side.js";
 import { active, state, withChanges } from "carvallo/state.js";
@@ -19,14 +20,6 @@ export const widthOf = (id) => Math.max(240, Math.floor(drawing(id).clientWidth)
 /** Before anything is written: a size that is read after that waits for the layout of the whole page, each time. */
 export const measure = () => Object.fromEntries(["eigenvalues", "locus", "motion"].map((id) => [id, widthOf(id)]));
 
-/** What stands in each drawing: a browser takes its time even where the same is written again. */
-const written = {};
-
-function fill(id, content) {
-  if (written[id] === content) return;
-  drawing(id).innerHTML = written[id] = content;
-}
-
 /**
  * Draws all figures.
  * @param {object} known the chosen design, as it was analyzed
@@ -34,17 +27,29 @@ function fill(id, content) {
  * @param {Object<string, number>} widths what {@link measure} found
  */
 export function draw(known, beside, widths) {
-  const map = (of) => new Map(parametersOf(of).map(({ name }, index) => [name, of.values[index]]));
-  const title = withChanges(known.title, active());
-  const named = { ...known, title };
+  const named = { ...known, title: withChanges(known.title, active()) };
   const thin = beside.map(({ known: other, other: of, place }) => ({ known: { ...other, title: withChanges(other.title, of) }, place }));
-  const side = drawSide(title, map(known), beside.map(({ known: other, place }) => ({ values: map(other), place })), widths.eigenvalues);
-  at("side").hidden = side === undefined;
-  fill("side", side ?? "");
-  fill("eigenvalues", drawCurves(named, thin, state.speed, widths.eigenvalues));
-  fill("locus", drawLocus(named, thin, state.speed, widths.locus));
-  fill("numbers", drawNumbers(named, state.speed));
+  const pictures = drawAll(named, thin, widths);
+  at("side").hidden = pictures.side === undefined;
+  for (const [id, picture] of Object.entries(pictures)) fill(drawing(id), picture ?? "");
   move(named, thin, widths.motion);
+}
+
+/** Draws a design where nobody sees it. */
+export function drawUnseen(design, known, widths) {
+  const motion = drawMotion(known.title, simulate(design, initial(known)), [], widths.motion);
+  fill(document.createElement("div"), Object.values(drawAll(known, [], widths)), motion);
+}
+
+function drawAll(known, beside, widths) {
+  const map = (of) => new Map(parametersOf(of).map(({ name }, index) => [name, of.values[index]]));
+  const others = beside.map(({ known: other, place }) => ({ values: map(other), place }));
+  return {
+    side: drawSide(known.title, map(known), others, widths.eigenvalues),
+    eigenvalues: drawCurves(known, beside, state.speed, widths.eigenvalues),
+    locus: drawLocus(known, beside, state.speed, widths.locus),
+    numbers: drawNumbers(known, state.speed),
+  };
 }
 
 function move(known, beside, width) {
@@ -63,7 +68,7 @@ function move(known, beside, width) {
         return [];
       }
     });
-    fill("motion", drawMotion(known.title, motion, others, width));
+    fill(drawing("motion"), drawMotion(known.title, motion, others, width));
     error.hidden = true;
   } catch (mistake) {
     if (!(mistake instanceof Mistake)) throw mistake;

@@ -28,7 +28,7 @@ export function names(area, lines, others = []) {
     taken.push(box);
     return text(box[0], box[1] + HEIGHT - 4, name, { class: "name", ...attributes });
   });
-  return drawn.join("");
+  return drawn;
 }
 
 function place(points, width, area, taken, crowd) {

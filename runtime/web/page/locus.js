@@ -2,7 +2,8 @@
 
 import { around, axes, frame, grid, inside, path } from "carvallo/axes.js";
 import { legend, others } from "carvallo/legend.js";
-import { picture, tag, text } from "carvallo/svg.js";
+import { tag } from "carvallo/nodes.js";
+import { picture, text } from "carvallo/svg.js";
 
 /** Eigenvalues that move by more than this part of the plane between two speeds are not joined. */
 const APART = 0.08;
@@ -15,18 +16,18 @@ export function drawLocus(known, beside, speed, width) {
     ? tag("rect", { class: "unstable", x: of.across(Math.max(0, of.x[0])), y: of.top, width: of.right - of.across(Math.max(0, of.x[0])), height: of.bottom - of.top })
     : "";
   const thin = beside.map(({ known: other, place }) =>
-    other.locus.strands.map(({ points }) => tag("path", { class: `curve beside design-${place}`, d: joined(of, points) })).join(""));
+    other.locus.strands.map(({ points }) => tag("path", { class: `curve beside design-${place}`, d: joined(of, points) })));
   const thick = known.locus.strands.map(({ points, mode }) =>
     tag("path", { class: "curve", style: `--c:${known.locus.color(mode)}`, d: joined(of, points) }));
   const marks = known.moves ? known.locus.whole.map(([value, re, im, mode]) => mark(of, re, im, known.locus.color(mode), value, width)) : [];
   const now = known.at_speed.map(({ re, im, mode }) =>
     tag("circle", { class: "now", style: `--c:${known.locus.color(mode)}`, cx: of.across(re), cy: of.upward(im), r: 5 }));
   const label = `Eigenvalues of ${known.title} in the complex plane` + (known.moves ? `, from ${known.range[0]} to ${known.range[1]} m/s` : "");
-  const content = unstable + grid(of) + inside(of, "locus-inside", thin.join("") + thick.join("") + marks.join("") + now.join(""));
+  const content = [unstable, grid(of), inside(of, "locus-inside", [thin, thick, marks, now])];
   const side = unstable ? text(of.right - 6, of.top + 14, "unstable", { class: "unstable-name", "text-anchor": "end" }) : "";
   const modes = known.locus.modes.map((name) => ({ name, color: known.locus.color(name) }));
-  const hint = known.moves ? `<p class="hint">Small points are at whole speeds, circles at ${speed} m/s.</p>` : "";
-  return picture(width, height, label, content + side + frame(of)) + legend([...modes, ...others(beside)]) + hint;
+  const hint = known.moves ? tag("p", { class: "hint" }, `Small points are at whole speeds, circles at ${speed} m/s.`) : "";
+  return [picture(width, height, label, [content, side, frame(of)]), legend([...modes, ...others(beside)]), hint];
 }
 
 /** The part of the plane that the graph of the curves shows as well; the far ends of what is fast are left out. */

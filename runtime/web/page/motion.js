@@ -5,7 +5,8 @@ import { around, axes, frame, grid, inside, path } from "carvallo/axes.js";
 import { kept } from "carvallo/kept.js";
 import { names } from "carvallo/labels.js";
 import { legend } from "carvallo/legend.js";
-import { picture, tag } from "carvallo/svg.js";
+import { tag } from "carvallo/nodes.js";
+import { picture } from "carvallo/svg.js";
 import { state, subject } from "carvallo/state.js";
 
 const STEPS = 200;
@@ -60,7 +61,7 @@ export function drawMotion(title, motion, beside, width) {
     ...shown.map((quantity) => ({ name: named(quantity), color: quantity.color })),
     ...beside.map(({ title, place }) => ({ name: title, className: `beside design-${place}` })),
   ];
-  return [...graphs, legend(entries), ...ground].join("") + `<p class="hint">At ${state.speed} m/s, ${kind}.</p><ul class="said">${said.join("")}</ul>`;
+  return [graphs, legend(entries), ground, tag("p", { class: "hint" }, `At ${state.speed} m/s, ${kind}.`), tag("ul", { class: "said" }, said)];
 }
 
 const hasPath = ({ quantities }) => ["x", "y", "delta"].every((name) => quantities.some((quantity) => quantity.name === name));
@@ -88,7 +89,7 @@ function graph(title, motion, beside, shown, unit, width, index) {
   const thick = curves.map((curve, which) => tag("path", { class: "curve", ...attributes(shown[which]), d: path(of, curve) }));
   const lines = curves.map((curve, which) =>
     [curve.map(([x, y]) => [of.across(x), of.upward(y)]), named(shown[which]), attributes(shown[which])]);
-  const content = grid(of) + inside(of, `motion-${index}`, thin.join("") + thick.join("")) + frame(of) + names(of, lines);
+  const content = [grid(of), inside(of, `motion-${index}`, [thin, thick]), frame(of), names(of, lines)];
   return picture(width, 220, `${label} of ${title} against time`, content);
 }
 
@@ -103,7 +104,9 @@ function track(title, motion, beside, width) {
   const thin = beside.filter(({ motion: other }) => hasPath(other)).map(({ motion: other, place }) =>
     tag("path", { class: `curve beside design-${place}`, d: path(of, points(other)) }));
   const thick = tag("path", { class: "curve", style: `--c:${COLORS[5]}`, d: path(of, own) });
-  const content = grid(of) + inside(of, "track-inside", thin.join("") + thick) + frame(of);
-  return `<p class="sub">Path of the rear wheel on the ground, from above (axes of different scale)</p>` +
-    picture(width, 160, `Path of the rear wheel of ${title}, from above`, content);
+  const content = [grid(of), inside(of, "track-inside", [thin, thick]), frame(of)];
+  return [
+    tag("p", { class: "sub" }, "Path of the rear wheel on the ground, from above (axes of different scale)"),
+    picture(width, 160, `Path of the rear wheel of ${title}, from above`, content),
+  ];
 }

@@ -1,9 +1,9 @@
 // The numbers behind the pictures: stable ranges, critical speeds, and the eigenvalues at the speed.
 
-import { escaped } from "carvallo/svg.js";
+import { tag } from "carvallo/nodes.js";
 
 /** Six digits that people read; the cell has all of them in `data-value`. */
-export const cell = (value) => `<td data-value="${value}">${digits(value)}</td>`;
+const cell = (value) => tag("td", { "data-value": value }, digits(value));
 
 const digits = (value) => {
   const size = Math.abs(value);
@@ -24,17 +24,19 @@ export function sentence({ stable_ranges: ranges, moves, at_speed: values }) {
 
 /** Tables of one design. */
 export function drawNumbers(known, speed) {
-  const critical = known.critical_speeds.map(({ name, speed: at }) => `<tr><th scope="row">${name.replace("_", " ")}</th>${cell(at)}</tr>`);
-  const values = known.at_speed.map(({ mode, re, im }) => `<tr><th scope="row">${escaped(mode)}</th>${cell(re)}${cell(im)}</tr>`);
+  const critical = known.critical_speeds.map(({ name, speed: at }) => row(name.replace("_", " "), [at]));
+  const values = known.at_speed.map(({ mode, re, im }) => row(mode, [re, im]));
   const at = known.moves ? ` at ${speed} m/s` : "";
-  return (
-    table("critical", "Critical speeds", ["", "m/s"], critical, known.moves ? "There are none." : "Nothing depends on the speed.") +
-    table("at-speed", `Eigenvalues${at}`, ["mode", "real part (1/s)", "imaginary part (rad/s)"], values, "There are no equations of motion at this speed.")
-  );
+  return [
+    table("critical", "Critical speeds", ["", "m/s"], critical, known.moves ? "There are none." : "Nothing depends on the speed."),
+    table("at-speed", `Eigenvalues${at}`, ["mode", "real part (1/s)", "imaginary part (rad/s)"], values, "There are no equations of motion at this speed."),
+  ];
 }
 
+const row = (head, values) => tag("tr", {}, tag("th", { scope: "row" }, head), values.map(cell));
+
 function table(id, caption, heads, rows, none) {
-  if (rows.length === 0) return `<p><b>${caption}</b>: ${none}</p>`;
-  const head = heads.map((text) => `<th scope="col">${text}</th>`).join("");
-  return `<table id="${id}"><caption>${caption}</caption><thead><tr>${head}</tr></thead><tbody>${rows.join("")}</tbody></table>`;
+  if (rows.length === 0) return tag("p", {}, tag("b", {}, caption), `: ${none}`);
+  const head = heads.map((text) => tag("th", { scope: "col" }, text));
+  return tag("table", { id }, tag("caption", {}, caption), tag("thead", {}, tag("tr", {}, head)), tag("tbody", {}, rows));
 }

@@ -4,7 +4,7 @@ import { analyze, eigenvalues } from "carvallo/analysis.js";
 import { onBase, showBase, showBases, showTabs } from "carvallo/choice.js";
 import { Mistake, load } from "carvallo/engine.js";
 import { blameFeedback, onFeedback, showFeedback } from "carvallo/feedback.js";
-import { draw, initial, measure, widthOf } from "carvallo/figures.js";
+import { draw, drawUnseen, initial, measure, widthOf } from "carvallo/figures.js";
 import { onFile, showDownloads, toml } from "carvallo/files.js";
 import { loadModels, parametersOf } from "carvallo/models.js";
 import { sentence } from "carvallo/numbers.js";
@@ -49,6 +49,23 @@ function update() {
   showNotes([...known.warnings, ...known.notes]);
   showSpeed(known);
   draw(known, beside, widths);
+}
+
+/** Takes steps of a slider where nobody waits for them or sees them: in the first ones a browser compiles what it needs. */
+function rehearse(steps) {
+  if (steps === 0 || !globalThis.requestIdleCallback) return;
+  requestIdleCallback(() => {
+    try {
+      const known = analyze(active());
+      const [{ name }] = parametersOf(known);
+      const step = { ...active(), changes: { ...active().changes, [name]: String(known.values[0] * (1 + 1e-3 * steps)) } };
+      drawUnseen(step, { ...analyze(step), at_speed: eigenvalues(step, state.speed) }, measure());
+    } catch (error) {
+      // What is wrong with a design was told when it was shown.
+      if (!(error instanceof Mistake)) throw error;
+    }
+    rehearse(steps - 1);
+  });
 }
 
 function titles() {
@@ -247,6 +264,7 @@ try {
   listen();
   open();
   document.body.dataset.ready = "";
+  rehearse(3);
 } catch (error) {
   fail(`The page cannot start: ${error.message}`);
   throw error;

@@ -1,7 +1,7 @@
 // The list of parameters, each with a slider and a field.
 
 import { FIRST, ends, rounded, shownAs } from "carvallo/ranges.js";
-import { escaped } from "carvallo/svg.js";
+import { escaped } from "carvallo/escaped.js";
 
 const container = document.getElementById("parameters");
 let rows = new Map();

@@ -1,6 +1,7 @@
 // The side view of a bicycle, to scale: wheels, steer axis, trail and centres of mass. Heights are above the ground.
 
-import { line, picture, tag, text, through } from "carvallo/svg.js";
+import { tag } from "carvallo/nodes.js";
+import { line, picture, text, through } from "carvallo/svg.js";
 
 const [MARGIN, BELOW] = [14, 68];
 
@@ -22,13 +23,13 @@ export function drawSide(title, values, beside, width) {
   content.push(tag("g", { class: "outline" }, outline(bicycle, scale)), dimensions(bicycle, scale));
   for (const { name, mass, at } of bicycle.bodies) {
     const [x, y] = place(at);
-    content.push(tag("g", { class: "mass" }, tag("circle", { cx: x, cy: y, r: 5 }) +
-      tag("path", { d: `M${x} ${y}v-5a5 5 0 0 1 5 5zM${x} ${y}v5a5 5 0 0 1-5-5z` }) +
-      text(x + 8, y + 4, `${name} ${short(mass)} kg`, {})));
+    const disc = tag("circle", { cx: x, cy: y, r: 5 });
+    const quarters = tag("path", { d: `M${x} ${y}v-5a5 5 0 0 1 5 5zM${x} ${y}v5a5 5 0 0 1-5-5z` });
+    content.push(tag("g", { class: "mass" }, disc, quarters, text(x + 8, y + 4, `${name} ${short(mass)} kg`)));
   }
   const label = `Side view of ${title}: wheel base ${short(bicycle.base)} m, trail ${short(bicycle.trail)} m, ` +
     `head angle ${short(90 - degrees(bicycle.tilt))}°`;
-  return picture(width, height, label, content.join(""));
+  return picture(width, height, label, content);
 }
 
 function geometry(values) {
@@ -70,7 +71,7 @@ function outline({ base, rear, front, axis, length, fork }, { place, factor }) {
   const bars = [rearHub, place(axis(fork + 1.3 * front)), place(axis(fork)), frontHub];
   const wheel = ([x, y], radius) => tag("circle", { class: "wheel", cx: x, cy: y, r: radius * factor });
   const steer = tag("path", { class: "steer", d: through([place(axis(0)), place(axis(length))]) });
-  return tag("path", { class: "bars", d: through(bars) }) + wheel(rearHub, rear) + wheel(frontHub, front) + steer;
+  return [tag("path", { class: "bars", d: through(bars) }), wheel(rearHub, rear), wheel(frontHub, front), steer];
 }
 
 /** Wheel base and trail, each on a line of its own below the ground, and the head angle at the axis. */
@@ -79,15 +80,17 @@ function dimensions({ base, trail, tilt }, { place, ground, factor, width }) {
   const [rear, front, foot] = [x(0), x(base), x(base + trail)];
   const rows = [ground + 20, ground + 40];
   const uprights = [[rear, rows[0]], [front, rows[1]], [foot, rows[1]]].map(([at, to]) => line(at, ground, at, to + 4));
-  const spans = line(rear, rows[0], front, rows[0]) + line(front, rows[1], foot, rows[1]);
+  const spans = [line(rear, rows[0], front, rows[0]), line(front, rows[1], foot, rows[1])];
   const radius = Math.min(0.22 * base * factor, 46);
   // From the ground behind the foot of the axis up to the axis.
   const [dx, dy] = [-Math.sin(tilt) * radius, -Math.cos(tilt) * radius];
   const arc = tag("path", { d: `M${foot - radius} ${ground}A${radius} ${radius} 0 0 1 ${foot + dx} ${ground + dy}` });
-  const written = text((rear + front) / 2, rows[0] - 4, `wheel base w ${short(base)} m`, { "text-anchor": "middle" }) +
-    text(Math.min(front, foot) - 8, rows[1] + 4, `trail c ${short(trail)} m`, { "text-anchor": "end" }) +
-    text(width - 6, rows[1] + 22, `head angle ${short(90 - degrees(tilt))}°`, { "text-anchor": "end" });
-  return tag("g", { class: "dimension" }, uprights.join("") + spans + arc) + tag("g", { class: "measure" }, written);
+  const written = [
+    text((rear + front) / 2, rows[0] - 4, `wheel base w ${short(base)} m`, { "text-anchor": "middle" }),
+    text(Math.min(front, foot) - 8, rows[1] + 4, `trail c ${short(trail)} m`, { "text-anchor": "end" }),
+    text(width - 6, rows[1] + 22, `head angle ${short(90 - degrees(tilt))}°`, { "text-anchor": "end" }),
+  ];
+  return [tag("g", { class: "dimension" }, uprights, spans, arc), tag("g", { class: "measure" }, written)];
 }
 
 export const degrees = (angle) => Number(((angle * 180) / Math.PI).toPrecision(12));

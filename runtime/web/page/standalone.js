@@ -1,6 +1,6 @@
 // A figure as an SVG file: the graphs one below the other, styled as the page shows them.
 
-import { escaped } from "carvallo/svg.js";
+import { escaped } from "carvallo/escaped.js";
 
 /** What of the style of an element a file needs. */
 const KEPT = ["fill", "stroke", "stroke-width", "stroke-dasharray", "stroke-linejoin", "opacity", "font-size", "font-style", "text-anchor", "paint-order"];

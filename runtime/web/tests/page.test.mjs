@@ -102,6 +102,50 @@ test("a slider moves every picture, and the field and the address follow", async
   await close(page);
 });
 
+/** What stands in the drawings, whatever the order of attributes. */
+const trees = (page) => page.$$eval(".drawing", (elements) => {
+  const tree = (node) => node.nodeType === Node.TEXT_NODE ? node.data
+    : [node.namespaceURI, node.localName, [...node.attributes].map(({ name, value }) => `${name}=${value}`).sort(), [...node.childNodes].map(tree)];
+  return elements.map(tree);
+});
+
+test("after many changes everything is drawn as from nothing, and what did not change was left alone", async () => {
+  const page = await open("#design=Whipple,pista");
+  await page.$eval("#eigenvalues svg", (element) => (element.dataset.first = ""));
+  const steps = [["#p-w", "1.2"], ["#p-lam", "60"], ["#p-mB", "40"], ["#p-w", "0.9"], ["#speed", "2"], ["#p-zB", "-1.4"], ["#speed", "7"], ["#p-c", "-0.02"]];
+  for (const [slider, value] of steps) {
+    await page.$eval(slider, (element, to) => {
+      element.value = to;
+      element.dispatchEvent(new Event("input"));
+    }, value);
+    await settled(page);
+  }
+  assert.equal(await page.getAttribute("#eigenvalues svg", "data-first"), "");
+  await page.$eval("#eigenvalues svg", (element) => delete element.dataset.first);
+  await page.click("#add");
+  await page.fill("#p-w", "1.1");
+  await settled(page);
+  await page.click("[data-tab='0']");
+  await page.click("#share");
+  const fresh = await browser.newPage();
+  await fresh.setViewportSize({ width: 1400, height: 1000 });
+  await fresh.goto(await page.inputValue("#address"));
+  await fresh.waitForSelector("body[data-ready]");
+  assert.deepEqual(await trees(page), await trees(fresh));
+  // Alone again, and another model: what is too much goes.
+  await page.click("[data-close='1']");
+  const other = await page.$$eval("#base option", (options) => options.find(({ value }) => value.includes("RearSteered")).value);
+  await page.selectOption("#base", other);
+  await settled(page);
+  await page.click("#share");
+  await fresh.goto("about:blank");
+  await fresh.goto(await page.inputValue("#address"));
+  await fresh.waitForSelector("body[data-ready]");
+  assert.deepEqual(await trees(page), await trees(fresh));
+  await fresh.close();
+  await close(page);
+});
+
 test("the head angle is 90 degrees minus the tilt", async () => {
   const page = await open();
   await page.fill("#p-lam-field", "70");
