@@ -1,10 +1,11 @@
 //! Where a result goes, and in which format: what the ending of a file names, and else what is asked for.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use carvallo_design::{Failure, Place};
 use clap::Args;
 
+use crate::destination::Destination;
 use crate::options::Format;
 use crate::output::typeset::Language;
 
@@ -26,7 +27,7 @@ pub struct Delivery {
         value_name = "FILE",
         help = "Where the result goes; .json, .csv, .md, .tex or .txt names the format [default: stdout]"
     )]
-    output: Option<PathBuf>,
+    output: Option<Destination>,
 }
 
 impl Delivery {

@@ -2,6 +2,7 @@
 
 mod commands;
 mod delivery;
+mod destination;
 mod frequencies;
 mod limits;
 mod options;

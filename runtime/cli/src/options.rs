@@ -1,6 +1,6 @@
 //! Options that several subcommands share, each with a type of its own.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use carvallo_design::input::{self, Request};
@@ -243,6 +243,11 @@ impl Picture {
     fn new(path: PathBuf) -> Result<Self, Problem> {
         let is = |known: &str| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(known));
         if is("svg") || is("png") { Ok(Self(path)) } else { Err(problem("the name must end in .svg or .png")) }
+    }
+
+    /// Where it goes.
+    pub fn path(&self) -> &Path {
+        &self.0
     }
 
     /// # Errors

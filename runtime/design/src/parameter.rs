@@ -4,7 +4,7 @@ use carvallo::{ModelInfo, ParameterInfo};
 
 use crate::input::{Expected, Known, evaluated, known, position};
 use crate::nearest::nearest;
-use crate::number::with_unit;
+use crate::number::{shortest, with_unit};
 use crate::quantity::{self, Context, no_names};
 
 /// Where the parameter called `name` is among those of a model.
@@ -36,6 +36,37 @@ pub fn number(text: &str, info: &ParameterInfo) -> Result<f64, String> {
     evaluated(text, info).map_err(|found| format!("a value of `{}` is {found}", info.name))
 }
 
+/// The ends of a range `LOW:HIGH` of a parameter.
+///
+/// # Errors
+/// If they do not ascend, some are no values that the parameter can have, or one has a unit that the other has not.
+pub fn ends(texts: [&str; 2], info: &ParameterInfo) -> Result<[f64; 2], String> {
+    check_units(&texts, info)?;
+    let [low, high] = texts.map(|text| number(text, info));
+    let ends = [low?, high?];
+    let [low, high] = ends.map(|end| with_unit(end, info.unit));
+    if ends[0] >= ends[1] {
+        return Err(format!("the range is from {low} to {high}; it must ascend"));
+    }
+    match texts.into_iter().zip(ends).find(|(_, end)| !info.domain.contains(*end)) {
+        None => Ok(ends),
+        Some((text, end)) => {
+            let (name, domain, hint) = (info.name, &info.domain, in_degrees(text, end, info));
+            Err(format!("`{name}` is {}; it must be {domain}{hint}", with_unit(end, info.unit)))
+        }
+    }
+}
+
+/// Of a value that a parameter cannot have, how to write it in degrees, if it was written as a plain number and could be meant so,
+/// as the end of a sentence.
+pub fn in_degrees(written: &str, value: f64, info: &ParameterInfo) -> String {
+    if info.unit == "rad" && written.parse::<f64>().is_ok() && info.domain.contains(value.to_radians()) {
+        format!(" (for degrees write `{written} deg`)")
+    } else {
+        String::new()
+    }
+}
+
 /// # Errors
 /// If some of the numbers have a unit that others have not.
 pub fn check_units(texts: &[&str], info: &ParameterInfo) -> Result<(), String> {
@@ -49,8 +80,8 @@ pub fn any_possible(values: &[f64], info: &ParameterInfo) -> Result<(), String> 
     if values.iter().any(|value| domain.contains(*value)) {
         return Ok(());
     }
-    let degrees = values.iter().any(|value| domain.contains(value.to_radians()));
-    let hint = if *unit == "rad" && degrees { " (for degrees write `18 deg`)" } else { "" };
+    let hint = values.iter().map(|value| in_degrees(&shortest(*value), *value, info)).find(|hint| !hint.is_empty());
+    let hint = hint.unwrap_or_default();
     let first = values.first().map(|value| with_unit(*value, unit)).unwrap_or_default();
     Err(format!("no value of `{name}` is possible, such as {first}; it must be {domain}{hint}"))
 }

@@ -29,10 +29,15 @@ pub struct Path {
 #[cfg(feature = "full")]
 impl Path {
     /// # Errors
-    /// If there is no such parameter, or the design cannot be expressed in its convention.
+    /// If there is no such parameter, its value was set, or the design cannot be expressed in its convention.
     pub fn new(design: &Design, name: &str) -> Result<Self, String> {
         let naming = Naming::new(design.info(), [name]);
         let varying = naming.find(name)?;
+        let is_same = |set: &&String| naming.find(set).is_ok_and(|own| own.is(&varying));
+        if let Some(set) = design.set.iter().find(is_same) {
+            let spelled = if set == name { String::new() } else { format!(" as `{name}`") };
+            return Err(format!("`{set}` is set, but varies{spelled}; leave one of them out"));
+        }
         let varied = Varied::new(design, &naming, &[Some(&varying)])?;
         Ok(Self { parameter: varying.info, values: design.values(), info: design.info(), varied })
     }

@@ -2,8 +2,7 @@
 
 use carvallo::{ModelInfo, ParameterInfo};
 use carvallo_design::conventions::{Naming, Varying};
-use carvallo_design::number::with_unit;
-use carvallo_design::parameter::{check_units, number};
+use carvallo_design::parameter::ends;
 use carvallo_design::{Failure, Place};
 
 /// A parameter that is varied, and between which values.
@@ -48,19 +47,7 @@ impl Range {
         let parameter = varying.info;
         let low = varying.in_numbers(low.trim(), naming).map_err(fail)?;
         let high = varying.in_numbers(high.trim(), naming).map_err(fail)?;
-        check_units(&[&low, &high], &parameter).map_err(fail)?;
-        let [low, high] = [low, high].map(|end| number(&end, &parameter));
-        let (low, high) = (low.map_err(fail)?, high.map_err(fail)?);
-        if low >= high {
-            let [low, high] = [low, high].map(|end| with_unit(end, parameter.unit));
-            return Err(fail(format!("the range is from {low} to {high}; it must ascend")));
-        }
-        for end in [low, high] {
-            if !parameter.domain.contains(end) {
-                let end = with_unit(end, parameter.unit);
-                return Err(fail(format!("`{}` is {end}; it must be {}", parameter.name, parameter.domain)));
-            }
-        }
+        let [low, high] = ends([&low, &high], &parameter).map_err(fail)?;
         Ok(Self { written: written.to_owned(), parameter, low, high, varying })
     }
 

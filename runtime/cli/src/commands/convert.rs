@@ -1,11 +1,10 @@
 //! `carvallo convert`: the parameters of a bicycle in the names and axes of others.
 
-use std::path::PathBuf;
-
 use carvallo_design::conventions::{Convention, Form, convert, left_out, write};
 use carvallo_design::{Failure, Place};
 use clap::{Args, ValueEnum};
 
+use crate::destination::Destination;
 use crate::options::{DesignOptions, UnitOptions};
 use crate::output;
 use crate::terminal::{WARNING, deliver, note};
@@ -50,7 +49,7 @@ pub struct Options {
     units: UnitOptions,
     /// Writes to a file instead of the standard output
     #[arg(long, value_name = "FILE")]
-    output: Option<PathBuf>,
+    output: Option<Destination>,
 }
 
 /// The form of the file.

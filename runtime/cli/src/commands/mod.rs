@@ -31,7 +31,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 
 use crate::terminal::{ERROR, note};
-use crate::{simulate, sweep};
+use crate::{destination, simulate, sweep};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -152,12 +152,15 @@ fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
 /// Reads the command line. Prints help, and ends the process for it and for wrong usage.
 ///
 /// # Errors
-/// What is wrong with the value of an option.
+/// What is wrong with the value of an option; and if a file that is to be written cannot be.
 fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Arguments, Failure> {
     let mut command = groups::grouped(Arguments::command());
     let matches = command.try_get_matches_from_mut(arguments);
-    let parsed = matches.and_then(|matches| Arguments::from_arg_matches(&matches));
-    parsed.map_err(|error| problem(&error).unwrap_or_else(|| error.format(&mut command).exit()))
+    let parsed = matches.and_then(|matches| Ok((Arguments::from_arg_matches(&matches)?, matches)));
+    let (arguments, matches) =
+        parsed.map_err(|error| problem(&error).unwrap_or_else(|| error.format(&mut command).exit()))?;
+    destination::check(&matches)?;
+    Ok(arguments)
 }
 
 /// A problem that is told as those in files are: by the option as it was given.

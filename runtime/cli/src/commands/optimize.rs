@@ -3,7 +3,7 @@
 use std::cell::OnceCell;
 use std::io::IsTerminal as _;
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::{Duration, Instant};
 
 use carvallo_design::input::is_same_file;
@@ -17,6 +17,7 @@ use clap::{ArgGroup, Args};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::compare::Pictures;
+use crate::destination::Destination;
 use crate::limits::SpeedLimits;
 use crate::options::{DesignOptions, Format, UnitOptions};
 use crate::output::documents;
@@ -35,10 +36,10 @@ no principal moment of inertia exceeds the sum of the others.
 Names may be those of other conventions, as in `carvallo sweep --vary`: 'head_angle=68 deg:75 deg', trail, d1, … Then everything
 else of that convention is held, as it was set or given, and a note says what is kept and what follows.
 
-The derivatives of speeds are exact. The search is by sequential quadratic programming from several designs, of which all but
-the given one come from a generator with a seed: the same command finds the same design. Where no design that was tried has
-what is measured, it is first searched for one that is stable. The result lies within its ranges and keeps every inequality
-exactly; where it lies at an end of a range, that is told.
+The search begins at the design, with what --set sets of what may change, and is by sequential quadratic programming from
+several designs, of which all others come from a generator with a seed: the same command finds the same design. The derivatives
+of speeds are exact. Where no design that was tried has what is measured, it is first searched for one that is stable. The result
+lies within its ranges and keeps every inequality exactly; where it lies at an end of a range, that is told.
 
 Examples:
   carvallo optimize --vary 'lam=10 deg:30 deg' --vary c=0.02:0.12 --minimize weave-speed
@@ -81,7 +82,7 @@ pub struct Options {
     seed: u64,
     /// Writes the best design as a file of parameters, which can be read again
     #[arg(long, value_name = "FILE.toml")]
-    output: Option<PathBuf>,
+    output: Option<Destination>,
     #[command(flatten)]
     pictures: Pictures,
     #[command(flatten)]

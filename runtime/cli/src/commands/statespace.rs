@@ -1,15 +1,13 @@
 //! `carvallo statespace`: the linearized motion at a speed with inputs and outputs.
 
-use std::path::PathBuf;
-use std::str::FromStr;
-
 use carvallo_control::{Ports, files};
-use carvallo_design::{Failure, Place, Problem};
+use carvallo_design::{Failure, Place};
 use carvallo_plot::data;
 use clap::Args;
 
 use crate::delivery::format_of;
-use crate::options::{Format, problem};
+use crate::destination::Destination;
+use crate::options::Format;
 use crate::output::documents;
 use crate::ports::PortOptions;
 use crate::terminal::{deliver, save};
@@ -54,14 +52,7 @@ pub struct Options {
         value_name = "FILE",
         help = "Where the result goes; .npz, .mat, .json, .csv, .md, .tex or .txt [default: stdout]"
     )]
-    output: Option<File>,
-}
-
-/// A file, and what its ending names.
-#[derive(Clone, Debug)]
-struct File {
-    path: PathBuf,
-    kind: Kind,
+    output: Option<Destination>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,43 +62,39 @@ enum Kind {
     Mat,
 }
 
-impl FromStr for File {
-    type Err = Problem;
-
-    fn from_str(text: &str) -> Result<Self, Problem> {
-        let path = PathBuf::from(text);
-        let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_ascii_lowercase();
-        let kind = match ending.as_str() {
-            "npz" => Kind::Npz,
-            "mat" => Kind::Mat,
-            _ if let Some(format) = format_of(&path) => Kind::Text(format),
+impl Kind {
+    /// What the ending of a file names.
+    fn of(file: &Destination) -> Result<Self, Failure> {
+        let ending = file.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_ascii_lowercase();
+        match ending.as_str() {
+            "npz" => Ok(Self::Npz),
+            "mat" => Ok(Self::Mat),
+            _ if let Some(format) = format_of(file) => Ok(Self::Text(format)),
             _ => {
-                let outputs = format!("; an output of the state space is --outputs {text}");
+                let outputs = format!("; an output of the state space is --outputs {}", file.display());
                 let hint = if ending.is_empty() { outputs.as_str() } else { "" };
-                return Err(problem(format!("the name must end in .npz, .mat, .json, .csv, .md, .tex or .txt{hint}")));
+                let message = format!("the name must end in .npz, .mat, .json, .csv, .md, .tex or .txt{hint}");
+                Err(Failure::at(place(file), message))
             }
-        };
-        Ok(Self { path, kind })
+        }
     }
 }
 
-impl File {
-    /// Where it was asked for.
-    fn place(&self) -> Place {
-        Place::Option(format!("--output {}", self.path.display()))
-    }
+/// Where it was asked for.
+fn place(file: &Destination) -> Place {
+    Place::Option(format!("--output {}", file.display()))
 }
 
 pub fn run(options: &Options) -> Result<(), Failure> {
     let file = options.output.as_ref();
     let kind = kind(options.format, file)?;
-    if let Some(file) = file.filter(|file| options.ports.design.request().reads(&file.path)) {
-        return Err(Failure::at(file.place(), "the parameters are read from this file"));
+    if let Some(file) = file.filter(|file| options.ports.design.request().reads(file)) {
+        return Err(Failure::at(place(file), "the parameters are read from this file"));
     }
     let shown = options.ports.units.shown()?;
     let (design, space) = options.ports.load(Ports::states)?;
     let space = space.in_units(&shown);
-    let path = file.map(|file| file.path.as_path());
+    let path = file.map(|file| &**file);
     match (kind, path) {
         (Kind::Text(Format::Json), _) => deliver(path, |output| data::state_space::write_json(&design, &space, output)),
         (Kind::Text(Format::Csv), _) => deliver(path, |output| data::state_space::write_csv(&space, output)),
@@ -125,13 +112,13 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 }
 
 /// What is written: what the ending of the file names, and else the format.
-fn kind(format: Option<Format>, file: Option<&File>) -> Result<Kind, Failure> {
-    match (format, file) {
+fn kind(format: Option<Format>, file: Option<&Destination>) -> Result<Kind, Failure> {
+    match (format, file.map(|file| Ok::<_, Failure>((file, Kind::of(file)?))).transpose()?) {
         (None, None) => Ok(Kind::Text(Format::Table)),
         (Some(format), None) => Ok(Kind::Text(format)),
-        (Some(format), Some(file)) if file.kind != Kind::Text(format) => {
-            Err(Failure::at(file.place(), "the ending of its name is that of another format than --format"))
+        (Some(format), Some((file, kind))) if kind != Kind::Text(format) => {
+            Err(Failure::at(place(file), "the ending of its name is that of another format than --format"))
         }
-        (_, Some(file)) => Ok(file.kind),
+        (_, Some((_, kind))) => Ok(kind),
     }
 }

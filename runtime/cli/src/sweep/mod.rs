@@ -22,7 +22,6 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let request = options.request()?;
     let design = options.base.load().map_err(|failure| with_request(failure, &request))?;
     let plan = Plan::new(&design, &request)?;
-    request.map.as_deref().map(picture::check).transpose()?;
     for text in plan.warnings() {
         note(WARNING, "warning", text);
     }

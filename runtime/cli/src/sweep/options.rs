@@ -6,6 +6,7 @@ use carvallo_design::Failure;
 use carvallo_sweep::Request;
 use clap::Args;
 
+use crate::destination::Destination;
 use crate::options::{DesignOptions, UnitOptions};
 
 const HELP: &str = "\
@@ -96,7 +97,7 @@ pub struct Options {
     pub restart: bool,
     /// Draws the stable ranges over two varied parameters; .svg or .png
     #[arg(long, value_name = "FILE")]
-    pub map: Option<PathBuf>,
+    pub map: Option<Destination>,
 }
 
 impl Options {
@@ -108,6 +109,7 @@ impl Options {
         let Self { base, vary, random, samples, seed, designs, eigenvalues, units, output, restart, map } =
             self.clone();
         let (base, units) = (base.request(), units.units()?);
+        let map = map.map(|Destination(path)| path);
         Ok(Request { base, vary, random, samples, seed, designs, eigenvalues, units, output, restart, map })
     }
 }

@@ -101,6 +101,14 @@ fn mistakes_are_named() {
     fails("mBB=1:2", &at_speed, "`mBB` is not a parameter of Whipple; did you mean `mB`?");
     let message = "a value of `mB` is `a`; expected a number, or an expression such as `pi/10`: `a` is not known";
     fails("mB=a:2", &at_speed, message);
+    // By definition the wheel base is w, and the head angle 90° - λ, here from 60° to 80°.
+    fails("w=0.9:1.2", &["--set", "w=1"], "`w` is set, but varies; leave one of them out");
+    fails("wheelbase=0.9:1.2", &["--set", "w=1"], "`w` is set, but varies as `wheelbase`; leave one of them out");
+    fails("lam=0.2:0.4", &["--set", "lambda=0.3"], "`lambda` is set, but varies as `lam`; leave one of them out");
+    fails("g=1:20", &["--gravity", "5"], "`g` is set, but varies; leave one of them out");
+    let range = "it must be > 0 and < 3.141592653589793";
+    fails("hta=60:80", &[], &format!("`head_angle` is 60 rad; {range} (for degrees write `60 deg`)"));
+    fails("hta=600:800", &[], &format!("`head_angle` is 600 rad; {range}"));
     fails("v=1:2", &[], "`v` is the speed: without --along everything is along it");
     directory.write("matrices.json", "{\"M\": [[1]], \"C0\": [[1]], \"Kc\": [[4]]}");
     let message = "matrices that are given themselves have no parameters but their entries, which `carvallo sweep --vary` goes along";

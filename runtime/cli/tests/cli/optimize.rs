@@ -214,6 +214,15 @@ fn ranges_without_any_design_are_told() {
     assert!(run.stderr.contains(told), "{}", run.stderr);
 }
 
+/// What is set of what varies is where the search begins, by any of its names: the wheel base is w.
+#[test]
+fn it_begins_at_what_is_set() {
+    for vary in ["w=0.9:1.2", "wheelbase=0.9:1.2"] {
+        let found = optimum(&["--vary", vary, "--set", "w=1.05", "--minimize", "weave-speed", "--starts", "1"]);
+        assert_eq!(number(&found["varied"][vary.split_once("=").unwrap().0]["before"]), 1.05, "{found}");
+    }
+}
+
 #[test]
 fn mistakes_are_told() {
     let directory = Directory::of_this_test();
@@ -225,6 +234,13 @@ fn mistakes_are_told() {
         &[&["--vary", "w=1.2:0.9"], &goal[..]].concat(),
         2,
         "error: --vary w=1.2:0.9: the range is from 1.2 m to 0.9 m; it must ascend\n",
+    );
+    // Degrees, that is.
+    fails(
+        &[&["--vary", "head_angle=60:80"], &goal[..]].concat(),
+        2,
+        "error: --vary head_angle=60:80: `head_angle` is 60 rad; it must be > 0 and < 3.141592653589793 (for degrees write \
+         `60 deg`)\n",
     );
     fails(
         &[&["--vary", "w=0.9"], &goal[..]].concat(),

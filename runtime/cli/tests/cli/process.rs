@@ -184,7 +184,7 @@ fn exit_codes_of_files_are_the_same_everywhere() {
         assert!(found.code == Some(code) && found.stderr.contains(message), "{file}: {}", found.stderr);
     }
     run(&["sweep", "--designs", "FILE"], "missing.csv").fails(2, "error: there is no file missing.csv\n");
-    let writing: [&[&str]; 8] = [
+    let writing: [&[&str]; 23] = [
         &["analyze", "--plot", "none/a.svg"],
         &["transfer", "--speed", "5", "--bode", "none/a.png"],
         &["statespace", "--speed", "5", "--output", "none/a.npz"],
@@ -193,10 +193,38 @@ fn exit_codes_of_files_are_the_same_everywhere() {
         &["convert", "--to", "moore", "--output", "none/a.toml"],
         &["turns", "--output", "none/a.csv"],
         &["sweep", "--vary", "c=0:0.1:0.1", "--output", "none/a.csv"],
+        &["sweep", "--vary", "c=0:0.1:0.1", "--vary", "w=1:1.1:0.1", "--map", "none/a.svg"],
+        &["analyze", "--along", "w=0.9:1.2", "--speed", "5", "--plot", "none/a.svg"],
+        &["analyze", "--speeds", "5", "--phasors", "none/a.svg"],
+        &["analyze", "--locus", "none/a.svg"],
+        &["transfer", "--speed", "5", "--nyquist", "none/a.png"],
+        &["transfer", "--speed", "5", "--sigma", "none/a.png"],
+        &["compare", "pista", "browser", "--plot", "none/a.svg"],
+        &["compare", "pista", "browser", "--side-view", "none/a.svg"],
+        &["compare", "pista", "browser", "--contributions", "none/a.svg"],
+        &["optimize", "--vary", "w=0.9:1.2", "--minimize", "weave-speed", "--output", "none/a.toml"],
+        &["sensitivity", "--plot", "none/a.svg"],
+        &["simulate", "--speed", "5", "--duration", "1", "--plot", "none/a.svg"],
+        &["respond", "--speed", "5", "--plot", "none/a.svg"],
+        &["controllability", "--plot", "none/a.svg"],
+        &["show", "--plot", "none/a.svg"],
     ];
     for arguments in writing {
-        let found = directory.run(arguments);
-        assert_eq!(found.code, Some(1), "{arguments:?}: {}", found.stderr);
-        assert!(found.stderr.contains("cannot write none/a."), "{arguments:?}: {}", found.stderr);
+        // Before anything is computed, for not even the feedback is read.
+        let mut arguments = arguments.to_vec();
+        if !["sweep", "compare"].contains(&arguments[0]) {
+            arguments.extend(["--feedback", "nonsense"]);
+        }
+        let found = directory.run(&arguments);
+        assert_eq!((found.code, found.stdout.as_str()), (Some(1), ""), "{arguments:?}: {}", found.stderr);
+        let message = "error: cannot write none/a.";
+        assert!(
+            found.stderr.starts_with(message) && !found.stderr.contains("nonsense"),
+            "{arguments:?}: {}",
+            found.stderr
+        );
     }
+    // Nothing is left of a trial.
+    directory.run(&["analyze", "--plot", "a.svg", "--feedback", "nonsense"]);
+    assert!(!directory.0.join("a.svg").exists());
 }

@@ -311,6 +311,8 @@ fn slips_of_units_are_told_once() {
     // A single design with a light wheel, and inertia of a heavy one, is none.
     directory.write("odd.csv", "IFyy,mF\n0.2,2\n0.28,3\n0.28,0.005\n");
     directory.write("moore.csv", "d1,d3\n953,0.032\n954,0.032\n");
+    directory.write("degrees.csv", "head_angle\n72\n70\n73\n").write("none.csv", "head_angle\n720\n700\n730\n");
+    directory.write("one.csv", "lam\n0.3\n0.31\n0.32\n18\n").write("headed.csv", "lam [deg]\n18\n20\n");
     let vary = |vary: &'static str| vec!["sweep", "--vary", vary];
     for (arguments, expected) in [
         (
@@ -344,6 +346,14 @@ fn slips_of_units_are_told_once() {
         (vec!["sweep", "--random", "w=900..1200", "--samples", "20"], vec!["`w`: "]),
         (vec!["sweep", "--designs", "mm.csv"], vec!["`w`: 1040 is too large", "`c`: 82 is too large"]),
         (vec!["sweep", "--designs", "odd.csv"], vec![]),
+        (
+            vec!["sweep", "--designs", "degrees.csv"],
+            vec!["`head_angle` is 73 rad; it must be > 0 and < 3.141592653589793 (for degrees write `73 deg`)"],
+        ),
+        (vary("lam=0:20:5"), vec!["`lam` is 20 rad; it must be > "]),
+        (vec!["sweep", "--designs", "none.csv"], vec![]),
+        (vec!["sweep", "--designs", "one.csv"], vec![]),
+        (vec!["sweep", "--designs", "headed.csv"], vec![]),
         (vec!["sweep", "--designs", "moore.csv"], vec!["`d1`: with 954 `w` is "]),
         (vec!["analyze", "--along", "w=900:1200", "--speed", "5"], vec!["`w`: 1200 is too large"]),
         (vec!["analyze", "--along", "fork_offset=-60:-30", "--speed", "5"], vec!["`fork_offset`: with -60 `c` is "]),

@@ -6,6 +6,7 @@ use super::document::{Entry, Written};
 use crate::design::{Deviation, Given};
 use crate::failure::Problem;
 use crate::number::{self, shortest, with_unit};
+use crate::parameter::in_degrees;
 use crate::quantity::{self, Context, Lookup, Measured, Mistake, Part, Reason, check_parts, no_names};
 
 const EXPECTED: &str = "expected a number, or an expression such as `pi/10`";
@@ -22,7 +23,7 @@ pub fn validate(entry: &Entry, info: &ParameterInfo, names: &Lookup) -> Result<G
     match read(&entry.value, info, names) {
         Ok(Measured { mean, deviation }) => {
             if !info.domain.contains(mean.value) {
-                let hint = degrees(&mean, info);
+                let hint = in_degrees(&mean.written, mean.value, info);
                 problem(format!("`{name}` is {}; it must be {}{hint}", with_unit(mean.value, info.unit), info.domain));
             }
             (given, spread) = (mean, deviation);
@@ -85,15 +86,6 @@ pub fn measured(text: &str, info: &ParameterInfo) -> Result<(f64, Option<f64>), 
     let found = |mistake| found(mistake, info).1;
     let Measured { mean, deviation } = quantity::measured(text, context).map_err(found)?;
     Ok((mean.value, deviation.map(|part| part.value)))
-}
-
-/// How to write an angle in degrees, where a plain number would be one that the parameter can have.
-fn degrees(Part { value, written }: &Part, info: &ParameterInfo) -> String {
-    if info.unit == "rad" && written.parse::<f64>().is_ok() && info.domain.contains(value.to_radians()) {
-        format!(" (for degrees write `{written} deg`)")
-    } else {
-        String::new()
-    }
 }
 
 /// The value with its text; otherwise whether it is the standard deviation that is wrong, and what was found.

@@ -5,7 +5,7 @@ use std::str::FromStr;
 use carvallo::{Complex, CriticalSpeed, CriticalValue, ParameterInfo, ParameterStability, Verdict};
 use carvallo_design::matrices::{NAME, NO_PARAMETERS};
 use carvallo_design::number::{shortest, with_unit};
-use carvallo_design::parameter::{check_units, number};
+use carvallo_design::parameter::ends;
 use carvallo_design::{Design, DisplayUnit, Failure, Path, Place, Problem};
 
 use crate::analysis::{self, extremes};
@@ -83,19 +83,7 @@ impl AlongAnalysis {
         }
         let path = Path::new(&design, &along.name).map_err(wrong)?;
         let parameter = path.parameter;
-        check_units(&along.ends.each_ref().map(String::as_str), &parameter).map_err(wrong)?;
-        let [low, high] = along.ends.each_ref().map(|end| number(end, &parameter));
-        let (low, high) = (low.map_err(wrong)?, high.map_err(wrong)?);
-        if low >= high {
-            let [low, high] = [low, high].map(|end| with_unit(end, parameter.unit));
-            return Err(wrong(format!("the range is from {low} to {high}; it must ascend")));
-        }
-        for end in [low, high] {
-            if !parameter.domain.contains(end) {
-                let (name, end) = (parameter.name, with_unit(end, parameter.unit));
-                return Err(wrong(format!("`{name}` is {end}; it must be {}", parameter.domain)));
-            }
-        }
+        let [low, high] = ends(along.ends.each_ref().map(String::as_str), &parameter).map_err(wrong)?;
         let speed = match speed {
             None if design.model.depends_on_speed() => {
                 return Err(wrong("--speed is missing, the speed in m/s at which the parameter changes".to_owned()));

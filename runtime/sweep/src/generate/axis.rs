@@ -156,7 +156,7 @@ mod tests {
             (
                 "lam=10:30:1",
                 "no value of `lam` is possible, such as 10 rad; it must be > -1.5707963267948966 and < \
-                 1.5707963267948966 (for degrees write `18 deg`)",
+                 1.5707963267948966 (for degrees write `10 deg`)",
             ),
             ("w=1 kg", "a value of `w` is `1 kg`; `kg` is no unit for it: `w` is in m"),
             ("lam=0:1:0.1 deg", "`1` has no unit, but others have: write it behind each"),
