@@ -3,6 +3,7 @@
 mod behind;
 pub mod conventions;
 pub mod explain;
+mod form;
 pub mod given;
 pub mod machine;
 mod motion;
@@ -19,7 +20,7 @@ use carvallo_design::units::Units;
 pub use self::given::Given;
 pub use self::report::{Behind, Comparison, Explanation, Group, Part, Report, Suspects, words};
 
-use self::explain::Search;
+use self::explain::{Cause, Explained, Found};
 use self::machine::Machine;
 use self::predict::Predictor;
 
@@ -52,41 +53,36 @@ pub fn check_machine(given: &Given, machine: &Machine) -> Result<Report, String>
     if machine.motion.is_none() && given.accelerations.iter().any(is_nonlinear) {
         return Err(format!("the model {} has no nonlinear equations for accelerations", machine.info.name));
     }
-    let rounded = Predictor::new(given, machine);
-    let here = rounded.predict(&machine.world());
-    if rounded.agreeing(&here) == here.len() {
-        return Ok(Report::new(machine, &rounded, &rounded, Vec::new()));
+    let own = Predictor::new(given, machine);
+    let here = own.predict(&machine.world());
+    if own.agreeing(&here) == here.len() {
+        return Ok(Report::new(machine, &own, &own, Vec::new(), None));
     }
-    // Numbers that may have been cut off: some of them, by hand, or all.
-    let all = given.cut_off(&mut |_| true);
-    let of_all = Predictor::new(&all, machine);
-    let some = given.cut_off(&mut |at| !rounded.agrees(at, here[at]) && of_all.agrees(at, here[at]));
-    let of_some = Predictor::new(&some, machine);
-    if of_some.agreeing(&here) == rounded.agreeing(&here) {
-        let found = Search::new(machine, &rounded, &rounded).explain(&rounded);
-        return Ok(Report::new(machine, &rounded, &rounded, found));
+    if !given::contradictions(given, machine.info).is_empty() {
+        return Ok(Report::new(machine, &own, &own, Vec::new(), Some(Suspects::new(machine, &own, &[]))));
     }
-    let any = given.in_any_way();
-    let of_any = Predictor::new(&any, machine);
-    let search = Search::new(machine, &rounded, &of_any);
-    let is_one_cause = search.has_one_cause(&rounded);
-    // Who cuts off needs no other cause; but a slip that makes the very same numbers is told beside that.
-    if of_some.agreeing(&here) == here.len() {
-        let found = if is_one_cause { search.explain(&rounded) } else { Vec::new() };
-        return Ok(Report::new(machine, &rounded, &of_some, found));
+    if let Some((mended, told)) = form::mended(given, machine.info) {
+        return Ok(check_mended(given, &mended, told, machine));
     }
-    // One slip or convention is likelier than it beside a slip; two causes, or a definition of another value, are not.
-    if !is_one_cause {
-        for cut in [&of_all, &of_some] {
-            if cut.agreeing(&here) > rounded.agreeing(&here) {
-                let others = search.explain(cut);
-                if !others.is_empty() {
-                    return Ok(Report::new(machine, &rounded, cut, others));
-                }
-            }
-        }
-    }
-    let explained = search.explain(&rounded);
-    let meant = if explained.is_empty() { &of_some } else { &rounded };
-    Ok(Report::new(machine, &rounded, meant, explained))
+    let Explained { found, cut } = explain::explain(given, machine);
+    let cut = cut.as_ref().map(|own| Predictor::new(own, machine));
+    let meant = cut.as_ref().unwrap_or(&own);
+    let is_whole = meant.agreeing(&here) == here.len();
+    let suspects = (!is_whole && found.is_empty()).then(|| Suspects::new(machine, meant, &[]));
+    Ok(Report::new(machine, &own, meant, found, suspects))
+}
+
+/// Of state matrices that are transposed or negative as a whole: that, and what explains them beside it.
+fn check_mended(given: &Given, mended: &Given, told: Vec<String>, machine: &Machine) -> Report {
+    let own = Predictor::new(given, machine);
+    let meant = Predictor::new(mended, machine);
+    let here = meant.predict(&machine.world());
+    let mut found = match meant.agreeing(&here) == here.len() {
+        true => vec![Found { causes: Vec::new(), world: machine.world() }],
+        false => explain::explain(mended, machine).found,
+    };
+    let suspects = found.is_empty().then(|| Suspects::new(machine, &meant, &told));
+    let causes: Vec<Cause> = told.into_iter().map(Cause::Written).collect();
+    found.iter_mut().for_each(|own| own.causes = [&causes[..], &own.causes[..]].concat());
+    Report::new(machine, &own, &own, found, suspects)
 }

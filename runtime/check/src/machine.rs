@@ -32,6 +32,8 @@ pub struct Machine {
     pub values: Values,
     /// What may be otherwise on purpose, by a convention: with a slip, or with another convention.
     pub usual: Vec<Convention>,
+    /// Those of all that C or K at a speed is made of, where these or state matrices are given.
+    pub sums: Vec<Convention>,
     /// Entries and parameters that are mistaken by themselves.
     pub single: Vec<Convention>,
     /// Of each place among the entries the formula.
@@ -83,7 +85,9 @@ impl Machine {
             gains.flat_map(|gain| entries_of(gain, info, parameters)).map(|(entry, _)| entry).collect();
         let of_open_loop = |own: Convention| own.of_open_loop(&closed);
         usual.extend(conventions::matrices(info, &values.entries, gravity).into_iter().map(of_open_loop));
+        usual.extend(conventions::speeds(info, feedback));
         usual.extend(conventions::usual(info, parameters));
+        let sums = conventions::sums(info, &values.entries).into_iter().map(of_open_loop).collect();
         let mut single: Vec<Convention> =
             conventions::entries(info, &values.entries).into_iter().map(of_open_loop).collect();
         single.extend(conventions::parameters(info, parameters));
@@ -105,6 +109,7 @@ impl Machine {
             motion,
             values,
             usual,
+            sums,
             single,
             places,
             slips,

@@ -8,11 +8,12 @@ use carvallo_design::feedback::Law;
 use carvallo_design::matrices::{self, Coordinate, Form};
 use carvallo_design::{Equations, Shipped};
 
+use crate::form::order;
 use crate::given::{Accelerations, Eigenvalues, Given, Kind, Quantity, Reading, StateMatrix, SystemMatrix};
 use crate::machine::{Machine, entries_of};
 use crate::motion::Nonlinear;
 use crate::relation::{Relation, relations};
-use crate::states::{order, states};
+use crate::states::states;
 use crate::zero::{Zero, zeros};
 use carvallo_slips::index;
 

@@ -2,8 +2,6 @@
 
 use carvallo::{ModelInfo, States};
 
-use crate::given::StateMatrix;
-
 /// The states in the order of the library, positions before rates: whether each is a rate, and of which coordinate.
 pub fn states(info: &ModelInfo) -> Vec<(bool, usize)> {
     let of = |is_rate: bool, without: States| {
@@ -22,9 +20,27 @@ pub fn names(info: &ModelInfo) -> Vec<String> {
     states(info).into_iter().map(name).collect()
 }
 
-/// Which of the usual orders of states a matrix is in: positions before rates, rates before positions, or each position with
-/// its rate. Its rows that say what a rate is tell, and where they do not, it is the first.
-pub fn order(matrix: &StateMatrix, info: &ModelInfo) -> Vec<usize> {
+/// What a state matrix has rows and columns for, in which order, and why for nothing else.
+pub fn words(info: &ModelInfo) -> String {
+    let without = |states: States, suffix: &str| -> Option<String> {
+        let own = info.coordinates.iter().filter(|own| own.states == states);
+        let names: Vec<String> = own.map(|own| format!("{}{suffix}", own.name)).collect();
+        let is = if names.len() == 1 { "is no state" } else { "are no states" };
+        (!names.is_empty()).then(|| format!("; {} {is}", names.join(" and ")))
+    };
+    let mut text = names(info).join(", ");
+    text += " in this order, rates before positions, or each position with its rate";
+    if let Some(positions) = without(States::Rate, "") {
+        text += &format!("{positions}, since nothing depends on where that is");
+    }
+    if let Some(rates) = without(States::Position, "_rate") {
+        text += &format!("{rates}, since its equation is of first order");
+    }
+    text
+}
+
+/// The usual orders: positions before rates, rates before positions, and each position with its rate, before it or behind it.
+pub fn orders(info: &ModelInfo) -> [Vec<usize>; 4] {
     let states = states(info);
     let natural: Vec<usize> = (0..states.len()).collect();
     let (positions, rates): (Vec<usize>, Vec<usize>) = natural.iter().partition(|&&at| !states[at].0);
@@ -32,16 +48,5 @@ pub fn order(matrix: &StateMatrix, info: &ModelInfo) -> Vec<usize> {
     pairs.sort_by_key(|&at| (states[at].1, states[at].0));
     let mut backwards = pairs.clone();
     backwards.sort_by_key(|&at| (states[at].1, !states[at].0));
-    let orders = [natural, [rates, positions].concat(), pairs, backwards];
-    let rank = |order: &Vec<usize>| {
-        let is_known = |row: usize, column: usize| {
-            let ((is_rate, of), (is_other_rate, other)) = (states[order[row]], states[order[column]]);
-            let entry = matrix.rows.get(row).and_then(|row| row.get(column)).and_then(Option::as_ref);
-            let expected = f64::from(is_other_rate && of == other);
-            is_rate || entry.is_none_or(|entry| (entry.value - expected).abs() < 1e-9)
-        };
-        (0..order.len()).map(|row| (0..order.len()).filter(|&column| is_known(row, column)).count()).sum::<usize>()
-    };
-    // Of equals the first.
-    orders.into_iter().rev().max_by_key(rank).unwrap_or_default()
+    [natural, [rates, positions].concat(), pairs, backwards]
 }

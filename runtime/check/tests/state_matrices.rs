@@ -1,50 +1,10 @@
-//! What explains a state matrix: the numbers come from the matrices that are printed in Meijaard, Papadopoulos, Ruina & Schwab
-//! (2007), section 5, with mistakes, by A = [0, 1; -M^-1 K, -M^-1 C] written out here.
+//! What explains a state matrix.
 
-use carvallo_check::{Report, check, read};
+mod benchmark;
+
+use benchmark::{K0, causes, checked, checked_with, state_matrix};
+use carvallo_check::{check, read};
 use carvallo_design::input::Request;
-
-type Matrix = [[f64; 2]; 2];
-
-const SPEED: f64 = 5.0;
-const M: Matrix = [[80.81722, 2.31941332208709], [2.31941332208709, 0.29784188199686]];
-const C1: Matrix = [[0.0, 33.86641391492494], [-0.85035641456978, 1.68540397397560]];
-const K0: Matrix = [[-80.95, -2.59951685249872], [-2.59951685249872, -0.80329488458618]];
-const K2: Matrix = [[0.0, 76.59734589573222], [0.0, 2.65431523794604]];
-
-fn checked(text: &str) -> Report {
-    checked_with(text, &[])
-}
-
-fn checked_with(text: &str, feedback: &[&str]) -> Report {
-    let file = read::read("mine.toml", text.into()).expect("a file that can be read");
-    let feedback = feedback.iter().map(|law| ("--feedback".to_owned(), (*law).to_owned())).collect();
-    let design = file.design(&Request { feedback, ..Request::default() }).expect("a design");
-    check(&file.given(&design).expect("numbers"), &design).expect("a report")
-}
-
-/// A with ten digits, of M, C and K at the speed with mistakes.
-fn state_matrix(mistake: impl Fn(&mut Matrix, &mut Matrix, &mut Matrix)) -> String {
-    let (mut m, mut c) = (M, C1.map(|row| row.map(|entry| SPEED * entry)));
-    let mut k = [0, 1].map(|row| [0, 1].map(|column| 9.81 * K0[row][column] + SPEED * SPEED * K2[row][column]));
-    mistake(&mut m, &mut c, &mut k);
-    let determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
-    let inverse = [[m[1][1] / determinant, -m[0][1] / determinant], [-m[1][0] / determinant, m[0][0] / determinant]];
-    let lower = |with: &Matrix, row: usize, column: usize| {
-        -(inverse[row][0] * with[0][column] + inverse[row][1] * with[1][column])
-    };
-    let row = |at: usize| {
-        let row = [lower(&k, at, 0), lower(&k, at, 1), lower(&c, at, 0), lower(&c, at, 1)];
-        row.map(|entry| format!("{entry:.9e}")).join(", ")
-    };
-    format!("speed = {SPEED}\nA = [[0, 0, 1, 0], [0, 0, 0, 1], [{}], [{}]]", row(0), row(1))
-}
-
-/// The causes of all explanations.
-fn causes(report: &Report) -> Vec<String> {
-    let all = report.explanations.iter().flat_map(|group| &group.explanations);
-    all.map(|own| own.causes.join(", and ")).collect()
-}
 
 #[test]
 fn two_mistaken_entries_are_an_explanation() {

@@ -16,6 +16,27 @@ pub fn matrices(info: &ModelInfo, entries: &[f64], gravity: f64) -> Vec<Conventi
     found
 }
 
+/// Those of all matrices that C or K at a speed is the sum of, where they are several: transposed, or of the other sign.
+pub fn sums(info: &ModelInfo, entries: &[f64]) -> Vec<Convention> {
+    let build = Build { info, count: info.coordinates.len(), entries };
+    let damping = [MatrixName::Cm1, MatrixName::C0, MatrixName::C1];
+    let stiffness = [MatrixName::Kc, MatrixName::K0, MatrixName::K1, MatrixName::K2];
+    let mut found = Vec::new();
+    for group in [&damping[..], &stiffness] {
+        let own: Vec<MatrixName> = info.matrices.iter().copied().filter(|own| group.contains(own)).collect();
+        if own.len() > 1 {
+            let names: Vec<&str> = own.iter().map(|own| own.name()).collect();
+            let names = names.join(" and ");
+            let negative = build.all(&own, |place| (place, -1.0));
+            found.push(Convention::of_entries(format!("{names} have the other sign"), negative));
+            let transposed = build.all(&own, |(row, column)| ((column, row), 1.0));
+            let what = format!("{names} were filled row by column: they are transposed");
+            found.extend((!transposed.is_empty()).then(|| Convention::of_entries(what, transposed)));
+        }
+    }
+    found
+}
+
 struct Build<'a> {
     info: &'a ModelInfo,
     count: usize,
@@ -147,21 +168,6 @@ impl Build<'_> {
             of(format!("{matrix} is twice what it is here"), &only(2.0));
             of(format!("{matrix} is half of what it is here"), &only(0.5));
             of(format!("{matrix} is left out"), &only(0.0));
-        }
-        let of_power = |power: i32, value: f64| {
-            move |matrix: MatrixName| {
-                let own = match matrix {
-                    MatrixName::Cm1 => -1,
-                    MatrixName::C1 | MatrixName::K1 => 1,
-                    MatrixName::K2 => 2,
-                    _ => 0,
-                };
-                value.powi(power * own)
-            }
-        };
-        for (unit, value) in [("km/h", 3.6), ("miles per hour", 1.0 / 0.44704), ("feet per second", 1.0 / 0.3048)] {
-            of(format!("speeds are in {unit} in the place of m/s"), &of_power(-1, value));
-            of(format!("speeds in m/s were taken for {unit} and converted"), &of_power(1, value));
         }
         if gravity != 0.0 && gravity != 1.0 && all.contains(&MatrixName::K0) {
             let only = |factor: f64| move |matrix: MatrixName| if matrix == MatrixName::K0 { factor } else { 1.0 };

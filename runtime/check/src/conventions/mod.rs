@@ -5,7 +5,10 @@ mod entries;
 mod feedback;
 mod matrices;
 mod parameters;
+mod speeds;
 mod usual;
+
+use std::borrow::Cow;
 
 use carvallo_design::matrices::dependent_column;
 
@@ -13,8 +16,9 @@ use crate::predict::World;
 
 pub use self::entries::entries;
 pub use self::feedback::{feedback, gains, term};
-pub use self::matrices::matrices;
+pub use self::matrices::{matrices, sums};
 pub use self::parameters::parameters;
+pub use self::speeds::speeds;
 pub use self::usual::usual;
 
 /// What is said of a cause that is none of the closed loop's number, but of what feedback is added to.
@@ -42,6 +46,8 @@ pub enum Effect {
     DividedByMass,
     /// Each gain of the feedback is multiplied by a factor.
     Gains(Vec<f64>),
+    /// All speeds are multiplied by a factor, and each gain of the feedback by what comes of it.
+    Speeds(f64, Vec<f64>),
 }
 
 /// An entry that has the value of another one, times a factor; places are those of [`World::entries`].
@@ -102,18 +108,35 @@ impl Convention {
         }
     }
 
+    /// What it makes of entries; `None` of what is done to them in another way, or to nothing else.
+    pub fn assignments(&self, count: usize) -> Option<Cow<'_, [Assignment]>> {
+        match &self.effect {
+            Effect::Entries(assignments) => Some(Cow::Borrowed(assignments)),
+            Effect::Speeds(factor, gains) if gains.is_empty() => Some(Cow::Owned(speeds::assignments(*factor, count))),
+            _ => None,
+        }
+    }
+
     /// What it makes of the matrices in `own` where they were `old`.
     pub fn change_matrices(&self, old: &World, own: &mut World, count: usize) {
         own.clone_from(old);
+        let mut assign = |assignments: &[Assignment]| {
+            for &Assignment { to, from, factor, constant } in assignments {
+                own.entries[to] = factor * old.entries[from] + constant;
+            }
+        };
+        let scale = |gains: &mut [f64], factors: &[f64]| {
+            gains.iter_mut().zip(factors).for_each(|(value, factor)| *value *= factor);
+        };
         match &self.effect {
             Effect::Parameters(_) => {}
-            Effect::Entries(assignments) => {
-                for &Assignment { to, from, factor, constant } in assignments {
-                    own.entries[to] = factor * old.entries[from] + constant;
-                }
-            }
+            Effect::Entries(assignments) => assign(assignments),
             Effect::DividedByMass => divide(&mut own.entries, count),
-            Effect::Gains(factors) => own.gains.iter_mut().zip(factors).for_each(|(value, factor)| *value *= factor),
+            Effect::Gains(factors) => scale(&mut own.gains, factors),
+            Effect::Speeds(factor, factors) => {
+                assign(&speeds::assignments(*factor, count));
+                scale(&mut own.gains, factors);
+            }
         }
     }
 }

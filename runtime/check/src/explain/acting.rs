@@ -17,16 +17,14 @@ pub struct Acting<'a> {
 impl<'a> Acting<'a> {
     pub fn new(machine: &Machine, predictor: &Predictor, convention: &'a Convention) -> Self {
         let here = machine.world();
-        let before = match &convention.effect {
-            Effect::Entries(assignments) => {
-                let all = predictor.relations_of_open_loop(&here).into_iter();
-                let mut before: Vec<Relation> = all.map(|own| own.before(assignments)).collect();
-                before.sort_by_key(|own| own.holds(&here.entries, here.gravity));
-                before
-            }
-            Effect::Parameters(_) | Effect::DividedByMass | Effect::Gains(_) => Vec::new(),
-        };
-        Self { convention, before, gravity: here.gravity, count: machine.formulas.count }
+        let count = machine.formulas.count;
+        let before = convention.assignments(count).map(|assignments| {
+            let all = predictor.relations_of_open_loop(&here).into_iter();
+            let mut before: Vec<Relation> = all.map(|own| own.before(&assignments)).collect();
+            before.sort_by_key(|own| own.holds(&here.entries, here.gravity));
+            before
+        });
+        Self { convention, before: before.unwrap_or_default(), gravity: here.gravity, count }
     }
 
     /// What it makes of matrices for the parameters as they are, if everything fits then.

@@ -5,6 +5,7 @@ mod beside;
 mod curve;
 mod double;
 mod pairs;
+mod readings;
 mod set;
 mod slips;
 mod solve;
@@ -17,13 +18,15 @@ use std::cell::OnceCell;
 
 use self::unknown::Unknown;
 use crate::behind;
-use crate::conventions::Convention;
+use crate::conventions::{Convention, Effect};
+use crate::given::Given;
 use crate::machine::Machine;
 use crate::predict::{Predictor, World};
 use carvallo_slips::FormulaSlip;
 
 pub use carvallo_slips::DoubleSlip;
 
+pub use self::readings::{Explained, explain};
 pub use self::solve::{digits, relation};
 pub use self::undeclared::{Undeclared, find as undeclared};
 pub use self::written::written;
@@ -42,6 +45,17 @@ pub struct Found<'a> {
     pub causes: Vec<Cause<'a>>,
     /// The matrices that it makes.
     pub world: World,
+}
+
+impl Found<'_> {
+    /// Whether speeds that are others make it.
+    fn has_other_speeds(&self) -> bool {
+        let is_other = |cause: &Cause| match cause {
+            Cause::Convention(own) => matches!(own.effect, Effect::Speeds(..)),
+            cause => matches!(cause, Cause::Speed(_)),
+        };
+        self.causes.iter().any(is_other)
+    }
 }
 
 /// One cause.
@@ -118,7 +132,10 @@ impl<'a, 'b> Search<'a, 'b> {
         // A value with many digits fits some number or other: it explains nothing where something else does.
         let is_plain =
             |found: &Found| !matches!(found.causes[..], [Cause::Parameter(_, value)] if digits(value) > PLAIN);
-        found.extend(self.solved(predictor, self.parameters()));
+        // Speeds in another unit are told with it.
+        let has_unit = found.iter().any(|own| own.has_other_speeds());
+        let solved = self.solved(predictor, self.parameters());
+        found.extend(solved.into_iter().filter(|own| !(has_unit && own.has_other_speeds())));
         if found.iter().any(is_plain) {
             found.retain(is_plain);
         }
@@ -164,11 +181,14 @@ impl<'a, 'b> Search<'a, 'b> {
     fn singles(&self) -> &[Found<'a>] {
         self.singles.get_or_init(|| {
             let mut found = Vec::new();
-            self.machine.singles(&mut |cause, world| {
+            let mut tell = |cause: Cause<'a>, world: &World| {
                 if self.any.fits(world) {
                     found.push(Found { causes: vec![cause], world: world.clone() });
                 }
-            });
+            };
+            let sums = self.sums().iter();
+            sums.for_each(|own| tell(Cause::Convention(own), &self.machine.world_with(own)));
+            self.machine.singles(&mut tell);
             found
         })
     }
@@ -181,7 +201,13 @@ impl<'a, 'b> Search<'a, 'b> {
             let is_same = |at: usize| (found[at] - self.here[at]).abs() <= tolerances[at];
             !(0..found.len()).all(is_same)
         };
-        self.conventions.get_or_init(|| self.machine.usual.iter().filter(is_seen).collect())
+        self.conventions.get_or_init(|| self.machine.usual.iter().chain(self.sums()).filter(is_seen).collect())
+    }
+
+    fn sums(&self) -> &'a [Convention] {
+        let Given { system_matrices, state_matrices, .. } = self.rounded.given();
+        let has_any = !(system_matrices.is_empty() && state_matrices.is_empty());
+        if has_any { &self.machine.sums } else { &[] }
     }
 
     fn pairs(&self) -> &[Found<'a>] {

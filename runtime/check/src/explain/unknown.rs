@@ -1,6 +1,6 @@
 //! One number that is not known: a parameter, a definition or a factor of the speeds has another value.
 
-use carvallo::{Expression, MatrixName};
+use carvallo::Expression;
 
 use super::solve::{relation, solve};
 use super::{Cause, Found};
@@ -76,26 +76,9 @@ impl<'a> Unknown<'a> {
                 Some(machine.world_from(own.entries, &machine.parameters))
             }
             Self::Speed => {
-                let mut world = machine.world();
-                let square = machine.formulas.count * machine.formulas.count;
-                for (matrix, name) in world.entries.chunks_exact_mut(square).zip(MatrixName::ALL) {
-                    matrix.iter_mut().for_each(|entry| *entry *= x.powi(power(name)));
-                }
-                for (value, gain) in world.gains.iter_mut().zip(machine.gains()) {
-                    *value *= x.powi(power(gain.matrix));
-                }
+                let world = machine.world_with(&Convention::of_speeds("", x, &machine.feedback));
                 (x > 0.0).then_some(world)
             }
         }
-    }
-}
-
-/// The power of the speed that stands before a matrix.
-fn power(matrix: MatrixName) -> i32 {
-    match matrix {
-        MatrixName::Cm1 => -1,
-        MatrixName::C1 | MatrixName::K1 => 1,
-        MatrixName::K2 => 2,
-        MatrixName::M | MatrixName::C0 | MatrixName::Kc | MatrixName::K0 => 0,
     }
 }

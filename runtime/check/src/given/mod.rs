@@ -1,10 +1,12 @@
 //! What somebody has computed of a machine.
 
+mod contradictions;
 mod reading;
 
 use carvallo::{MatrixName, ModelInfo};
 use carvallo_slips::{entry_name, indices};
 
+pub use self::contradictions::contradictions;
 pub use self::reading::{Reading, level};
 
 /// Numbers that somebody has of a machine: any of them.
@@ -237,8 +239,10 @@ impl Given {
         let system =
             |own: &SystemMatrix| square(if own.is_stiffness { "K" } else { "C" }, &own.rows, coordinates, "coordinate");
         self.system_matrices.iter().try_for_each(system)?;
-        let state = format!("state: {}", crate::states::names(info).join(", "));
-        self.state_matrices.iter().try_for_each(|own| square("A", &own.rows, states, &state))?;
+        let state = |own: &StateMatrix| {
+            square("A", &own.rows, states, "state").map_err(|found| format!("{found}: {}", crate::states::words(info)))
+        };
+        self.state_matrices.iter().try_for_each(state)?;
         for Eigenvalues { speed, values } in &self.eigenvalues {
             let count = values.len();
             if count > states {

@@ -72,7 +72,8 @@ impl Reader {
         reader
     }
 
-    /// Where nothing depends on the speed any will do, and none is needed: `null`, as `analyze` writes.
+    /// Where nothing depends on the speed any will do, and none is needed: `null`, as `analyze` writes. One that is wrong is NaN: it
+    /// is told once, and not again by what is of it.
     fn top_speed(&mut self, members: &[Named]) -> Option<f64> {
         let member = |name: &str| members.iter().find(|member| member.name == name);
         let model = member("model").and_then(|own| match &own.node.value {
@@ -84,7 +85,11 @@ impl Reader {
             Some(own) if !(is_free && matches!(own.node.value, Value::Other("null"))) => own,
             _ => return is_free.then_some(0.0),
         };
-        speed(&own.node).map_err(|problem| self.problems.push(problem)).ok()
+        let wrong = |problem| {
+            self.problems.push(problem);
+            f64::NAN
+        };
+        Some(speed(&own.node).unwrap_or_else(wrong))
     }
 
     fn member(&mut self, Named { name, node }: Named) {

@@ -141,7 +141,7 @@ fn explanations(groups: &[Group], count: usize, f: &mut fmt::Formatter<'_>) -> f
 
 impl fmt::Display for Suspects {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { wrong, formulas, parts, behind, feedback } = self;
+        let Self { contradictions, beside, wrong, formulas, parts, behind, feedback } = self;
         let is_closed = feedback.as_ref().is_some_and(|own| !own.laws.is_empty());
         let what = match (self.are_explained_one_by_one(), is_closed) {
             (true, _) => {
@@ -152,7 +152,11 @@ impl fmt::Display for Suspects {
                 "Nothing that was tried explains all numbers: no single slip, no convention and no two of them together."
             }
         };
-        writeln!(f, "\n{what}")?;
+        match &contradictions[..] {
+            [] if beside.is_empty() => writeln!(f, "\n{what}")?,
+            [] => writeln!(f, "\n{}. Beside that:\n{what}", beside.join(", "))?,
+            all => writeln!(f, "\nNo machine has all of these numbers: {}.", all.join(", "))?,
+        }
         writeln!(f, "  What differs: {}", wrong.join(", "))?;
         if !formulas.is_empty() {
             let these = if formulas.len() == 1 { "this formula" } else { "each of these formulas" };

@@ -87,8 +87,14 @@ impl Report {
     }
 
     /// From everything that reproduces the numbers as they are meant, rounded or cut off; or, where all that does not agree is
-    /// cut off, as rounded.
-    pub(crate) fn new(machine: &Machine, predictor: &Predictor, meant: &Predictor, found: Vec<Found>) -> Self {
+    /// cut off, as rounded; or what is known of them.
+    pub(crate) fn new(
+        machine: &Machine,
+        predictor: &Predictor,
+        meant: &Predictor,
+        found: Vec<Found>,
+        unexplained: Option<Suspects>,
+    ) -> Self {
         let here = predictor.predict(&machine.world());
         let numbers: Vec<Comparison> = predictor
             .numbers()
@@ -114,7 +120,6 @@ impl Report {
             .collect();
         let agrees = numbers.iter().all(|number| number.agrees);
         let is_whole = meant.agreeing(&here) == here.len();
-        let unexplained = (!is_whole && found.is_empty()).then(|| Suspects::new(machine, meant, &here));
         // Where all are cut off numbers or right ones, what is found explains them as rounded.
         let explanations = groups::groups(machine, if is_whole { predictor } else { meant }, found);
         Self {

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::words::words;
 use crate::behind;
 use crate::explain::{Cause, Undeclared, undeclared, written};
-use crate::given::Quantity;
+use crate::given::{Quantity, contradictions};
 use crate::machine::Machine;
 use crate::predict::Predictor;
 use carvallo_slips::index;
@@ -13,6 +13,10 @@ use carvallo_slips::index;
 /// What is known of numbers that nothing explains as a whole.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Suspects {
+    /// What no machine has at once, of state matrices at one speed: `A_31 at 5 m/s is 9.490 and 11.000`.
+    pub contradictions: Vec<String>,
+    /// How state matrices were written as a whole: the rest is told of them as they should have been.
+    pub beside: Vec<String>,
     /// What is wrong.
     pub wrong: Vec<String>,
     /// The formulas, and terms of the feedback, on which every wrong entry depends, and no right one; empty where no entries of
@@ -56,7 +60,9 @@ impl Suspects {
         are_explained(&self.wrong, &self.parts) || self.behind.as_ref().is_some_and(Behind::are_explained)
     }
 
-    pub(super) fn new(machine: &Machine, predictor: &Predictor, here: &[f64]) -> Self {
+    /// Of numbers that are not those of the machine; `beside` how state matrices were written as a whole.
+    pub(crate) fn new(machine: &Machine, predictor: &Predictor, beside: &[String]) -> Self {
+        let here = &predictor.predict(&machine.world())[..];
         let name = |at: usize| predictor.name(at);
         let wrong: Vec<usize> = (0..here.len()).filter(|&at| !predictor.agrees(at, here[at])).collect();
         let behind = Behind::new(machine, predictor);
@@ -68,7 +74,8 @@ impl Suspects {
             parts.clear();
         }
         let feedback = undeclared(machine, predictor);
-        Self { wrong: names, formulas, parts, behind, feedback }
+        let contradictions = contradictions(predictor.given(), machine.info);
+        Self { contradictions, beside: beside.to_vec(), wrong: names, formulas, parts, behind, feedback }
     }
 }
 

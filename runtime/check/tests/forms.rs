@@ -1,0 +1,132 @@
+//! State matrices that are otherwise as a whole, that contradict one another, or have other states, and speeds that are none.
+
+mod benchmark;
+
+use benchmark::{K0, K2, M, SPEED, causes, checked, numbers, written};
+use carvallo_check::{check, read};
+use carvallo_design::input::Request;
+
+type StateMatrix = [[f64; 4]; 4];
+
+fn transposed(a: StateMatrix) -> StateMatrix {
+    [0, 1, 2, 3].map(|row| [0, 1, 2, 3].map(|column| a[column][row]))
+}
+
+fn negative(a: StateMatrix) -> StateMatrix {
+    a.map(|row| row.map(|entry| -entry))
+}
+
+/// phi', delta', phi, delta in the place of phi, delta, phi', delta'.
+fn rates_first(a: StateMatrix) -> StateMatrix {
+    [2, 3, 0, 1].map(|row: usize| [2, 3, 0, 1].map(|column: usize| a[row][column]))
+}
+
+fn file(rows: StateMatrix) -> String {
+    format!("speed = {SPEED}\nA = {}", written(rows, &|entry| format!("{entry:.4}")))
+}
+
+#[test]
+fn a_matrix_that_is_transposed_or_negative_is_one_cause() {
+    let right = numbers(SPEED, |_, _, _| {});
+    let slip = numbers(SPEED, |_, c, _| c[1][0] = -c[1][0]);
+    let (other_sign, filled) = ("A has the other sign", "A was filled row by column: it is transposed");
+    for (rows, expected) in [
+        (transposed(right), filled.to_owned()),
+        (negative(right), other_sign.to_owned()),
+        (transposed(rates_first(right)), filled.to_owned()),
+        (negative(rates_first(right)), other_sign.to_owned()),
+        (transposed(slip), format!("{filled}, and C1_21 has the other sign")),
+        (negative(slip), format!("{other_sign}, and C1_21 has the other sign")),
+    ] {
+        let report = checked(&file(rows));
+        assert_eq!(causes(&report).first(), Some(&expected), "{report}");
+        assert!(!report.agrees && report.explanations.len() == 1, "{report}");
+    }
+    assert!(checked(&file(right)).agrees && checked(&file(rates_first(right))).agrees);
+}
+
+/// M_11 is 5 % too large, and C_12 and K_21 are wrong as well: nobody has all of these.
+#[test]
+fn what_is_wrong_beside_it_is_told_of_the_matrix_as_it_should_have_been() {
+    let rows = numbers(SPEED, |m, c, k| {
+        m[0][0] *= 1.05;
+        c[0][1] *= 1.37;
+        k[1][0] *= 0.83;
+    });
+    let text = checked(&file(transposed(rows))).to_string();
+    assert!(text.contains("\nA was filled row by column: it is transposed. Beside that:\n"), "{text}");
+    assert!(text.contains("  What differs: A_31 at 5 m/s"), "{text}");
+}
+
+/// K at a speed is g K0 + v^2 K2.
+#[test]
+fn damping_and_stiffness_at_a_speed_are_negative_or_transposed_as_a_whole() {
+    let k = [0, 1].map(|row| [0, 1].map(|column| 9.81 * K0[row][column] + SPEED * SPEED * K2[row][column]));
+    let negative = k.map(|row| row.map(|entry| -entry));
+    let text = format!("speed = {SPEED}\nM = {M:?}\nK = {negative:?}");
+    assert_eq!(causes(&checked(&text)), ["K0 and K2 have the other sign"]);
+    let transposed = [[k[0][0], k[1][0]], [k[0][1], k[1][1]]];
+    let found = causes(&checked(&format!("speed = {SPEED}\nM = {M:?}\nK = {transposed:?}")));
+    assert!(found.iter().any(|own| own == "K0 and K2 were filled row by column: they are transposed"), "{found:?}");
+}
+
+#[test]
+fn matrices_of_one_speed_that_contradict_one_another_are_told() {
+    let right = numbers(SPEED, |_, _, _| {});
+    let mut other = rates_first(right);
+    other[0][2] = 11.0;
+    let rows =
+        |rows: StateMatrix| format!("{{ speed = {SPEED}, rows = {} }}", written(rows, &|own| format!("{own:.3}")));
+    let report = checked(&format!("A = [{}, {}]", rows(right), rows(other)));
+    let found = report.unexplained.as_ref().map(|own| own.contradictions.clone()).unwrap_or_default();
+    assert_eq!(found, ["A_31 at 5 m/s is 9.490 and 11.000"]);
+    let line = "\nNo machine has all of these numbers: A_31 at 5 m/s is 9.490 and 11.000.\n";
+    assert!(report.to_string().contains(line), "{report}");
+    // Cut off and rounded they are of one number: 9.48977.
+    other[0][2] = 9.489;
+    let report = checked(&format!("A = [{}, {}]", rows(right), rows(other)));
+    assert!(report.unexplained.is_none(), "{report}");
+}
+
+/// Figures of the formulation at 5 and at 8 m/s, by speeds in km/h: A at 5/3.6 and at 8/3.6 m/s.
+#[test]
+fn speeds_in_another_unit_are_told_once() {
+    let rows = |speed: f64| {
+        let rows = numbers(speed / 3.6, |_, _, _| {});
+        format!("{{ speed = {speed}, rows = {} }}", written(rows, &|own| format!("{own:.9e}")))
+    };
+    let report = checked(&format!("A = [{}, {}]", rows(5.0), rows(8.0)));
+    assert_eq!(causes(&report), ["speeds are in km/h in the place of m/s"]);
+}
+
+#[test]
+fn states_that_are_none_are_told_with_the_reason() {
+    let file = read::read(
+        "mine.toml",
+        format!(
+            "speed = 5\nA = {:?}",
+            [[0.0; 6]; 6].map(|mut row| {
+                row[0] = 1.0;
+                row
+            })
+        )
+        .into(),
+    )
+    .expect("a file that can be read");
+    let design =
+        file.design(&Request { model: Some("CarTrailer".to_owned()), ..Request::default() }).expect("a design");
+    let told = check(&file.given(&design).expect("numbers"), &design).expect_err("six rows of four");
+    let expected = "a row of A has 6 numbers; expected 4, one for each state: q, y_rate, psi_rate, q_rate in this order, rates \
+                    before positions, or each position with its rate; y and psi are no states, since nothing depends on where \
+                    that is";
+    assert_eq!(told, expected);
+}
+
+#[test]
+fn a_speed_that_is_none_is_told_once() {
+    let right = written(numbers(SPEED, |_, _, _| {}), &|entry| format!("{entry:.4}"));
+    let text = format!("speed = -5\nA = {right}\neigenvalues = [-14.078]");
+    let told = read::read("mine.toml", text.into()).map(|_| ()).expect_err("no speed").to_string();
+    assert!(told.contains("`speed` is `-5`: expected a speed >= 0 in m/s"), "{told}");
+    assert!(!told.contains("has no speed"), "{told}");
+}
