@@ -4,6 +4,7 @@ mod acting;
 mod beside;
 mod curve;
 mod double;
+mod gains;
 mod pairs;
 mod readings;
 mod set;
@@ -28,6 +29,7 @@ pub use carvallo_slips::DoubleSlip;
 
 pub use self::readings::{Explained, explain};
 pub use self::solve::{digits, relation};
+use self::undeclared::of_eigenvalues;
 pub use self::undeclared::{Undeclared, find as undeclared};
 pub use self::written::written;
 
@@ -157,7 +159,7 @@ impl<'a, 'b> Search<'a, 'b> {
             found = self.written(predictor, WRITTEN);
         }
         if found.is_empty() {
-            let closed = undeclared(self.machine, predictor);
+            let closed = undeclared(self.machine, predictor).or_else(|| of_eigenvalues(self.machine, predictor));
             // Some gains or other make any mistakes in one equation; by few digits, short ones do.
             let known = predictor.numbers().iter().map(|(_, reading)| reading.digits).max().unwrap_or_default();
             let most = PLAIN.min(known.saturating_sub(SPARE));

@@ -1,11 +1,13 @@
-//! A closed loop that nobody declared: what differs stands in the equations of some forces alone, and is linear in the states.
+//! A closed loop that nobody declared, or more of it than was: what differs stands in the equations of some forces alone, and is linear
+//! in the states.
 
 use carvallo::MatrixName;
 use carvallo_design::feedback::{Gain, Input, Law};
 use carvallo_slips::{index, place};
 use serde::Serialize;
 
-use super::solve::digits;
+use super::gains::solve;
+use super::solve::{digits, solve as value};
 use crate::conventions;
 use crate::machine::Machine;
 use crate::predict::Predictor;
@@ -19,37 +21,101 @@ pub struct Undeclared {
     pub forces: Vec<String>,
     /// What they follow from, as `--feedback` has it, where that is known: the closed loop with these has all numbers.
     pub laws: Vec<String>,
+    /// What of these comes to the feedback that is declared; none where none is.
+    pub further: Vec<String>,
+    /// The speed in m/s at which the gains are these, where all numbers are of one: how they depend on it is not known.
+    pub speed: Option<f64>,
     /// The digits of the gain that has the most.
     #[serde(skip)]
     pub digits: usize,
 }
 
-/// What a gain may be multiplied by, of a rate and of a position: the first with which one gain makes all speeds.
-const POWERS: [[MatrixName; 3]; 2] =
+/// What a gain may be multiplied by, of a rate and of a position.
+pub const POWERS: [[MatrixName; 3]; 2] =
     [[MatrixName::C0, MatrixName::C1, MatrixName::Cm1], [MatrixName::Kc, MatrixName::K1, MatrixName::K2]];
 
-/// Those forces, fewer than there are coordinates: all of them together span everything. None where there is feedback already, and
-/// where nothing but entries of M, C1, … is given.
+/// Those forces, fewer than there are coordinates: all of them together span everything. None where nothing but entries of M, C1, … is
+/// given.
 pub fn find<'a>(machine: &'a Machine, predictor: &'a Predictor<'a>) -> Option<Undeclared> {
     let given = predictor.given();
-    let has_any = !(given.state_matrices.is_empty() && given.system_matrices.is_empty());
-    if !has_any || !machine.feedback.is_empty() {
+    if given.state_matrices.is_empty() && given.system_matrices.is_empty() {
         return None;
     }
     let search = Search::new(machine, predictor);
     let inputs = search.inputs()?;
-    let forces = inputs.iter().map(|input| input.names(machine.info).swap_remove(0)).collect();
     let gains: Option<Vec<Vec<Gain>>> = inputs.iter().map(|input| search.gains(*input)).collect();
-    let laws: Option<Vec<Law>> =
-        gains.unwrap_or_default().iter().map(|gains| Law::read(&written(gains, machine)?, machine.info).ok()).collect();
-    let mut laws = laws.unwrap_or_default();
-    // What is told is held against all numbers, as it would be if it were declared.
-    let closed = machine.closed_by(&laws).filter(|closed| Predictor::new(given, closed).fits(&closed.world()));
-    if closed.is_none() {
-        laws.clear();
+    let told = Undeclared::new(machine, predictor, &gains.unwrap_or_default().concat());
+    let name = |input: &Input| input.names(machine.info).swap_remove(0);
+    let forces = inputs.iter().map(name).collect();
+    let nothing = Undeclared { forces: Vec::new(), laws: Vec::new(), further: Vec::new(), speed: None, digits: 0 };
+    Some(Undeclared { forces, ..told.unwrap_or(nothing) })
+}
+
+/// One gain that makes eigenvalues and critical speeds, with the fewest digits that do; `None` where anything else is given: of that
+/// [`find`] tells more.
+pub fn of_eigenvalues(machine: &Machine, predictor: &Predictor) -> Option<Undeclared> {
+    if predictor.given().eigenvalues.is_empty() || !predictor.relations().is_empty() {
+        return None;
     }
-    let digits = laws.iter().flat_map(|law| &law.gains).map(|gain| digits(gain.value)).max().unwrap_or_default();
-    Some(Undeclared { forces, laws: laws.into_iter().map(|law| law.written).collect(), digits })
+    let powers = if predictor.given().speeds().len() > 1 { 3 } else { 1 };
+    let mut found: Vec<Undeclared> = Vec::new();
+    for input in Input::all(machine.info) {
+        let shares = input.shares(machine.info, &machine.parameters);
+        for (is_rate, column) in states(machine.info) {
+            for &matrix in &POWERS[usize::from(!is_rate)][..powers] {
+                let world = |value: f64| {
+                    let mut own = machine.world();
+                    for (row, share) in shares.iter().enumerate() {
+                        own.entries[index(matrix, row, column, machine.formulas.count)] -= share * value;
+                    }
+                    Some(own)
+                };
+                let value = value(predictor, 0.0, &world).filter(|value| *value != 0.0);
+                let gain = value.map(|value| Gain { matrix, input, column, value });
+                found.extend(gain.and_then(|gain| Undeclared::new(machine, predictor, &[gain])));
+            }
+        }
+    }
+    found.into_iter().min_by_key(|own| own.digits)
+}
+
+impl Undeclared {
+    /// With gains beside those that are declared; `None` where the loop that they close does not have all numbers.
+    pub fn new(machine: &Machine, predictor: &Predictor, gains: &[Gain]) -> Option<Self> {
+        let mut inputs: Vec<Input> = gains.iter().map(|gain| gain.input).collect();
+        inputs.dedup();
+        let (mut laws, mut further) = (machine.feedback.clone(), Vec::new());
+        laws.retain(|law| !inputs.contains(&law.input));
+        for &input in &inputs {
+            let more: Vec<Gain> = gains.iter().filter(|gain| gain.input == input).copied().collect();
+            let declared = machine.gains().filter(|gain| gain.input == input).copied();
+            let all = sum(declared.collect(), &more);
+            if !all.is_empty() {
+                laws.push(Law::read(&written(&all, machine)?, machine.info).ok()?);
+            }
+            further.extend(written(&more, machine).filter(|_| !machine.feedback.is_empty()));
+        }
+        // What is told is held against all numbers, as it would be if it were declared.
+        let given = predictor.given();
+        machine.closed_by(&laws).filter(|closed| Predictor::new(given, closed).fits(&closed.world()))?;
+        let digits = gains.iter().map(|gain| digits(gain.value)).max().unwrap_or_default();
+        let speed = Some(given.speeds()).filter(|all| all.len() == 1).map(|all| all[0]);
+        let forces = inputs.iter().map(|input| input.names(machine.info).swap_remove(0)).collect();
+        Some(Self { forces, laws: laws.into_iter().map(|law| law.written).collect(), further, speed, digits })
+    }
+}
+
+/// Gains of one force, and others added to them; those that come to nothing are none.
+fn sum(mut declared: Vec<Gain>, more: &[Gain]) -> Vec<Gain> {
+    for gain in more {
+        match declared.iter_mut().find(|own| (own.matrix, own.column) == (gain.matrix, gain.column)) {
+            // Without what arithmetic left behind: 0.1 and 0.2 are 0.3.
+            Some(own) => own.value = format!("{:.14e}", own.value + gain.value).parse().unwrap_or(f64::NAN),
+            None => declared.push(*gain),
+        }
+    }
+    declared.retain(|own| own.value != 0.0);
+    declared
 }
 
 /// `Tdelta = -10*phi_rate + 3*delta`.
@@ -73,8 +139,9 @@ impl<'a> Search<'a> {
 
     /// The forces on the coordinates in whose equations anything differs, or else one force on several of them.
     fn inputs(&self) -> Option<Vec<Input>> {
-        let (count, gravity) = (self.machine.formulas.count, self.machine.gravity(&self.machine.parameters));
-        let holds = |relation: &&Relation| relation.holds(&self.machine.values.entries, gravity);
+        let (count, world) = (self.machine.formulas.count, self.machine.world());
+        let entries = self.predictor.closed_entries(&world);
+        let holds = |relation: &&Relation| relation.holds(&entries, world.gravity);
         // All entries of a relation stand in one row.
         let row = |relation: &Relation| relation.terms.first().map(|term| place(term.place, count).1);
         let wrong = self.predictor.relations().iter().filter(|own| !holds(own));
@@ -102,32 +169,18 @@ impl<'a> Search<'a> {
             let with = self.predictor.predict(&world);
             with.iter().zip(&self.here).map(|(with, here)| with - here).collect()
         };
+        let speeds = self.predictor.given().speeds().len();
         let mut gains = Vec::new();
         for (is_rate, column) in states(self.machine.info) {
-            let gain = |matrix: MatrixName| {
-                let value = self.solve(&effect(matrix, column))?;
-                Some(Gain { matrix, input, column, value })
-            };
-            gains.push(POWERS[usize::from(!is_rate)].into_iter().find_map(gain)?);
+            let powers = POWERS[usize::from(!is_rate)].map(|matrix| (matrix, effect(matrix, column)));
+            gains.extend(solve(self.predictor, &self.here, &powers, speeds)?.into_iter().map(|(matrix, value)| Gain {
+                matrix,
+                input,
+                column,
+                value,
+            }));
         }
         gains.retain(|gain| gain.value != 0.0);
         (!gains.is_empty()).then_some(gains)
-    }
-
-    /// The gain that makes all numbers on which it has an effect, with the fewest digits.
-    fn solve(&self, effect: &[f64]) -> Option<f64> {
-        let numbers = self.predictor.numbers().iter().zip(self.predictor.tolerances()).zip(&self.here).zip(effect);
-        let all =
-            numbers.map(|((((_, reading), tolerance), here), effect)| (reading.value - here, *tolerance, *effect));
-        // What rounding leaves of it is none.
-        let known: Vec<(f64, f64, f64)> = all.filter(|(_, tolerance, effect)| effect.abs() > *tolerance).collect();
-        let weighted = |of: &dyn Fn(f64, f64) -> f64| -> f64 {
-            known.iter().map(|(off, tolerance, effect)| of(*off, *effect) / (tolerance * tolerance)).sum()
-        };
-        let value = weighted(&|off, effect| off * effect) / weighted(&|_, effect| effect * effect);
-        let fits =
-            |value: &f64| known.iter().all(|(off, tolerance, effect)| (off - effect * value).abs() <= *tolerance);
-        let rounded = (0..17).filter_map(|digits| format!("{value:.digits$e}").parse().ok());
-        [0.0].into_iter().chain(rounded).filter(|value: &f64| value.is_finite()).find(fits)
     }
 }

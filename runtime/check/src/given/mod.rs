@@ -144,6 +144,16 @@ impl Given {
         numbers
     }
 
+    /// The speeds in m/s that numbers are of, each once.
+    pub fn speeds(&self) -> Vec<f64> {
+        let mut all: Vec<f64> = self.system_matrices.iter().map(|own| own.speed).collect();
+        all.extend(self.state_matrices.iter().map(|own| own.speed));
+        all.extend(self.eigenvalues.iter().map(|own| own.speed));
+        all.sort_by(f64::total_cmp);
+        all.dedup();
+        all
+    }
+
     /// Lets each number be changed, in the order of [`Self::numbers`].
     pub fn each_reading(&mut self, change: &mut dyn FnMut(&mut Reading)) {
         let rows = self.matrices.iter_mut().map(|(_, rows)| rows);

@@ -147,7 +147,7 @@ impl fmt::Display for Suspects {
             (true, _) => {
                 "There are several mistakes: nothing that was tried explains all numbers at once, but each by itself is."
             }
-            (_, true) => "No slip and no convention explains all numbers, but a feedback that was not declared does.",
+            (_, true) => "No slip and no convention explains all numbers, but a feedback that is not declared does.",
             _ => {
                 "Nothing that was tried explains all numbers: no single slip, no convention and no two of them together."
             }

@@ -50,8 +50,12 @@ pub fn words(machine: &Machine, cause: &Cause) -> String {
         }
         Cause::Written(what) => what.clone(),
         Cause::Feedback(own) => {
-            let forces = own.forces.join(" and ");
-            format!("the loop is closed, in the span of {forces} alone, by what {} declares", declared(own))
+            let (forces, further) = (own.forces.join(" and "), further(own));
+            let at = own.speed.map(|speed| format!(" ({})", at_one_speed(speed))).unwrap_or_default();
+            format!(
+                "the loop is closed{further}, in the span of {forces} alone, by what {} declares{at}",
+                declared(own)
+            )
         }
         Cause::Speed(factor) => {
             format!("the speeds are {} times what is given as the speed", shortest(*factor))
@@ -65,14 +69,32 @@ fn declared(own: &Undeclared) -> String {
     laws.join(" ")
 }
 
+/// What comes to the feedback that is declared.
+fn further(own: &Undeclared) -> String {
+    match own.further.is_empty() {
+        true => String::new(),
+        false => format!(" by more than is declared, {}", own.further.join(" and ")),
+    }
+}
+
+fn at_one_speed(speed: f64) -> String {
+    format!("gains at {} m/s: one speed does not tell how they depend on it", shortest(speed))
+}
+
 /// What is told of a feedback that may be there.
 pub(super) fn may_be_closed(own: &Undeclared) -> String {
     let forces = own.forces.join(" and ");
     let span = format!("What differs is in the span of {forces} alone, as M^-1 spreads it: a feedback makes that.");
-    match own.laws.is_empty() {
-        true => format!("{span} Closed loops are declared with --feedback '{} = …'.", own.forces[0]),
-        false => format!("{span} All numbers are those with {}.", declared(own)),
+    if own.laws.is_empty() {
+        return format!("{span} Closed loops are declared with --feedback '{} = …'.", own.forces[0]);
     }
+    let at = own.speed.map(|speed| format!(" ({})", at_one_speed(speed))).unwrap_or_default();
+    let more = match own.further.is_empty() {
+        true => String::new(),
+        false => format!(" By more than is declared, {},", own.further.join(" and ")),
+    };
+    let all = if more.is_empty() { " All" } else { " all" };
+    format!("{span}{more}{all} numbers are those with {}{at}.", declared(own))
 }
 
 /// What is said of formulas of entries that feedback is added to.
