@@ -130,7 +130,7 @@ fn sweeps_know_the_names_of_files() {
     let read = directory.run(&["sweep", "--designs", "a.csv"]).stdout;
     assert_eq!(read.replace("IBzx", "IBxz"), expected);
     let run = directory.run(&["sweep", "--vary", "IBzx=2,3", "--set", "IBxz=2"]);
-    run.fails(2, "error: --vary IBzx=2,3: `IBzx` is given twice; first at --set IBxz=2\n");
+    run.fails(2, "error: --vary IBzx=2,3: `IBzx` is given twice; first as `IBxz` at --set IBxz=2\n");
     directory.write("a.csv", "IBzx,IBxz\n2.3,2.3\n");
     let run = directory.run(&["sweep", "--designs", "a.csv"]);
     run.fails(2, "error: a.csv: columns `IBzx` and `IBxz` are the same parameter\n");

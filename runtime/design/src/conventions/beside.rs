@@ -1,129 +1,191 @@
-//! A file in the names of the paper that says something a second time, as manufacturers print it: both must say the same.
+//! A file in the names of the paper that says something a second time, in other names: both must say the same.
 
 use std::collections::HashMap;
 
-use carvallo::ModelInfo;
+use carvallo::{ModelInfo, ParameterInfo};
 
-use super::dual::Dual;
+use super::Convention;
 use super::geometry::GEOMETRY;
-use super::quantity::Quantity;
+use super::name::{Name, Values};
 use super::read::list;
+use super::recognise::only;
+use super::source::parameter;
+use super::twice::{Agreement, Told, is_alias, spelled};
 use crate::design::Given;
 use crate::failure::Problem;
-use crate::input::{Document, Scope, position, validate};
-use crate::number::with_unit;
-
-/// However few digits there are, what differs by more, relatively, is not the same.
-const MOST: f64 = 0.01;
-
-/// What rounding may leave, relatively.
-const ROUNDING: f64 = 1e-9;
+use crate::input::{Document, Entry, Scope, position, validate};
 
 /// Takes out what only repeats the parameters of the paper, with a note, and tells what contradicts them beyond its digits and
-/// theirs. What they do not tell stays.
+/// theirs; and what others call so. All else stays, and so does everything where parameters are missing.
 pub fn hold(document: &mut Document, label: &str, info: &'static ModelInfo) {
     let scope = Scope::new(&document.entries, HashMap::new(), info);
-    let lookup = |name: &str| scope.value(name);
-    let mut own: Vec<Option<Given>> = vec![None; info.parameters.len()];
+    let own = own(&document.entries, &scope, info);
+    let is_given = |at: usize| own.iter().any(|(name, _)| *name == info.parameters[at].name);
+    if !(0..info.parameters.len()).all(|at| is_given(at) || !info.parameters[at].used || info.gravity == Some(at)) {
+        return;
+    }
+    let mut file = File { label, info, scope: &scope, own, same: Vec::new(), notes: Vec::new(), problems: Vec::new() };
+    let mut left = Vec::new();
     for entry in &document.entries {
-        if let Some(at) = position(&entry.name, info) {
-            own[at] = validate(entry, &info.parameters[at], &lookup).ok();
+        if !file.tells(entry, &document.entries) {
+            left.push(entry.clone());
         }
     }
-    let (mut same, mut problems) = (Vec::new(), Vec::new());
-    for entry in &document.entries {
-        let is_printed = position(&entry.name, info).is_none() && GEOMETRY.parameter(&entry.name).is_some();
-        // What the parameters refer to says nothing a second time.
-        let is_second = is_printed && !scope.is_used(entry);
-        let Some(quantity) = Quantity::called(&entry.name, info, Some(&GEOMETRY)).filter(|_| is_second) else {
-            continue;
-        };
-        let Some(told) = Told::new(&quantity, info, &own) else { continue };
-        match validate(entry, &quantity.info, &lookup) {
-            Ok(given) if told.agrees(&given) => same.push(entry.name.clone()),
-            Ok(given) => {
-                let [given, found] = [given.value, told.value].map(|value| with_unit(value, quantity.info.unit));
-                let (by, name) = (list(&told.by), &entry.name);
-                let follows = format!("`{name}` is {given}, but {found} follows from {by}");
-                let message = format!("{follows}; leave one of them out");
-                problems.push(Problem { place: entry.place.clone(), message });
-            }
-            Err(found) => problems.extend(found),
-        }
-    }
+    let File { same, notes, problems, .. } = file;
     if !same.is_empty() {
-        let names: Vec<&str> = same.iter().map(String::as_str).collect();
-        let says = if names.len() == 1 { "says" } else { "say" };
-        document.notes.push(format!("{label}: {} {says} what the parameters of {} say, too", list(&names), info.name));
+        let says = if same.len() == 1 { "says" } else { "say" };
+        document.notes.push(format!("{label}: {} {says} what the parameters of {} say, too", list(&same), info.name));
     }
-    document.entries.retain(|entry| !same.contains(&entry.name));
+    document.entries = left;
+    document.notes.extend(notes);
     document.problems.extend(problems);
 }
 
-/// What parameters make of something.
-struct Told {
-    value: f64,
-    /// How far it may be off by the digits of those that it follows from, or by how well they were measured.
-    tolerance: f64,
-    /// Their names.
-    by: Vec<&'static str>,
-}
-
-impl Told {
-    fn new(quantity: &Quantity, info: &ModelInfo, own: &[Option<Given>]) -> Option<Self> {
-        let values: Vec<f64> = own.iter().map(|given| given.as_ref().map_or(f64::NAN, |given| given.value)).collect();
-        let value = quantity.value(info, &|at| Dual::constant(values[at]))?.value;
-        let gradient = quantity.gradient(info, &values)?;
-        let moved = || gradient.iter().enumerate().filter(|(_, slope)| **slope != 0.0);
-        let part = |(at, slope): (usize, &f64)| slope.abs() * own[at].as_ref().map_or(0.0, doubt);
-        let tolerance = moved().map(part).sum();
-        let by = moved().map(|(at, _)| info.parameters[at].name).collect();
-        value.is_finite().then_some(Self { value, tolerance, by })
-    }
-
-    fn agrees(&self, given: &Given) -> bool {
-        let size = self.value.abs().max(given.value.abs());
-        let tolerance = (self.tolerance + doubt(given)).clamp(ROUNDING * size, MOST * size);
-        (given.value - self.value).abs() <= tolerance
-    }
-}
-
-/// Half a unit of the last digit, or the standard deviation if that is more.
-fn doubt(given: &Given) -> f64 {
-    let deviation = given.deviation.as_ref().map_or(0.0, |deviation| deviation.value);
-    deviation.max(half_unit(&given.written, given.value))
-}
-
-/// Half a unit of the last digit of a plain number with or without a unit; zero of an expression, which is what it says.
-fn half_unit(written: &str, value: f64) -> f64 {
-    let is_digit = |sign: char| sign.is_ascii_digit() || matches!(sign, '.' | '-' | '+');
-    let (digits, rest) = written.split_at(written.find(|sign| !is_digit(sign)).unwrap_or(written.len()));
-    let (Ok(number), false) = (digits.parse::<f64>(), rest.contains(|sign: char| "0123456789*/^(+-".contains(sign)))
-    else {
-        return 0.0;
+/// The parameters of the paper that have a value, and what manufacturers print.
+fn own(entries: &[Entry], scope: &Scope, info: &'static ModelInfo) -> Vec<(&'static str, Given)> {
+    let given = |entry: &Entry| {
+        let at = position(&entry.name, info);
+        let own = at.map(|at| info.parameters[at]).or_else(|| GEOMETRY.parameter(&entry.name).map(parameter))?;
+        // What others refer to is found by reading them, so that what is printed comes behind.
+        Some((own.name, validate(entry, &own, &|name: &str| scope.value(name)).ok()?))
     };
-    let decimals = digits.split_once('.').map_or(0, |(_, decimals)| decimals.len());
-    let scale = if number == 0.0 { 1.0 } else { (value / number).abs() };
-    0.5 * 10_f64.powi(-(decimals as i32)) * scale
+    let (paper, printed): (Vec<&Entry>, Vec<&Entry>) =
+        entries.iter().partition(|entry| position(&entry.name, info).is_some());
+    paper.into_iter().chain(printed).filter_map(given).collect()
 }
 
-#[cfg(test)]
-mod tests {
-    use super::half_unit;
+/// A file in the names of the paper that has all of them.
+struct File<'a> {
+    label: &'a str,
+    info: &'static ModelInfo,
+    scope: &'a Scope<'a>,
+    /// What it has of them, and of what manufacturers print, some of which tells something only together.
+    own: Vec<(&'static str, Given)>,
+    /// What only repeats others.
+    same: Vec<&'a str>,
+    notes: Vec<String>,
+    problems: Vec<Problem>,
+}
 
-    /// Half of the place of the last digit, in the unit of the value.
-    #[test]
-    fn the_last_digit_counts() {
-        for (written, value, expected) in [
-            ("1.02", 1.02, 0.005),
-            ("1.020", 1.02, 0.0005),
-            ("1020 mm", 1.02, 0.0005),
-            ("72 deg", 72_f64.to_radians(), 0.5_f64.to_radians()),
-            ("-3", -3.0, 0.5),
-            ("pi/10", 0.3, 0.0),
-            ("2*0.3", 0.6, 0.0),
-        ] {
-            assert!((half_unit(written, value) - expected).abs() < 1e-15, "{written}");
+impl<'a> File<'a> {
+    /// Whether an entry says something a second time, which is told.
+    fn tells(&mut self, entry: &'a Entry, entries: &'a [Entry]) -> bool {
+        if let Some(at) = position(&entry.name, self.info) {
+            let parameter = &self.info.parameters[at];
+            let of_it = || entries.iter().filter(|other| position(&other.name, self.info) == Some(at));
+            let first = of_it().find(|other| spelled(&other.name) == parameter.name).or_else(|| of_it().next());
+            return first
+                .is_some_and(|first| is_alias(&first.name, &entry.name) && self.repeats(entry, first, parameter));
+        }
+        // What the parameters refer to says nothing a second time.
+        if self.scope.is_used(entry) {
+            return false;
+        }
+        let mut problems = Vec::new();
+        let Some((convention, own, name)) = meaning(entry, &mut problems) else { return false };
+        if !problems.is_empty() {
+            self.problems.append(&mut problems);
+            return true;
+        }
+        let is_printed = *convention == GEOMETRY;
+        let given = match validate(&own, &parameter(name), &|name: &str| self.scope.value(name)) {
+            Ok(given) => given,
+            Err(found) => {
+                // Others may well have something else by such a name.
+                self.problems.extend(found.into_iter().filter(|_| is_printed));
+                return is_printed;
+            }
+        };
+        if let Some(option) = GEOMETRY.together(name.name).filter(|_| is_printed) {
+            self.tells_together(entry, option, name);
+            return true;
+        }
+        let tell = |name: &str, values: &Values| convention.tell(name, values, values);
+        let sides = ["rear", "front"].map(|side| format!("{side}_{}", name.name));
+        // The size of both wheels is told by those of both.
+        let names = [name.name, &sides[0], &sides[1]];
+        let told = names.iter().filter_map(|name| Told::new(&self.own, &|values| tell(name, values)));
+        let told: Vec<Told> = told.collect();
+        let other = told.iter().find(|told| told.agreement(&given, Some(name)) == Agreement::Other);
+        match other.or(told.first()) {
+            None => return false,
+            Some(told) if is_printed => {
+                self.judge((&entry.name, entry), &given, told, (name.unit, Some(name)), &[&entry.name])
+            }
+            Some(told) if told.agreement(&given, Some(name)) == Agreement::Same => self.same.push(&entry.name),
+            Some(told) => {
+                let differs = told.differs(&entry.name, &given, name.unit);
+                let is_of = format!("it is a name of {} ({}), and not used", convention.name, convention.title);
+                self.notes.push(format!("{}: {differs}; {is_of}", self.label));
+            }
+        }
+        true
+    }
+
+    /// The same of another name of a parameter of the paper.
+    fn repeats(&mut self, entry: &'a Entry, first: &'a Entry, parameter: &'static ParameterInfo) -> bool {
+        let value = |entry: &Entry| validate(entry, parameter, &|name: &str| self.scope.value(name));
+        let (Ok(value), Ok(given)) = (value(first), value(entry)) else { return false };
+        let told = Told::by_name(&first.name, &value);
+        self.judge((&entry.name, entry), &given, &told, (parameter.unit, None), &[]);
+        true
+    }
+
+    /// What several entries tell only together, such as a wheel base, which is told at the first of them.
+    fn tells_together(&mut self, entry: &'a Entry, option: &'static [&'static str], name: &Name) {
+        let missing: Vec<&str> = option.iter().copied().filter(|name| self.own(name).is_none()).collect();
+        let Some(first) = GEOMETRY.in_place_of(name.name).and_then(|first| GEOMETRY.parameter(first)) else { return };
+        if !missing.is_empty() {
+            let (called, missing) = (&entry.name, list(&missing));
+            let only = format!("`{called}` is not used: `{}` follows from it only with {missing}", first.name);
+            self.notes.push(format!("{}: {only}", self.label));
+        } else if option.first() == Some(&name.name) {
+            let own = first.others.iter().find_map(|name| Some((*name, self.own(name)?.clone())));
+            let told = Told::new(&self.own, &|values| {
+                let mut others = Values::default();
+                values.iter().filter(|(own, _)| *own != first.name).for_each(|(own, value)| others.push(own, value));
+                GEOMETRY.tell(first.name, &(GEOMETRY.to_paper)(&others).ok()?, &others)
+            });
+            if let (Some((called, given)), Some(told)) = (own, told) {
+                self.judge((called, entry), &given, &told, (first.unit, Some(first)), option);
+            }
         }
     }
+
+    /// A value by its name.
+    fn own(&self, name: &str) -> Option<&Given> {
+        self.own.iter().find(|(own, _)| *own == name).map(|(_, given)| given)
+    }
+
+    /// Whether a value that is called so is the one that follows, at an entry.
+    fn judge(
+        &mut self,
+        (called, entry): (&str, &'a Entry),
+        given: &Given,
+        told: &Told,
+        (unit, name): (&str, Option<&Name>),
+        unused: &[&str],
+    ) {
+        match told.agreement(given, name) {
+            Agreement::Same => self.same.push(&entry.name),
+            Agreement::Near => self.notes.push(format!("{}: {}", self.label, told.is_near(called, given, unused))),
+            Agreement::Other => {
+                let message = told.contradicts(called, given, unit);
+                self.problems.push(Problem { place: entry.place.clone(), message });
+            }
+        }
+    }
+}
+
+/// What an entry is in the convention that its name is of: what manufacturers print, or else the only one that has it.
+fn meaning(entry: &Entry, problems: &mut Vec<Problem>) -> Option<(&'static Convention, Entry, &'static Name)> {
+    let mut of = |convention: &'static Convention| {
+        let (mut own, mut found) = (vec![entry.clone()], Vec::new());
+        (convention.prepare)(&mut own, &mut found);
+        let own = own.pop()?;
+        let name = convention.parameter(&own.name)?;
+        problems.append(&mut found);
+        Some((convention, own, name))
+    };
+    of(&GEOMETRY).or_else(|| of(only(std::slice::from_ref(entry))?))
 }

@@ -4,6 +4,7 @@
 use super::Convention;
 use super::dual::Dual;
 use super::name::{Name, Need, Values};
+use super::twice::PRINTED;
 
 pub const GEOMETRY: Convention = Convention {
     name: "geometry",
@@ -113,9 +114,6 @@ const SAME: [&str; 21] = [
     "IHzz", "IHxz", "mF", "IFxx", "IFyy",
 ];
 
-/// Printed lengths are whole millimetres, of tyres that may differ by some.
-const TOLERANCE: f64 = 5e-3;
-
 /// The radius of a wheel by whatever is given of it, or else of both.
 fn radius(given: &Values, which: &str, own: &str) -> Result<Dual, String> {
     let names = [format!("{which}_wheel_diameter"), format!("{which}_wheel_circumference")];
@@ -149,7 +147,7 @@ fn to_paper(given: &Values) -> Result<Values, String> {
         (_, Some(found)) if !found.value.is_finite() => {
             return Err("`chainstay` and `front_center` are too short to reach the axles".to_owned());
         }
-        (Some(w), Some(found)) if (found.value - w.value).abs() > TOLERANCE => {
+        (Some(w), Some(found)) if (found.value - w.value).abs() > PRINTED => {
             let [found, w] = [found, w].map(|w| crate::number::fixed(1e3 * w.value, 1));
             return Err(format!(
                 "`wheelbase` is {w} mm, but {found} mm with the bottom bracket; leave it or `chainstay` out"
@@ -174,7 +172,7 @@ fn to_paper(given: &Values) -> Result<Values, String> {
     let (sin, cos) = lam.sin_cos();
     let by_offset = given.get("fork_offset").map(|offset| (front * sin - offset) / cos);
     let c = match (by_offset, given.get("trail")) {
-        (Some(found), Some(trail)) if (found.value - trail.value).abs() > TOLERANCE => {
+        (Some(found), Some(trail)) if (found.value - trail.value).abs() > PRINTED => {
             let [found, trail] = [found, trail].map(|c| crate::number::fixed(1e3 * c.value, 1));
             return Err(format!("`trail` is {trail} mm, but {found} mm with the fork offset; leave one of them out"));
         }

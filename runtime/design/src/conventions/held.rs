@@ -38,6 +38,12 @@ impl Convention {
         self.alternatives.iter().any(|group| group.iter().any(has_both))
     }
 
+    /// The names with which one tells something only together, if it does.
+    pub(super) fn together(&self, name: &str) -> Option<&'static [&'static str]> {
+        let mut options = self.alternatives.iter().flat_map(|group| group.iter().copied());
+        options.find(|option| option.len() > 1 && option.contains(&name))
+    }
+
     /// What a name stands in the place of, if anything.
     pub(super) fn in_place_of(&self, name: &str) -> Option<&'static str> {
         let group = self.alternatives.iter().find(|group| group.iter().any(|option| option.contains(&name)))?;

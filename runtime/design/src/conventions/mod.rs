@@ -27,6 +27,7 @@ mod moore;
 mod moved;
 mod name;
 mod naming;
+mod once;
 mod principal;
 mod pydy;
 mod quantity;
@@ -37,14 +38,15 @@ mod steered;
 mod tensor;
 #[cfg(test)]
 mod tests;
+mod twice;
 mod varied;
 mod wheels;
 mod write;
 
 pub use self::convert::{Converted, Parameter, convert};
 pub use self::name::{Name, Need};
-pub(crate) use self::naming::hint;
 pub use self::naming::{Naming, Varying, folded, spelled};
+pub(crate) use self::naming::{hint, settable};
 pub use self::quantity::Quantity;
 pub use self::read::Reading;
 pub(crate) use self::read::read;

@@ -128,7 +128,7 @@ impl Naming {
                 if without.contains([':', ';']) {
                     return without;
                 }
-                if let Some(why) = OTHERS.iter().find_map(|convention| fixed(name, convention.known(name)?)) {
+                if let Some(why) = changes_nothing(name) {
                     return why;
                 }
                 without + &meant(name).unwrap_or_default()
@@ -224,6 +224,28 @@ pub fn hint(name: &str, info: &ModelInfo) -> Option<String> {
     meant(name)
 }
 
+/// Whether a name that is set beside others, and is none of a model's, is one of a convention; otherwise why it cannot be set, if it
+/// is of several.
+///
+/// # Errors
+/// If it is none of one.
+pub fn settable<'a>(
+    name: &str,
+    set: impl Iterator<Item = &'a str>,
+    info: &'static ModelInfo,
+) -> Result<(), Option<String>> {
+    let is_known = |name: &str| has_paper(info) && !with_all(&entries(&[name.to_owned()])).is_empty();
+    match is_known(name) {
+        true => Naming::new(info, set.filter(|name| is_known(name))).find(name).map(drop).map_err(Some),
+        false => Err(changes_nothing(name).filter(|_| has_paper(info))),
+    }
+}
+
+/// Why a name that others have cannot vary, if one of them has it so.
+fn changes_nothing(name: &str) -> Option<String> {
+    OTHERS.iter().find_map(|convention| fixed(name, convention.known(&prepared(name, convention))?))
+}
+
 /// What was probably meant by a name that nobody has, as the end of a sentence.
 fn meant(name: &str) -> Option<String> {
     if name.eq_ignore_ascii_case("caster") || name.eq_ignore_ascii_case("castor") {
@@ -276,7 +298,7 @@ fn entries(names: &[String]) -> Vec<Entry> {
 /// Why the value of a name that others have cannot vary, if it cannot.
 fn fixed(name: &str, known: &Name) -> Option<String> {
     match known.need {
-        Need::Zero(reason) => Some(format!("`{name}` is 0: {reason}")),
+        Need::Zero(reason) => Some(format!("`{name}` is always 0: {reason}")),
         Need::Equal(other, reason) => Some(format!("`{name}` is that of `{other}`: {reason}")),
         Need::Ignored(reason) => Some(format!("`{name}` changes nothing: {reason}")),
         _ => None,

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use carvallo::{Covariance, ModelInfo};
+use carvallo::{Covariance, ModelInfo, ParameterInfo};
 
 use super::contradictions::Settled;
 use super::dual::Dual;
@@ -11,10 +11,12 @@ use super::held::Ranks;
 use super::name::Values;
 use super::recognise::{only, recognise};
 use super::source::{Paper, Source, parameter};
+use super::twice::{Agreement, Told};
 use super::{Convention, PAPER};
+use crate::design::Given;
 use crate::failure::{Place, Problem};
-use crate::input::{Document, Entry, Named, Node, Scope, Value, position, value_of};
-use crate::number::{shortest, with_unit};
+use crate::input::{Document, Entry, Named, Node, Scope, Value, position, validate, value_of};
+use crate::number::shortest;
 
 /// How a file was read that is not in the names of the paper.
 #[derive(Clone, Debug)]
@@ -25,8 +27,27 @@ pub struct Reading {
     pub assumed: Vec<&'static str>,
     /// What of it was given, by the file or by settings.
     pub(crate) given: Values,
+    /// The names of these that are not written as the convention has them.
+    called: Vec<(&'static str, String)>,
     /// How the parameters of the model vary together, in its order, if any do.
     pub(crate) covariance: Option<Covariance>,
+}
+
+impl Reading {
+    /// What was given: as it was called there, what it is and its value.
+    pub(crate) fn given(&self) -> impl Iterator<Item = (&str, ParameterInfo, f64)> {
+        self.given.iter().filter_map(|(name, value)| {
+            let called = self.called.iter().find(|(own, _)| *own == name).map_or(name, |(_, called)| called);
+            Some((called, parameter(self.convention.parameter(name)?), value.value))
+        })
+    }
+
+    /// Whether a parameter of the paper changes where something that was given does.
+    pub(crate) fn moves(&self, given: &str, paper: &str) -> bool {
+        let at = self.given.iter().position(|(name, _)| name == given);
+        let found = at.and_then(|at| (self.convention.to_paper)(&self.given.varied(at)).ok());
+        found.and_then(|found| found.get(paper)).is_some_and(|value| value.slope != 0.0)
+    }
 }
 
 /// Puts the parameters of the paper in the place of those of the convention that a file is in, if it is in another. Settings
@@ -66,10 +87,13 @@ pub fn read(
     *settings = left;
     document.notes.extend(settle(convention, &mut own, &mine, label));
     let problems = document.problems.len();
+    let called = mine.iter().chain(&own).filter_map(|entry| Some((convention.parameter(&entry.name)?.name, entry)));
+    let called = called.filter(|(name, entry)| *name != entry.name).map(|(name, entry)| (name, entry.name.clone()));
+    let called = called.collect();
     let scope = Scope::new(own.iter().chain(&others), HashMap::new(), crate::model::WHIPPLE.info);
     let source = Source { convention, label, own: &own, settings: &mine, scope: &scope };
     let result = source.translate(info, document);
-    let Some(Paper { entries: paper, given, assumed, covariance }) =
+    let Some(Paper { entries: paper, given, written, assumed, covariance }) =
         result.filter(|_| document.problems.len() == problems)
     else {
         // What is wrong is told; nothing is said of what would be missing.
@@ -91,7 +115,7 @@ pub fn read(
             list(&assumed)
         ));
     }
-    check_others(&others, (&scope, label), &paper, info, document);
+    check_others(&others, (&scope, label), (convention, &written), info, document);
     // What the model has beside the parameters of the paper stays; what others are computed from is used, and is no parameter.
     let is_left = |entry: &Entry| match position(&entry.name, info) {
         Some(at) => crate::model::WHIPPLE.info.position(info.parameters[at].name).is_none(),
@@ -115,7 +139,7 @@ pub fn read(
         document.problems.extend(broken);
         return Some(Reading { assumed, ..reading });
     }
-    Some(Reading { convention, assumed, given, covariance })
+    Some(Reading { convention, assumed, given, called, covariance })
 }
 
 /// Whether settings that are not in the names of the paper are all in those of another convention.
@@ -194,19 +218,23 @@ pub fn list(names: &[&str]) -> String {
 fn check_others(
     others: &[Entry],
     (scope, label): (&Scope, &str),
-    paper: &[Entry],
+    (convention, written): (&Convention, &[(&'static str, Given)]),
     info: &'static ModelInfo,
     document: &mut Document,
 ) {
-    let found = Scope::new(paper, HashMap::new(), info);
     for entry in others {
-        let Some(at) = position(&entry.name, info) else { continue };
-        let name = info.parameters[at].name;
-        let (Some(Ok(stated)), Some(Ok(found))) = (scope.value(&entry.name), found.value(name)) else { continue };
-        if (stated - found).abs() > 1e-6 * stated.abs().max(found.abs()) {
-            let [stated, found] = [stated, found].map(|value| with_unit(value, info.parameters[at].unit));
-            let message = format!("`{}` is {stated}, but {found} follows from the others in {label}", entry.name);
-            document.problems.push(Problem { place: entry.place.clone(), message });
+        let Some(parameter) = position(&entry.name, info).map(|at| &info.parameters[at]) else { continue };
+        let follows = |values: &Values| (convention.to_paper)(values).ok()?.get(parameter.name);
+        let Some(told) = Told::new(written, &follows) else { continue };
+        match validate(entry, parameter, &|name: &str| scope.value(name)) {
+            Ok(given) if told.agreement(&given, None) == Agreement::Same => {
+                document.notes.push(format!("{label}: {}", told.is_same(&entry.name)));
+            }
+            Ok(given) => {
+                let message = told.contradicts(&entry.name, &given, parameter.unit);
+                document.problems.push(Problem { place: entry.place.clone(), message });
+            }
+            Err(problems) => document.problems.extend(problems),
         }
     }
 }

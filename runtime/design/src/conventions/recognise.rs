@@ -41,6 +41,7 @@ pub fn only(names: &[Entry]) -> Option<&'static Convention> {
         [convention] => Some(convention),
         // Names that mean the same everywhere.
         [.., convention] if convention.name == GEOMETRY.name => Some(convention),
+        [convention, other] if convention.is_of_gyrostats() && other.is_of_gyrostats() => Some(convention),
         [convention, ..] if convention.name == MOORE.name => {
             names.iter().all(|entry| ALIKE.contains(&entry.name.as_str())).then_some(convention)
         }

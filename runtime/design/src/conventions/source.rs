@@ -10,9 +10,10 @@ use super::dual::Dual;
 use super::gyrostats::SPLIT;
 use super::name::{Name, Need, Values};
 use super::read::list;
+use super::twice::is_alias;
 use crate::design::Given;
 use crate::failure::{Place, Problem};
-use crate::input::{Document, Entry, Names, Scope, Value, Written, resolve_correlations, validate};
+use crate::input::{Document, Entry, Names, Scope, Value, Written, given_twice, resolve_correlations, validate};
 use crate::number::{shortest, with_unit};
 
 /// The parameters of the paper that follow from those of a convention.
@@ -21,6 +22,8 @@ pub struct Paper {
     pub entries: Vec<Entry>,
     /// What it follows from.
     pub given: Values,
+    /// The same as it was written.
+    pub written: Vec<(&'static str, Given)>,
     /// Those that are not told, and that no motion depends on.
     pub assumed: Vec<&'static str>,
     /// How the parameters of the model vary together, in its order, if any do.
@@ -45,7 +48,7 @@ impl Source<'_> {
     /// The parameters of the paper; nothing if something is wrong, which is told.
     pub fn translate(&self, info: &ModelInfo, document: &mut Document) -> Option<Paper> {
         let Self { convention, label, .. } = *self;
-        let given = self.values(document);
+        let given = self.once(self.values(document), document);
         let is_given = |name: &str| given.iter().any(|(own, _)| own.name == name);
         let missing: Vec<String> = convention
             .needed()
@@ -82,10 +85,12 @@ impl Source<'_> {
             entry.deviation = (deviation > 0.0).then(|| Written::Text(shortest(deviation)));
             entry
         };
+        let assumed = SPLIT.into_iter().filter(|name| convention.is_of_gyrostats() && !is_given(name)).collect();
         Some(Paper {
             given: values,
+            written: given.into_iter().map(|(name, given)| (name.name, given)).collect(),
             entries: paper.iter().filter(|(name, _)| info.position(name).is_some()).map(entry).collect(),
-            assumed: SPLIT.into_iter().filter(|name| convention.is_of_gyrostats() && !is_given(name)).collect(),
+            assumed,
             covariance: carried.covariance(info.parameters.iter().map(|parameter| parameter.name)),
         })
     }
@@ -106,12 +111,13 @@ impl Source<'_> {
                 .any(|entry| self.convention.parameter(&entry.name).is_some_and(|own| std::ptr::eq(own, name)))
         };
         let mut members = std::mem::take(&mut document.correlations);
-        // What gives way to a setting is correlated with nothing any more.
+        // What gives way to a setting, or says something a second time, is correlated with nothing any more.
         let set = || self.settings.iter().filter_map(|entry| self.convention.parameter(&entry.name));
         let stays = |name: &str| {
             self.convention.parameter(name).is_none_or(|own| {
+                let mut others = set().chain(given.iter().map(|(name, _)| *name));
                 given.iter().any(|(name, _)| std::ptr::eq(*name, own))
-                    || !set().any(|set| self.convention.are_alternatives(own.name, set.name))
+                    || !others.any(|other| self.convention.are_alternatives(own.name, other.name))
             })
         };
         members.retain(|member| stays(&member.name));
@@ -137,15 +143,21 @@ impl Source<'_> {
         let mut given: Vec<(&Name, Given)> = Vec::new();
         let sources = [(settings, &setting_scope), (own, scope)];
         for (from, (entries, scope)) in sources.into_iter().enumerate() {
-            let mut seen: Vec<(&Name, &Place)> = Vec::new();
+            let mut seen: Vec<(&Name, &Entry)> = Vec::new();
             for entry in entries {
                 let Some(name) = convention.parameter(&entry.name) else { continue };
                 if let Some((_, first)) = seen.iter().find(|(own, _)| std::ptr::eq(*own, name)) {
-                    let message = format!("`{}` is given twice; first at {first}", entry.name);
-                    document.problems.push(Problem { place: entry.place.clone(), message });
+                    let value = given.iter().find(|(own, _)| std::ptr::eq(*own, name)).map(|(_, value)| value);
+                    match value.filter(|_| from == 1 && is_alias(&first.name, &entry.name)) {
+                        Some(value) => self.judge_alias((entry, name), (&first.name, value), document),
+                        None => {
+                            let message = given_twice(&entry.name, &first.name, &first.place);
+                            document.problems.push(Problem { place: entry.place.clone(), message });
+                        }
+                    }
                     continue;
                 }
-                seen.push((name, &entry.place));
+                seen.push((name, entry));
                 if from == 1 && given.iter().any(|(own, _)| std::ptr::eq(*own, name)) {
                     continue;
                 }

@@ -1,6 +1,7 @@
 //! Which parameter each entry of a file is for, and what is to be said of those that are for none.
 
 use std::collections::HashMap;
+use std::fmt::Display;
 
 use carvallo::{ModelInfo, ParameterInfo};
 
@@ -40,7 +41,7 @@ impl<'a> Entries<'a> {
             match sorted.given.get(&position) {
                 Some(first) if is_mirrored(first) != is_mirrored(entry) => sorted.mirrored.push((position, entry)),
                 Some(first) => {
-                    let message = format!("`{}` is given twice; first at {}", entry.name, first.place);
+                    let message = given_twice(&entry.name, &first.name, &first.place);
                     problems.push(Problem { place: entry.place.clone(), message });
                 }
                 None => {
@@ -134,6 +135,12 @@ pub struct Missing<'a> {
     pub is_serious: bool,
 }
 
+/// That something is given a second time, perhaps by another of its names.
+pub fn given_twice(name: &str, first: &str, place: &dyn Display) -> String {
+    let spelled = if first == name { String::new() } else { format!(" as `{first}`") };
+    format!("`{name}` is given twice; first{spelled} at {place}")
+}
+
 /// That there is no parameter of this name, and what may have been meant.
 pub fn unknown(entry: &Entry, info: &ModelInfo, hint: Option<&str>) -> Problem {
     let hint = hint.map(|name| format!("; did you mean `{name}`?"));
@@ -141,6 +148,23 @@ pub fn unknown(entry: &Entry, info: &ModelInfo, hint: Option<&str>) -> Problem {
     let hint = hint.or_else(|| crate::conventions::hint(&entry.name, info));
     let message = format!("`{}` is not a parameter of {}{}", entry.name, info.name, hint.unwrap_or_default());
     Problem { place: entry.place.clone(), message }
+}
+
+/// That settings are of no parameters of a model. Of those that could be set, something else is wrong, which is told elsewhere.
+pub fn unknown_settings(settings: &[&Entry], info: &'static ModelInfo) -> Vec<Problem> {
+    let problem = |entry: &&Entry| {
+        #[cfg(feature = "full")]
+        let refusal =
+            crate::conventions::settable(&entry.name, settings.iter().map(|other| &*other.name), info).err()?;
+        #[cfg(not(feature = "full"))]
+        let refusal: Option<String> = None;
+        let hint = || nearest(&entry.name, info.parameters.iter().map(|parameter| parameter.name));
+        Some(match refusal {
+            Some(message) => Problem { place: entry.place.clone(), message },
+            None => unknown(entry, info, hint()),
+        })
+    };
+    settings.iter().filter_map(problem).collect()
 }
 
 /// What there is to say of a file.

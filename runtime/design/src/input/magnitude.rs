@@ -8,7 +8,8 @@ use carvallo::ModelInfo;
 use carvallo::ParameterInfo;
 
 #[cfg(feature = "full")]
-use crate::number::with_unit;
+use crate::conventions::Reading;
+use crate::number::shortest;
 
 /// The parameters of one kind, and in which sizes bicycles, recumbents, tandems and motorcycles have them.
 struct Kind {
@@ -51,7 +52,10 @@ struct Slip {
 
 /// A warning for each unit that values seem to be in; none for models that are no bicycles.
 pub fn warnings(info: &ModelInfo, values: &[f64]) -> Vec<String> {
-    let found = slips(info, values);
+    told(&slips(info, values))
+}
+
+fn told(found: &[Slip]) -> Vec<String> {
     let units = LENGTHS.iter().chain(KINDS[4].units).chain(KINDS[5].units).chain(INERTIAS);
     units.filter_map(|(unit, _)| warning(unit, found.iter().filter(|slip| slip.unit == *unit))).collect()
 }
@@ -67,21 +71,48 @@ pub fn too_large(info: &ModelInfo, values: &[f64]) -> Vec<&'static str> {
 /// A warning if a value of something that varies seems to be in another unit, by the parameters of the model that follow from it.
 #[cfg(feature = "full")]
 pub fn warning_of_varied(varied: &ParameterInfo, value: f64, info: &ModelInfo, values: &[f64]) -> Option<String> {
-    let is_of_it = |slip: &&Slip| {
-        let is_own = info.position(varied.name).is_none() || slip.name == varied.name;
-        // What others beside it make large is not for it.
-        let is_from_it = value.abs() > 0.1 * slip.size.abs();
-        is_own && is_from_it && crate::quantity::scale(varied.unit, slip.unit).is_some()
-    };
     let found = slips(info, values);
-    let Slip { unit, name, size } = found.iter().find(is_of_it)?;
-    let value = crate::number::shortest(value);
-    let own = varied.name;
-    let large = match *name == own {
-        true => format!("{value} is too large for a bicycle"),
-        false => format!("with {value} `{name}` is {}, too large for a bicycle", with_unit(*size, varied.unit)),
+    let is_own = |slip: &&Slip| info.position(varied.name).is_none() || slip.name == varied.name;
+    let slip = found.iter().filter(is_own).find(|slip| slip.is_from(varied, value))?;
+    let written = shortest(value);
+    let large = match slip.name == varied.name {
+        true => format!("{written} is too large for a bicycle"),
+        false => slip.with(&written, varied),
     };
-    Some(format!("`{own}`: {large}, and ordinary in {unit}; write that unit with its values, as in `{value} {unit}`"))
+    let (own, unit) = (varied.name, slip.unit);
+    Some(format!("`{own}`: {large}, and ordinary in {unit}; write that unit with its values, as in `{written} {unit}`"))
+}
+
+/// The warnings of a file in a convention, or of what is set in one, by the names that are given.
+#[cfg(feature = "full")]
+pub fn warnings_by(reading: &Reading, info: &ModelInfo, values: &[f64]) -> Vec<String> {
+    let (mut found, mut warnings) = (slips(info, values), Vec::new());
+    for (called, own, value) in reading.given() {
+        let is_from = |slip: &Slip| slip.is_from(&own, value) && reading.moves(own.name, slip.name);
+        let Some(Slip { unit, name, size }) = found.extract_if(.., |slip| is_from(slip)).next() else { continue };
+        let written = shortest(value);
+        let large = match size == value {
+            true => format!("`{called}` is too large for a bicycle"),
+            false => format!("`{called}`: {}", Slip { unit, name, size }.with(&written, &own)),
+        };
+        warnings.push(format!("{large}, and ordinary in {unit}; write that unit behind it, as in `{written} {unit}`"));
+    }
+    warnings.extend(told(&found));
+    warnings
+}
+
+#[cfg(feature = "full")]
+impl Slip {
+    /// Whether a value in another unit can be the cause, and not what others beside it make large.
+    fn is_from(&self, own: &ParameterInfo, value: f64) -> bool {
+        value.abs() > 0.1 * self.size.abs() && crate::quantity::scale(own.unit, self.unit).is_some()
+    }
+
+    /// What becomes too large with a value of something else.
+    fn with(&self, written: &str, own: &ParameterInfo) -> String {
+        let size = crate::number::fixed(self.size, 1);
+        format!("with {written} `{}` is {size} {}, too large for a bicycle", self.name, crate::number::unit(own.unit))
+    }
 }
 
 fn slips(info: &ModelInfo, values: &[f64]) -> Vec<Slip> {
@@ -121,7 +152,7 @@ fn warning<'a>(unit: &str, found: impl Iterator<Item = &'a Slip>) -> Option<Stri
     let [Slip { size: first, .. }, ..] = found[..] else { return None };
     let names: Vec<String> = found.iter().map(|slip| format!("`{}`", slip.name)).collect();
     let (are, each) = if names.len() == 1 { ("is", "it") } else { ("are", "each") };
-    let example = format!("{} {unit}", crate::number::shortest(*first));
+    let example = format!("{} {unit}", shortest(*first));
     Some(format!(
         "{} {are} too large for a bicycle, and ordinary in {unit}; write that unit behind {each}, as in `{example}`",
         names.join(", ")

@@ -42,6 +42,7 @@ use crate::failure::{Failure, Place, Problem};
 use crate::joined::Body;
 use crate::model::{Shipped, WHIPPLE};
 
+pub use self::entries::given_twice;
 #[cfg(feature = "full")]
 pub use self::magnitude::{too_large, warning_of_varied};
 pub use self::matrices::{list, matrix_of_rows};

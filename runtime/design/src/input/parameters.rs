@@ -9,7 +9,7 @@ use carvallo::{ModelInfo, sort_by};
 #[cfg(feature = "full")]
 use super::correlations::Names;
 use super::document::{Document, Entry};
-use super::entries::{Entries, Missing, Remarks, unknown};
+use super::entries::{Entries, Missing, Remarks, unknown_settings};
 use super::scope::Scope;
 use super::shipped::{DEFAULT_BICYCLE, default_name};
 use super::value::{self, validate};
@@ -19,7 +19,6 @@ use crate::failure::{Place, Problem};
 use crate::feedback::{self, Law};
 use crate::matrices::{NAME, free};
 use crate::model::{Equations, Shipped, WHIPPLE};
-use crate::nearest::nearest;
 use crate::number::shortest;
 #[cfg(feature = "full")]
 use crate::parameter::find;
@@ -55,10 +54,7 @@ pub fn resolve(
     let settings = Entries::new(&overrides, info, &mut remarks.problems);
     let setting_scope = Scope::new(&overrides, values_of(&document.entries, info), info);
     settings.check(&setting_scope, info, &mut remarks);
-    for entry in &settings.unknown {
-        let known = info.parameters.iter().map(|parameter| parameter.name);
-        remarks.problems.push(unknown(entry, info, nearest(&entry.name, known)));
-    }
+    remarks.problems.extend(unknown_settings(&settings.unknown, info));
 
     check_outside(&document.outside, info, &mut remarks);
     let laws = resolve_laws(&document.feedback, &laws, info, &mut remarks.problems);
@@ -149,6 +145,12 @@ pub fn resolve(
     let name = crate::joined::name(name, &changes.bodies);
     let notes = remarks.all_notes();
     let mut warnings = remarks.warnings;
+    #[cfg(feature = "full")]
+    warnings.extend(match &reading {
+        Some(reading) => magnitude::warnings_by(reading, info, &values),
+        None => magnitude::warnings(info, &values),
+    });
+    #[cfg(not(feature = "full"))]
     warnings.extend(magnitude::warnings(info, &values));
     warnings.extend(plausible::warnings(info, &values));
     let (kind, source) = (document.kind, document.source);

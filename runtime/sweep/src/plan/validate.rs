@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use carvallo::MatrixName;
 use carvallo_design::conventions::{Naming, Varying};
-use carvallo_design::input::is_same_file;
+use carvallo_design::input::{given_twice, is_same_file};
 use carvallo_design::number::shortest;
 use carvallo_design::{Capacity, Failure, Place, Problem, Shipped, speeds};
 use carvallo_plot::picture::MOST_CELLS;
@@ -110,7 +110,7 @@ impl Problems {
             };
             if let Some((first, other)) = given.iter().find(|(first, other)| is_same(first, other)) {
                 let message = match own.as_ref().zip(meaning(other)).is_none_or(|(own, other)| own.is(&other)) {
-                    true => format!("`{name}` is given twice; first at {first}"),
+                    true => given_twice(name, other, first),
                     false => format!("`{name}` stands in the place of `{other}`, which varies, too, at {first}"),
                 };
                 self.option(option, text, message);

@@ -311,7 +311,7 @@ fn what_cannot_be_meant_is_refused() {
     );
     fails(
         &["--vary", "fork_offset=0.04,0.05", "--vary", "rake=0.03,0.04"],
-        "--vary rake=0.03,0.04: `rake` is given twice; first at --vary fork_offset=0.04,0.05",
+        "--vary rake=0.03,0.04: `rake` is given twice; first as `fork_offset` at --vary fork_offset=0.04,0.05",
     );
     fails(
         &["--vary", "fork_offset=0.03,0.04", "--random", "measured", "--samples", "3"],

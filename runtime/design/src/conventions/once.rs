@@ -1,0 +1,105 @@
+//! A file in some convention that says something in two ways, of which one is used: both must say the same.
+
+use super::Convention;
+use super::name::{Name, Values};
+use super::source::{Source, parameter};
+use super::twice::{Agreement, Told};
+use crate::design::Given;
+use crate::failure::Problem;
+use crate::input::{Document, Entry, validate};
+
+/// Values with what they are of.
+type Named = Vec<(&'static Name, Given)>;
+
+/// Names that say something together, or one that does alone.
+type Way = &'static [&'static str];
+
+impl Source<'_> {
+    /// Without what says something a second time, which is told. What is set is judged elsewhere.
+    pub fn once(&self, mut given: Named, document: &mut Document) -> Named {
+        for group in self.convention.alternatives {
+            let is_given = |name: &&str| given.iter().any(|(own, _)| own.name == *name);
+            let whole: Vec<Way> = group.iter().copied().filter(|option| option.iter().all(is_given)).collect();
+            let Some((first, others)) = whole.split_first() else { continue };
+            // What is of both wheels gives way to what is of one.
+            for other in others.iter().filter(|other| self.is_shared(first) == self.is_shared(other)) {
+                self.judge([first, other], &mut given, document);
+            }
+        }
+        given
+    }
+
+    /// Whether names stand in the place of several others.
+    fn is_shared(&self, option: Way) -> bool {
+        self.convention.alternatives.iter().filter(|group| group.contains(&option)).count() > 1
+    }
+
+    /// Judges whether two ways of saying something agree, and leaves out the second if it is a name alone.
+    fn judge(&self, options: [Way; 2], given: &mut Named, document: &mut Document) {
+        let [first, other] = options;
+        let is_set = |name: &&str| entry(self.convention, self.settings, name).is_some();
+        if first.iter().chain(other).any(is_set) {
+            return;
+        }
+        let alone =
+            [other, first].into_iter().filter_map(|option| if let [name] = option { Some(*name) } else { None });
+        let Some((told, found)) = alone.filter_map(|name| Some((name, self.told(name, given)?))).next() else { return };
+        let Some((name, value)) = given.iter().find(|(own, _)| own.name == told) else { return };
+        let Some(entry) = entry(self.convention, self.own, told) else { return };
+        let unused: Vec<&str> = match other {
+            [name] if *name == told => vec![&entry.name],
+            _ => other.to_vec(),
+        };
+        self.tell((entry, name), value, &found, &unused, document);
+        if let [name] = other {
+            given.retain(|(own, _)| own.name != *name);
+        }
+    }
+
+    /// Judges whether another name of something that is given says the same.
+    pub fn judge_alias(&self, (entry, name): (&Entry, &'static Name), first: (&str, &Given), document: &mut Document) {
+        match validate(entry, &parameter(name), &|name: &str| self.scope.value(name)) {
+            Ok(given) => {
+                let told = Told::by_name(first.0, first.1);
+                self.tell((entry, name), &given, &told, &[&entry.name], document);
+            }
+            Err(problems) => document.problems.extend(problems),
+        }
+    }
+
+    /// Tells whether a value is the one that follows.
+    fn tell(
+        &self,
+        (entry, name): (&Entry, &Name),
+        value: &Given,
+        found: &Told,
+        unused: &[&str],
+        document: &mut Document,
+    ) {
+        match found.agreement(value, Some(name)) {
+            Agreement::Same => document.notes.push(format!("{}: {}", self.label, found.is_same(&entry.name))),
+            Agreement::Near => {
+                let near = found.is_near(&entry.name, value, unused);
+                document.notes.push(format!("{}: {near}", self.label));
+            }
+            Agreement::Other => {
+                let message = found.contradicts(&entry.name, value, name.unit);
+                document.problems.push(Problem { place: entry.place.clone(), message });
+            }
+        }
+    }
+
+    /// What follows of a name from all else that is given.
+    fn told(&self, name: &str, given: &Named) -> Option<Told> {
+        let others = given.iter().filter(|(own, _)| own.name != name);
+        let others: Vec<(&str, Given)> = others.map(|(name, given)| (name.name, given.clone())).collect();
+        Told::new(&others, &|values: &Values| {
+            self.convention.tell(name, &(self.convention.to_paper)(values).ok()?, values)
+        })
+    }
+}
+
+/// Where a name is given.
+fn entry<'a>(convention: &Convention, entries: &'a [Entry], name: &str) -> Option<&'a Entry> {
+    entries.iter().find(|entry| convention.parameter(&entry.name).is_some_and(|own| own.name == name))
+}
