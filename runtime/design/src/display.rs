@@ -36,14 +36,11 @@ impl DisplayUnit {
         Self { written: unit.to_owned(), scale: Some(scale) }
     }
 
-    /// A value in this unit.
+    /// A value in this unit, with no more digits than it takes to be read as the value again: 30, where 29.999999999999996 is
+    /// computed.
     pub fn value(&self, value: f64) -> f64 {
-        self.scale.map_or(value, |scale| scale.apply(value))
-    }
-
-    /// The same with no more digits than it takes to be read as the value again: 30, where 29.999999999999996 is computed.
-    pub fn short_value(&self, value: f64) -> f64 {
-        let exact = self.value(value);
+        let Some(scale) = self.scale else { return value };
+        let exact = scale.apply(value);
         let short = format!("{exact:.14e}").parse().unwrap_or(exact);
         if self.back(short) == value { short } else { exact }
     }

@@ -70,8 +70,10 @@ pub fn columns(motion: &Motion, units: &Units) -> Vec<Column> {
         }));
     }
     for (place, (name, unit)) in motion.feedback().iter().enumerate() {
-        let unit = if *unit == "1" { String::new() } else { format!(" ({})", number::unit(unit)) };
-        columns.push(column(format!("{name}{unit}"), &|row| four_decimals(row.feedback[place])));
+        let shown = units.of(unit);
+        columns.push(column(format!("{name}{}", self::unit(&shown)), &|row| {
+            four_decimals(shown.value(row.feedback[place]))
+        }));
     }
     if !has_speed {
         for quantity in &motion.quantities {

@@ -167,6 +167,30 @@ fn pictures_show_all_designs() {
     }
 }
 
+/// The lines of the legends, three pixels wide; a design is a shipped one with another wheel base.
+#[test]
+fn many_designs_have_lines_of_their_own() {
+    let directory = Directory::of_this_test();
+    let designs: Vec<String> = (0..17).map(|k| format!("pista:w=1.{k:02}")).collect();
+    let mut arguments = vec!["compare", "--plot", "all.svg", "--side-view", "views.svg"];
+    arguments.extend(designs.iter().map(String::as_str));
+    let run = directory.run(&arguments);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    for file in ["all.svg", "views.svg"] {
+        let svg = std::fs::read_to_string(directory.0.join(file)).unwrap();
+        let part = |line: &str, name: &str| {
+            let value = line.split_once(&format!(" {name}=\"")).and_then(|(_, rest)| rest.split_once('"'));
+            value.map(|(value, _)| value.to_owned())
+        };
+        let lines = svg.lines().filter(|line| line.contains(" stroke-width=\"3\""));
+        let mut lines: Vec<_> = lines.map(|line| (part(line, "stroke"), part(line, "stroke-dasharray"))).collect();
+        assert_eq!(lines.len(), designs.len(), "{file}");
+        lines.sort();
+        lines.dedup();
+        assert_eq!(lines.len(), designs.len(), "{file}: {lines:?}");
+    }
+}
+
 #[test]
 fn mistakes_are_told() {
     let directory = Directory::of_this_test();

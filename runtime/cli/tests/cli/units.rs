@@ -393,3 +393,41 @@ fn sensitivities_are_in_the_units_of_their_headings() {
         .run(&["sensitivity", "--units", "mm", "--format", "csv"])
         .fails(2, "error: --units: JSON and CSV of this command are in units of the SI\n");
 }
+
+/// Ten pound-force inches are 1.129848290276167 N m, by the figures of NIST SP 811.
+#[test]
+fn torques_are_in_pounds_of_force() {
+    let directory = Directory::of_this_test();
+    let motion = |force: &str, rate: &str| {
+        let arguments = ["--duration", "0.1", "--initial", rate, "--force", force, "--format", "csv"];
+        directory.run(&[&["simulate", "--speed", "5"], &arguments[..]].concat()).ok()
+    };
+    let expected = motion("Tdelta=1.129848290276167", "phi_rate=0.5235987755982988");
+    for torque in ["10 lb*in", "10 lbf*in", "160 oz*in"] {
+        assert_eq!(motion(&format!("Tdelta={torque}"), "phi_rate=30 deg/s"), expected, "{torque}");
+    }
+    let shown = directory.run(&["statespace", "--speed", "5", "--inputs", "Tdelta", "--units", "imperial"]).ok();
+    assert!(shown.contains("steer torque  lb in"), "{shown}");
+    let feedback =
+        ["simulate", "--speed", "5", "--duration", "0.1", "--feedback", "Tdelta=-1.129848290276167*phi_rate"];
+    let run = directory.run(&[&feedback[..], &["--initial", "phi_rate=1", "--units", "lb*in"]].concat()).ok();
+    assert!(run.contains("Tdelta (lb in)") && run.contains("-10.0000"), "{run}");
+}
+
+/// Values that were given in a unit are written in it as they were given.
+#[test]
+fn conversions_make_no_digits() {
+    let directory = Directory::of_this_test();
+    let vary = ["--vary", "w=100 cm:120 cm:5 cm", "--vary", "lam=10 deg:30 deg:5 deg", "--units", "cm,deg"];
+    let table = directory.run(&[&["sweep"], &vary[..]].concat()).stdout;
+    let found: Vec<String> =
+        table.lines().skip(1).map(|line| line.split(',').take(2).collect::<Vec<_>>().join(" ")).collect();
+    let pair = |w: u32| (10..=30).step_by(5).map(move |lam| format!("{w}.0 {lam}.0"));
+    let expected: Vec<String> = (100..=120).step_by(5).flat_map(pair).collect();
+    assert_eq!(found, expected);
+    let shown =
+        directory.run(&["analyze", "--speeds", "0 km/h:20 km/h:1.1 km/h", "--units", "km/h", "--format", "csv"]).ok();
+    let speeds: Vec<&str> = shown.lines().skip(1).filter_map(|line| line.split(',').next()).collect();
+    let expected: Vec<String> = (0..=18).map(|k| format!("{:.1}", f64::from(11 * k) / 10.0)).collect();
+    assert_eq!(speeds, expected);
+}

@@ -2,7 +2,8 @@
 //!
 //! A unit is a product of powers of metre, kilogram, second, newton, gram, minute, hour, radian and degree, with the
 //! usual prefixes of metre, and of inch, foot, mile, pound, ounce, slug, pound-force and kilogram-force; an angle is a pure
-//! number. It fits if it is the same quantity as the declared unit.
+//! number. It fits if it is the same quantity as the declared unit. Where that takes a force, pounds and ounces are those of force, as
+//! people write `lb*in` for torques.
 
 use std::f64::consts::PI;
 
@@ -38,28 +39,26 @@ impl Scale {
     }
 }
 
-/// How to convert from the unit that is written to the one that is declared, if it is one and the quantities are the same.
-pub fn scale(written: &str, declared: &str) -> Option<Scale> {
+/// How to convert from the unit that is written to another one, which is declared, if it is one and the quantities are the same.
+pub fn scale(written: &str, other: &str) -> Option<Scale> {
     let written = written.trim();
     let inner = written.strip_prefix('[').map_or(Some(written), |rest| rest.strip_suffix(']'))?;
-    let (written, declared) = (Unit::parse(inner)?, Unit::parse(declared)?);
-    let fits = written.powers == declared.powers
-        && match declared.powers {
-            // An angle has no other unit than its own, and other pure numbers have none.
-            [0, 0, 0] => written.has_angle && declared.has_angle,
-            // Of stiffness and damping against an angle, people leave out or add the radian, which is 1.
-            _ => !written.has_degrees,
-        };
-    fits.then_some(Scale {
-        numerator: written.scale.numerator * declared.scale.denominator,
-        denominator: written.scale.denominator * declared.scale.numerator,
+    let (written, declared) = (Unit::parse(inner, false)?, Unit::parse(other, false)?);
+    written.fits(&declared).or_else(|| match (written.has_pounds, declared.has_pounds) {
+        (true, false) => Unit::parse(inner, true)?.fits(&declared),
+        (false, true) => written.fits(&Unit::parse(other, true)?),
+        _ => None,
     })
 }
 
 /// A unit as powers of kilogram, metre and second, with what numbers in it are multiplied with to be in SI units.
 pub fn in_si(written: &str) -> Option<([i32; 3], Scale)> {
-    Unit::parse(written).map(|unit| (unit.powers, unit.scale))
+    Unit::parse(written, false).map(|unit| (unit.powers, unit.scale))
 }
+
+/// Names that stand for a mass, or for its weight.
+const POUNDS: [&str; 4] = ["lb", "lbs", "pound", "pounds"];
+const OUNCES: [&str; 3] = ["oz", "ounce", "ounces"];
 
 /// A product of powers.
 struct Unit {
@@ -68,15 +67,34 @@ struct Unit {
     scale: Scale,
     has_angle: bool,
     has_degrees: bool,
+    /// Or ounces, of mass or of force.
+    has_pounds: bool,
 }
 
 impl Unit {
-    fn parse(text: &str) -> Option<Self> {
+    /// How to convert to another one of the same quantity.
+    fn fits(&self, other: &Self) -> Option<Scale> {
+        let fits = self.powers == other.powers
+            && match other.powers {
+                // An angle has no other unit than its own, and other pure numbers have none.
+                [0, 0, 0] => self.has_angle && other.has_angle,
+                // Of stiffness and damping against an angle, people leave out or add the radian, which is 1.
+                _ => self.has_angle == other.has_angle || !self.has_degrees && !other.has_degrees,
+            };
+        fits.then_some(Scale {
+            numerator: self.scale.numerator * other.scale.denominator,
+            denominator: self.scale.denominator * other.scale.numerator,
+        })
+    }
+
+    /// Pounds and ounces of mass, or of force.
+    fn parse(text: &str, of_force: bool) -> Option<Self> {
         let mut unit = Self {
             powers: [0; 3],
             scale: Scale { numerator: 1.0, denominator: 1.0 },
             has_angle: false,
             has_degrees: false,
+            has_pounds: false,
         };
         let mut rest = text.trim();
         let mut divides = false;
@@ -88,7 +106,7 @@ impl Unit {
                 // `1/s`, and the unit of pure numbers.
                 ("", 0) => {}
                 (_, 0) => return None,
-                _ => unit.multiply(name, if divides { -power } else { power })?,
+                _ => unit.multiply(name, if divides { -power } else { power }, of_force)?,
             }
             let behind = behind.trim_start();
             divides = behind.starts_with('/');
@@ -100,7 +118,8 @@ impl Unit {
         Some(unit)
     }
 
-    fn multiply(&mut self, name: &str, power: i32) -> Option<()> {
+    fn multiply(&mut self, name: &str, power: i32, of_force: bool) -> Option<()> {
+        self.has_pounds |= ["lbf", "lbm"].contains(&name) || POUNDS.contains(&name) || OUNCES.contains(&name);
         // Kilogram, metre and second; and by what it is multiplied and divided.
         let ([kg, m, s], numerator, denominator) = match name {
             "kg" => ([1, 0, 0], 1.0, 1.0),
@@ -113,9 +132,12 @@ impl Unit {
             "in" | "inch" | "inches" => ([0, 1, 0], 254.0, 1e4),
             "ft" | "foot" | "feet" => ([0, 1, 0], 3048.0, 1e4),
             "mi" | "mile" | "miles" => ([0, 1, 0], 1_609_344.0, 1e3),
-            "lb" | "lbs" | "lbm" | "pound" | "pounds" => ([1, 0, 0], 45_359_237.0, 1e8),
-            "oz" | "ounce" | "ounces" => ([1, 0, 0], 45_359_237.0, 16e8),
             "lbf" => ([1, 1, -2], 44_482_216_152_605.0, 1e13),
+            _ if of_force && POUNDS.contains(&name) => ([1, 1, -2], 44_482_216_152_605.0, 1e13),
+            _ if of_force && OUNCES.contains(&name) => ([1, 1, -2], 44_482_216_152_605.0, 16e13),
+            "lbm" => ([1, 0, 0], 45_359_237.0, 1e8),
+            _ if POUNDS.contains(&name) => ([1, 0, 0], 45_359_237.0, 1e8),
+            _ if OUNCES.contains(&name) => ([1, 0, 0], 45_359_237.0, 16e8),
             "kgf" | "kp" => ([1, 1, -2], 980_665.0, 1e5),
             // What a pound-force accelerates by one foot per second squared.
             "slug" | "slugs" => ([1, 0, 0], 44_482_216_152_605.0, 3_048e9),
@@ -137,8 +159,8 @@ impl Unit {
         };
         if name == "kgm" {
             // `kgm^2` is a kilogram times a metre squared.
-            self.multiply("kg", power.signum())?;
-            return self.multiply("m", power);
+            self.multiply("kg", power.signum(), of_force)?;
+            return self.multiply("m", power, of_force);
         }
         self.has_angle |= [kg, m, s] == [0; 3];
         self.has_degrees |= numerator == PI;

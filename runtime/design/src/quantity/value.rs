@@ -29,6 +29,11 @@ pub fn evaluate(text: &str, Context { unit, names }: Context) -> Result<Value, R
 /// # Errors
 /// What is wrong.
 pub fn evaluate_in<T: Arithmetic>(text: &str, unit: &str, names: &Lookup<T>) -> Result<Value<T>, Reason> {
+    if let Some((number, written)) = per_degree(text).filter(|_| unit != "rad") {
+        let scale = units::scale(written, unit).ok_or_else(|| Reason::Unit(written.to_owned()))?;
+        let Value { value, refers, .. } = evaluate_in(number, "1", names)?;
+        return Ok(Value { value: scale.of(value), is_converted: true, refers });
+    }
     let Parsed { value, in_degrees, refers, rest } = expression::parse(text, names)?;
     if in_degrees && unit != "rad" {
         return Err(Reason::Unit("deg".to_owned()));
@@ -49,6 +54,13 @@ pub fn evaluate_in<T: Arithmetic>(text: &str, unit: &str, names: &Lookup<T>) -> 
     } else {
         Err(Reason::Other("the value is not finite".to_owned()))
     }
+}
+
+/// A number and its unit where that begins with degrees and goes on, as `30 deg/s`: within expressions degrees stand alone.
+fn per_degree(text: &str) -> Option<(&str, &str)> {
+    let (number, rest) = text.split_at(text.find("deg").or_else(|| text.find('°'))?);
+    let is_unit = rest.contains('/') && units::in_si(rest).is_some();
+    is_unit.then_some((number.trim_end().trim_end_matches('*'), rest))
 }
 
 /// Whether what follows a number and its standard deviation is a unit and nothing else, as far as degrees are concerned:

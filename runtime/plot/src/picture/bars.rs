@@ -6,6 +6,8 @@ use super::scene::{Anchor, Color, Paint, Scene, line};
 
 const WIDTH: f32 = 960.0;
 const RIGHT: f32 = WIDTH - 36.0;
+/// Where names and notes begin.
+const MARGIN: f32 = 24.0;
 const TEXT_SIZE: f32 = 13.0;
 /// A bar, what is between the bars of two rows, and the room of their label.
 const BAR: f32 = 9.0;
@@ -51,6 +53,7 @@ pub fn draw(Bars { title, short_title, series, rows, across: below, notes }: &Ba
     }
     let extent = (low - 0.04 * (high - low), high + 0.04 * (high - low));
 
+    let notes: Vec<&str> = notes.iter().flat_map(|note| font::lines(note, TEXT_SIZE, WIDTH - 2.0 * MARGIN)).collect();
     let row_height = (BAR * series.len() as f32 + GAP).max(LEAST_ROW);
     let top = LEGEND_TOP + LEGEND * series.len() as f32;
     let bottom = top + row_height * rows.len() as f32 + GAP;
@@ -59,7 +62,7 @@ pub fn draw(Bars { title, short_title, series, rows, across: below, notes }: &Ba
 
     let besides = rows.iter().map(|row| font::width(&row.beside, TEXT_SIZE)).fold(0.0, f32::max);
     let symbols = rows.iter().map(|row| font::width(&row.symbol, TEXT_SIZE)).fold(0.0, f32::max);
-    let left = 24.0 + symbols + 14.0 + besides + 12.0;
+    let left = MARGIN + symbols + 14.0 + besides + 12.0;
     let x = |value: f64| left + ((value - extent.0) / (extent.1 - extent.0)) as f32 * (RIGHT - left);
     legend(series, left, &mut scene);
     for (tick, _) in across(extent, RIGHT - left) {
@@ -68,7 +71,7 @@ pub fn draw(Bars { title, short_title, series, rows, across: below, notes }: &Ba
     for (index, row) in rows.iter().enumerate() {
         let row_top = top + GAP / 2.0 + row_height * index as f32;
         let base = row_top + row_height / 2.0 + 0.5;
-        scene.text((24.0, base), Anchor::Start, TEXT_SIZE, INK, &row.symbol);
+        scene.text((MARGIN, base), Anchor::Start, TEXT_SIZE, INK, &row.symbol);
         scene.text((left - 12.0, base), Anchor::End, TEXT_SIZE, INK.lighter(0.4), &row.beside);
         let bars = BAR * row.values.len() as f32;
         let first = row_top + (row_height - GAP - bars).max(0.0) / 2.0;
@@ -80,7 +83,7 @@ pub fn draw(Bars { title, short_title, series, rows, across: below, notes }: &Ba
     }
     frame(extent, [left, top, RIGHT, bottom], &x, below, &mut scene);
     for (index, note) in notes.iter().enumerate() {
-        scene.text((24.0, bottom + 70.0 + NOTE * index as f32), Anchor::Start, TEXT_SIZE, INK.lighter(0.4), note);
+        scene.text((MARGIN, bottom + 70.0 + NOTE * index as f32), Anchor::Start, TEXT_SIZE, INK.lighter(0.4), note);
     }
     Some(scene)
 }

@@ -100,6 +100,22 @@ pub fn fitted(text: &str, size: f32, room: f32) -> Cow<'_, str> {
     Cow::Owned(kept.trim_end().to_owned() + DOTS)
 }
 
+/// A text in lines that have room: broken between words, and within a word that is longer than a line.
+pub fn lines(text: &str, size: f32, room: f32) -> Vec<&str> {
+    let (mut lines, mut rest) = (Vec::new(), text);
+    while width(rest, size) > room {
+        let has_room = |at: &usize| width(&rest[..*at], size) <= room;
+        let word = rest.match_indices(' ').map(|(at, _)| at).take_while(has_room).last();
+        let letter = || rest.char_indices().map(|(at, _)| at).skip(1).take_while(has_room).last();
+        let Some(end) = word.filter(|end| *end > 0).or_else(letter) else { break };
+        let (line, others) = rest.split_at(end);
+        lines.push(line);
+        rest = others.trim_start();
+    }
+    lines.push(rest);
+    lines
+}
+
 /// The outlines of a line of text that starts at the origin.
 pub fn outline(text: &str, size: f32) -> PathBuilder {
     let scale = size / FONT.units_per_em;

@@ -4,7 +4,7 @@
 use carvallo_design::Failure;
 
 use super::axes::{EVEN, INK, margin};
-use super::colors::design;
+use super::colors::{design, design_line};
 use super::curves::{Curve, samples};
 use super::font;
 use super::graph::{Graph, Line};
@@ -59,7 +59,7 @@ pub fn draw_overlay(comparison: &Comparison, limits: Option<(f64, f64)>) -> Resu
             part(curves).iter().map(move |curve| Line {
                 name: None,
                 color: design(index),
-                paint: line(2.0),
+                paint: design_line(index, 2.0),
                 curve: curve.clone(),
             })
         });
@@ -88,7 +88,7 @@ fn write_legend(comparison: &Comparison, x: (f64, f64), left: f32, scene: &mut S
     for (index, (Compared { label, analysis }, short)) in comparison.designs.iter().zip(&short).enumerate() {
         let color = design(index);
         let base = top + 13.0;
-        scene.rectangle([left, top + 3.0, left + 22.0, top + 13.0], Paint::Fill, color);
+        scene.polyline(&[(left - 8.0, top + 8.0), (left + 22.0, top + 8.0)], design_line(index, 3.0), color);
         let stable = analysis.stable_ranges().iter();
         let stable: Vec<String> = stable
             .map(|range| match range.to {

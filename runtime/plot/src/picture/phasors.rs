@@ -5,7 +5,7 @@ use carvallo_design::Shape;
 use carvallo_design::number::{fixed, shortest};
 
 use super::axes::INK;
-use super::colors;
+use super::colors::{design, design_line};
 use super::scene::{Anchor, Color, Paint, Scene, line};
 use crate::analysis::{Analysis, Rows};
 
@@ -88,13 +88,13 @@ fn draw_dial(
     // Short ones lie on long ones, which may have the same direction.
     arrows.sort_by(|a, b| b.1.norm().total_cmp(&a.1.norm()));
     for (index, component) in arrows {
-        draw_arrow(center, component, colors::design(index), scene);
+        draw_arrow(center, component, index, scene);
     }
     let base = center.1 + RADIUS + 40.0;
     for (index, (coordinate, component)) in coordinates.iter().zip(&shape.right).enumerate() {
         let y = base + LEGEND * index as f32;
         let left = x - RADIUS;
-        scene.polyline(&[(left, y - 5.0), (left + 22.0, y - 5.0)], line(3.0), colors::design(index));
+        scene.polyline(&[(left, y - 5.0), (left + 22.0, y - 5.0)], design_line(index, 3.0), design(index));
         let rate = if coordinate.states == States::Rate { "\u{2019}" } else { "" };
         let text = format!("{}{rate}  {}", coordinate.name, minus(phasor(*component)));
         scene.text((left + 30.0, y), Anchor::Start, 14.0, INK, &text);
@@ -124,7 +124,7 @@ fn draw_grid((x, y): (f32, f32), scene: &mut Scene) {
 }
 
 /// An arrow on a dial, with a bright edge that parts it from what lies below.
-fn draw_arrow((x, y): (f32, f32), component: Complex<f64>, color: Color, scene: &mut Scene) {
+fn draw_arrow((x, y): (f32, f32), component: Complex<f64>, index: usize, scene: &mut Scene) {
     let size = component.norm();
     if size <= NOTHING {
         return;
@@ -143,8 +143,8 @@ fn draw_arrow((x, y): (f32, f32), component: Complex<f64>, color: Color, scene: 
     let edge = Color(0xff, 0xff, 0xff);
     scene.polyline(&shaft, line(5.4), edge);
     scene.polyline(&head, line(2.4), edge);
-    scene.polyline(&shaft, line(3.0), color);
-    scene.polyline(&head, Paint::Fill, color);
+    scene.polyline(&shaft, design_line(index, 3.0), design(index));
+    scene.polyline(&head, Paint::Fill, design(index));
 }
 
 /// The size and the phase of a component, as in tables.

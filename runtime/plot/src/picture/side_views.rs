@@ -1,7 +1,7 @@
 //! Several bicycles from their right sides, to one scale and laid over each other.
 
 use super::axes::INK;
-use super::colors::design;
+use super::colors::{design, design_line};
 use super::font;
 use super::labels::{LINE, Labels};
 use super::marks::arc;
@@ -38,7 +38,7 @@ pub fn draw_side_views(comparison: &Comparison) -> Option<Scene> {
     let masses = geometries.iter().flat_map(|geometry| geometry.bodies.iter().map(|(_, mass, _)| *mass));
     let most = masses.fold(0.0, f64::max);
     for (index, geometry) in geometries.iter().enumerate() {
-        draw(geometry, &scale.of(geometry), design(index), &mut scene, &mut labels_taken);
+        draw(geometry, &scale.of(geometry), index, &mut scene, &mut labels_taken);
     }
     // Over the lines of all.
     for (index, geometry) in geometries.iter().enumerate() {
@@ -54,14 +54,15 @@ pub fn draw_side_views(comparison: &Comparison) -> Option<Scene> {
     for (index, (names, dimensions)) in short.iter().zip(&labels).zip(&dimensions).enumerate() {
         let [short, text] = [names.0.as_str(), names.1].map(|name| format!("{name}{dimensions}"));
         let (color, base) = (design(index), below + ROW * index as f32);
-        scene.polyline(&[(24.0, base - 5.0), (52.0, base - 5.0)], line(3.0), color);
+        scene.polyline(&[(24.0, base - 5.0), (52.0, base - 5.0)], design_line(index, 3.0), color);
         scene.short_text((LEGEND_LEFT, base), TEXT_SIZE, color, [&short, &text]);
     }
     Some(scene)
 }
 
 /// Wheels, a hint of the frame, and the steer axis.
-fn draw(geometry: &Geometry, scale: &Scale, color: Color, scene: &mut Scene, labels: &mut Labels) {
+fn draw(geometry: &Geometry, scale: &Scale, index: usize, scene: &mut Scene, labels: &mut Labels) {
+    let color = design(index);
     let [rear, front] = geometry.radii;
     let hubs = [(0.0, rear), (geometry.wheel_base, front)];
     let end = geometry.fork_end();
@@ -70,7 +71,7 @@ fn draw(geometry: &Geometry, scale: &Scale, color: Color, scene: &mut Scene, lab
     scene.polyline(&[rear_hub, head, end, front_hub], line(5.0), color.lighter(0.75));
     for (radius, hub) in geometry.radii.into_iter().zip(hubs) {
         let (center, pixels) = (scale.place(hub), (radius * scale.factor) as f32);
-        scene.circle(center, pixels, line(2.5), color);
+        scene.circle(center, pixels, design_line(index, 2.5), color);
         labels.avoid_line(&arc(center, pixels, 0.0, std::f32::consts::TAU), LINE);
     }
     let axis = [0.0, geometry.axis_length()].map(|distance| scale.place(geometry.steer_axis(distance)));

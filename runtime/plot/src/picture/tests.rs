@@ -1,7 +1,8 @@
 use carvallo_design::input::{self, Request};
 use carvallo_design::{Design, MODELS};
 
-use super::{Limits, Scene, draw_along, draw_eigenvalues, draw_side_view, draw_tornado, font};
+use super::scene::Color;
+use super::{Limits, Scene, bars, draw_along, draw_eigenvalues, draw_side_view, draw_tornado, font};
 use crate::analysis::Analysis;
 use crate::analysis::along::AlongAnalysis;
 use crate::analysis::sensitivity::Changes;
@@ -46,6 +47,29 @@ fn the_font_has_the_characters_of_every_picture() {
     for parameter in MODELS.iter().flat_map(|model| model.info.parameters) {
         assert!(font::has(parameter.symbol) && font::has(&carvallo_design::number::unit(parameter.unit)));
     }
+}
+
+/// What a chart cannot show is written below it in as many lines as it takes, and whole.
+#[test]
+fn notes_of_charts_are_whole() {
+    let name = "a bicycle of which the name says where it was measured, by whom and with which tyres, ";
+    let note = format!("Only {}{} has the capsize speed 5.4652 m/s", name.repeat(3), "x".repeat(200));
+    let bars = |notes: Vec<String>| {
+        let rows = vec![bars::Row { symbol: "w".to_owned(), beside: String::new(), values: vec![1.0] }];
+        let [title, short_title, across] = ["title", "title", "across"].map(str::to_owned);
+        let series = vec![("weave".to_owned(), Color(0, 0, 0))];
+        bars::draw(&bars::Bars { title, short_title, series, rows, across, notes }).unwrap()
+    };
+    let (scene, without) = (bars(vec![note.clone(), "End".to_owned()]), bars(Vec::new()));
+    let written: Vec<&str> =
+        texts(&scene).skip_while(|text| !text.starts_with("Only")).take_while(|text| *text != "End").collect();
+    assert_eq!(written.concat().replace(' ', ""), note.replace(' ', ""));
+    assert!(
+        written.len() > 3 && written.iter().all(|line| font::width(line, 13.0) <= scene.width - 48.0),
+        "{written:?}"
+    );
+    assert!((scene.height - without.height - 19.0 * written.len() as f32).abs() < 0.1);
+    assert_eq!(font::lines("", 13.0, 100.0), [""]);
 }
 
 /// The axes show what is near zero, and tell of the rest; critical values have their signs.

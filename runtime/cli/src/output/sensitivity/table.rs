@@ -83,7 +83,7 @@ pub fn ranking(changes: &Changes) -> Vec<(String, Vec<String>)> {
     let shown = |i: usize, value: f64| changes.of_parameter(i).value(value);
     let mut columns = vec![
         (String::new(), lines(&|i| info.parameters[i].name.to_owned())),
-        ("value".to_owned(), lines(&|i| shortest(changes.of_parameter(i).short_value(values[i])))),
+        ("value".to_owned(), lines(&|i| shortest(changes.of_parameter(i).value(values[i])))),
         (
             "1 % is".to_owned(),
             lines(&|i| match changes.steps[i] {

@@ -110,17 +110,7 @@ pub fn doubt(text: &str, quantity: &Quantity) -> Option<String> {
 pub fn value(text: &str, quantity: &Quantity, is_rate: bool) -> Result<f64, String> {
     let text = unquoted(text);
     let unit = if is_rate { quantity.unit_per_time(1) } else { quantity.unit.to_owned() };
-    // Degrees are a part of expressions, and what they are divided by is none.
-    let per_second = text.strip_suffix("/s").filter(|angle| {
-        is_rate
-            && quantity.unit == "rad"
-            && (angle.ends_with("deg") || angle.ends_with('°') || angle.ends_with("degrees"))
-    });
-    let read = match per_second {
-        Some(angle) => quantity::number(angle, Context { unit: "rad", names: &no_names }),
-        None => quantity::number(text, Context { unit: &unit, names: &no_names }),
-    };
-    read.map_err(|Mistake { reason, .. }| match reason {
+    quantity::number(text, Context { unit: &unit, names: &no_names }).map_err(|Mistake { reason, .. }| match reason {
         Reason::Unit(found) => {
             let or = match (quantity.unit, is_rate) {
                 ("rad", true) => ", or in deg/s",
