@@ -23,6 +23,10 @@ pub trait InLanes: Scalar + SimdFloatElement + Send + Sync {
     #[doc(hidden)]
     fn sin_cos_of_lanes<S: Simd>(angle: Lanes<S, Self>) -> (Lanes<S, Self>, Lanes<S, Self>);
 
+    /// The first to the fourth of four numbers of designs, each of as many designs as there are lanes.
+    #[doc(hidden)]
+    fn side_by_side<S: Simd>(simd: S, four: impl Fn(usize) -> [Self; 4] + Copy) -> [Lanes<S, Self>; 4];
+
     /// Rows to columns, within each four lanes of four registers.
     #[doc(hidden)]
     fn transpose_fours<S: Simd>(registers: [Lanes<S, Self>; 4]) -> [Lanes<S, Self>; 4];
@@ -37,6 +41,11 @@ impl InLanes for f64 {
     }
 
     #[inline(always)]
+    fn side_by_side<S: Simd>(simd: S, four: impl Fn(usize) -> [f64; 4] + Copy) -> [Lanes<S>; 4] {
+        transpose::side_by_side_f64(simd, four)
+    }
+
+    #[inline(always)]
     fn transpose_fours<S: Simd>(registers: [Lanes<S>; 4]) -> [Lanes<S>; 4] {
         transpose::transpose_f64(registers)
     }
@@ -48,6 +57,11 @@ impl InLanes for f32 {
     #[inline(always)]
     fn sin_cos_of_lanes<S: Simd>(angle: Lanes<S, f32>) -> (Lanes<S, f32>, Lanes<S, f32>) {
         single::sin_cos_of_lanes(angle)
+    }
+
+    #[inline(always)]
+    fn side_by_side<S: Simd>(simd: S, four: impl Fn(usize) -> [f32; 4] + Copy) -> [Lanes<S, f32>; 4] {
+        transpose::side_by_side_f32(simd, four)
     }
 
     #[inline(always)]

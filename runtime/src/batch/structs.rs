@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use fearless_simd::Simd;
 
-use super::transpose::{GROUP, as_a_whole, transpose_group};
+use super::transpose::{GROUP, transpose_group};
 use super::{InLanes, Lanes};
 use crate::model::{Evaluator, Model};
 use crate::number::Scalar;
@@ -35,33 +35,37 @@ fn parameters<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
     simd: S,
     designs: &[M],
 ) -> M::Over<Lanes<S, M::Scalar>> {
-    let lanes = Lanes::<S, M::Scalar>::COUNT;
-    let count = M::INFO.parameters.len();
-    let group = lanes.min(GROUP);
-    let mut columns = [Lanes::splat(simd, M::Scalar::from_f64(0.0)); GROUP];
-    let mut begin = usize::MAX;
-    M::Over::<Lanes<S, M::Scalar>>::from_parameters(
-        #[inline(always)]
-        |position| {
-            if count < group {
-                return Lanes::from_fn(
+    // Known where this is compiled, not only after it is optimized: what writes lanes one by one would keep a register, which
+    // may come from there, from being one.
+    if const { M::INFO.parameters.len() < GROUP } {
+        return M::Over::<Lanes<S, M::Scalar>>::from_parameters(
+            #[inline(always)]
+            |position| {
+                Lanes::from_fn(
                     simd,
                     #[inline(always)]
                     |lane| designs[lane].parameters().as_ref()[position],
+                )
+            },
+        );
+    }
+    let zero = M::Scalar::from_f64(0.0);
+    let mut columns = [Lanes::splat(simd, zero); GROUP];
+    M::Over::<Lanes<S, M::Scalar>>::from_parameters(
+        #[inline(always)]
+        |position| {
+            let first = (position - position % GROUP).min(const { M::INFO.parameters.len().saturating_sub(GROUP) });
+            // They are asked for in order.
+            if position % GROUP == 0 {
+                columns = M::Scalar::side_by_side(
+                    simd,
+                    #[inline(always)]
+                    |design| {
+                        let mut four = [zero; GROUP];
+                        four.copy_from_slice(&designs[design].parameters().as_ref()[first..first + GROUP]);
+                        four
+                    },
                 );
-            }
-            // They are asked for in order, so a group is transposed once.
-            let first = (position - position % group).min(count - group);
-            if first != begin {
-                for (row, numbers) in columns[..group].iter_mut().enumerate() {
-                    *numbers = as_a_whole(Lanes::from_fn(
-                        simd,
-                        #[inline(always)]
-                        |lane| designs[row + lane / group * group].parameters().as_ref()[first + lane % group],
-                    ));
-                }
-                transpose_group(&mut columns[..group]);
-                begin = first;
             }
             columns[position - first]
         },

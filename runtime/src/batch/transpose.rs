@@ -6,7 +6,7 @@ use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-use super::wide;
+use super::wide::{self, same};
 use super::{InLanes, Lanes};
 
 /// As many lanes as the widest registers have, in `f32`.
@@ -47,17 +47,14 @@ pub fn transpose<S: Simd, T: InLanes>(square: &mut [Lanes<S, T>]) {
     }
 }
 
-/// The same numbers, to the last bit.
-///
-/// The compiler reads numbers of designs one by one. It sees through the shuffles of AVX2, and would bring each into its lane
-/// alone; but not that the greater of a number and itself is that number. So it reads four at once.
 #[inline(always)]
-pub fn as_a_whole<S: Simd, T: InLanes>(lanes: Lanes<S, T>) -> Lanes<S, T> {
-    match lanes.0.token().level() {
-        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        Level::Avx2(_) => Lanes(lanes.0.max(lanes.0)),
-        _ => lanes,
-    }
+fn zip<S: Simd, T: InLanes>(a: Lanes<S, T>, b: Lanes<S, T>) -> [Lanes<S, T>; 2] {
+    [Lanes(a.0.zip_low(b.0)), Lanes(a.0.zip_high(b.0))]
+}
+
+#[inline(always)]
+fn unzip<S: Simd, T: InLanes>(a: Lanes<S, T>, b: Lanes<S, T>) -> [Lanes<S, T>; 2] {
+    [Lanes(a.0.unzip_low(b.0)), Lanes(a.0.unzip_high(b.0))]
 }
 
 /// In two rounds, each of which zips the first half with the second. Of wider registers zips bring numbers across them, which
@@ -70,28 +67,87 @@ fn of_four_lanes<S: Simd, T: InLanes>([a, b, c, d]: [Lanes<S, T>; 4]) -> [Lanes<
 }
 
 #[inline(always)]
-fn zip<S: Simd, T: InLanes>(a: Lanes<S, T>, b: Lanes<S, T>) -> [Lanes<S, T>; 2] {
-    [Lanes(a.0.zip_low(b.0)), Lanes(a.0.zip_high(b.0))]
+pub fn transpose_f32<S: Simd>(rows: [Lanes<S, f32>; 4]) -> [Lanes<S, f32>; 4] {
+    let columns = match rows[0].0.token().level() {
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        Level::Avx2(avx2) => same(rows).and_then(
+            #[inline(always)]
+            |rows| same(wide::transpose_eight_f32(avx2, rows)),
+        ),
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        Level::Avx512(avx512) => same(rows).and_then(
+            #[inline(always)]
+            |rows| same(wide::transpose_sixteen_f32(avx512, rows)),
+        ),
+        _ => None,
+    };
+    if let Some(columns) = columns { columns } else { of_four_lanes(rows) }
 }
 
 #[inline(always)]
-pub fn transpose_f32<S: Simd>(registers: [Lanes<S, f32>; 4]) -> [Lanes<S, f32>; 4] {
-    match registers[0].0.token().level() {
+pub fn transpose_f64<S: Simd>(rows: [Lanes<S>; 4]) -> [Lanes<S>; 4] {
+    let columns = match rows[0].0.token().level() {
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        Level::Avx2(avx2) => wide::transpose_eight_f32(avx2, registers),
+        Level::Avx2(avx2) => same(rows).and_then(
+            #[inline(always)]
+            |rows| same(wide::transpose_four_f64(avx2, rows)),
+        ),
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        Level::Avx512(avx512) => wide::transpose_sixteen_f32(avx512, registers),
-        _ => of_four_lanes(registers),
-    }
+        Level::Avx512(avx512) => same(rows).and_then(
+            #[inline(always)]
+            |rows| same(wide::transpose_eight_f64(avx512, rows)),
+        ),
+        _ => None,
+    };
+    if let Some(columns) = columns { columns } else { of_four_lanes(rows) }
 }
 
 #[inline(always)]
-pub fn transpose_f64<S: Simd>(registers: [Lanes<S>; 4]) -> [Lanes<S>; 4] {
-    match registers[0].0.token().level() {
+pub fn side_by_side_f32<S: Simd>(simd: S, four: impl Fn(usize) -> [f32; 4] + Copy) -> [Lanes<S, f32>; 4] {
+    let columns = match simd.level() {
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        Level::Avx2(avx2) => wide::transpose_four_f64(avx2, registers),
+        Level::Avx2(avx2) => same(wide::side_by_side_eight_f32(avx2, four)),
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        Level::Avx512(avx512) => wide::transpose_eight_f64(avx512, registers),
-        _ => of_four_lanes(registers),
+        Level::Avx512(avx512) => same(wide::side_by_side_sixteen_f32(avx512, four)),
+        _ => None,
+    };
+    if let Some(columns) = columns {
+        return columns;
     }
+    // By twos, which lie side by side already.
+    let [[a, e], [b, f], [c, g], [d, h]] = [twos(four(0)), twos(four(1)), twos(four(2)), twos(four(3))];
+    let [a, b] = unzip(of_twos(simd, a, b), of_twos(simd, c, d));
+    let [c, d] = unzip(of_twos(simd, e, f), of_twos(simd, g, h));
+    [a, b, c, d]
+}
+
+/// The bits of the first two numbers, as they lie in memory, and of the others.
+#[inline(always)]
+fn twos([a, b, c, d]: [f32; 4]) -> [u64; 2] {
+    let [a, b, c, d]: [u64; 4] = [a.to_bits().into(), b.to_bits().into(), c.to_bits().into(), d.to_bits().into()];
+    if cfg!(target_endian = "little") { [a | b << 32, c | d << 32] } else { [a << 32 | b, c << 32 | d] }
+}
+
+#[inline(always)]
+fn of_twos<S: Simd>(simd: S, a: u64, b: u64) -> Lanes<S, f32> {
+    let twos = S::u64s::from_slice(simd, &[a, b]);
+    Lanes(twos.bitcast())
+}
+
+#[inline(always)]
+pub fn side_by_side_f64<S: Simd>(simd: S, four: impl Fn(usize) -> [f64; 4] + Copy) -> [Lanes<S>; 4] {
+    let columns = match simd.level() {
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        Level::Avx2(avx2) => same(wide::side_by_side_four_f64(avx2, four)),
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        Level::Avx512(avx512) => same(wide::side_by_side_eight_f64(avx512, four)),
+        _ => None,
+    };
+    if let Some(columns) = columns {
+        return columns;
+    }
+    let [first, second] = [four(0), four(1)];
+    let [a, b] = zip(Lanes::load(simd, &first[..2]), Lanes::load(simd, &second[..2]));
+    let [c, d] = zip(Lanes::load(simd, &first[2..]), Lanes::load(simd, &second[2..]));
+    [a, b, c, d]
 }
