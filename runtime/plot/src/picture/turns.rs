@@ -22,7 +22,7 @@ const LARGEST: f64 = 4.0;
 pub fn draw_turns(families: &Families) -> Scene {
     let drawn = drawn(families);
     let turns = || drawn.iter().flat_map(|family| &family.turns);
-    let x = roomy(range(turns().map(|turn| turn.speed).chain([0.0])));
+    let x = from_zero(range(turns().map(|turn| turn.speed).chain([0.0])));
     let angles = families.positions.iter().filter(|(_, told)| told.unit == "rad");
     let mut lines = Vec::new();
     for ((place, told), color) in angles.zip(COLORS) {
@@ -56,6 +56,12 @@ pub fn draw_turns(families: &Families) -> Scene {
     scene
 }
 
+/// A range with room, of which none is below zero where no value is.
+fn from_zero((low, high): (f64, f64)) -> (f64, f64) {
+    let (below, above) = roomy((low, high));
+    (if low < 0.0 { below } else { 0.0 }, above)
+}
+
 /// The curves that begin at capsize speeds; the others, which lean and steer much farther, where there is none of these.
 fn drawn<'a>(families: &'a Families) -> Vec<&'a Family> {
     let from_capsize: Vec<&Family> = families.families.iter().filter(|family| family.capsize.is_some()).collect();
@@ -81,5 +87,18 @@ fn add(lines: &mut Vec<Line>, families: &[&Family], name: &str, color: Color, va
                 _ => lines.push(Line { name: None, color, paint, curve: points.collect() }),
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::from_zero;
+
+    /// There are no speeds below zero, unless something runs backwards.
+    #[test]
+    fn speeds_begin_at_zero() {
+        assert_eq!(from_zero((0.0, 6.0)).0, 0.0);
+        assert_eq!(from_zero((0.0, 0.0)), (0.0, 1.0));
+        assert!(from_zero((0.0, 6.0)).1 > 6.0 && from_zero((-1.0, 6.0)).0 < -1.0);
     }
 }
