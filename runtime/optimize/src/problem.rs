@@ -3,7 +3,7 @@
 use carvallo_design::conventions::Varied;
 use carvallo_design::input::warning_of_varied;
 use carvallo_design::number::shortest;
-use carvallo_design::{Design, Failure, Place};
+use carvallo_design::{Design, Dual, Failure, Place};
 
 use crate::bodies;
 use crate::constraint::Constraint;
@@ -24,6 +24,11 @@ pub struct Problem<'a> {
     /// How it is searched.
     pub settings: Settings,
     varied: Varied,
+}
+
+/// The name in front of a range, as it was given.
+fn spelled(written: &str) -> &str {
+    written.split('=').next().unwrap_or_default().trim()
 }
 
 /// How it is searched.
@@ -60,7 +65,13 @@ impl<'a> Problem<'a> {
             let mut before = ranges[..index].iter();
             if let Some(first) = before.find(|other| range.varying.is_in_place_of(&other.varying, &naming)) {
                 let message = match first.varying.is(&range.varying) {
-                    true => format!("`{name}` has a range already"),
+                    true if spelled(&first.written) == spelled(&range.written) => {
+                        format!("`{name}` has a range already")
+                    }
+                    true => {
+                        let [own, other] = [range, first].map(|range| spelled(&range.written));
+                        format!("`{own}` is `{other}`, which has a range already")
+                    }
                     false => {
                         format!("`{name}` stands in the place of `{}`, which has a range, too", first.parameter.name)
                     }
@@ -84,7 +95,30 @@ impl<'a> Problem<'a> {
         for written in keep {
             constraints.push(Constraint::parse(written, info, &values, naming.convention())?);
         }
-        Ok(Self { design, ranges, goal, constraints, settings: Settings::default(), varied })
+        let problem = Self { design, ranges, goal, constraints, settings: Settings::default(), varied };
+        match problem.fixed_goal() {
+            Some(message) => Err(Failure::usage(message)),
+            None => Ok(problem),
+        }
+    }
+
+    /// That the goal is a parameter that does not change, if it is.
+    fn fixed_goal(&self) -> Option<String> {
+        let Measure::Parameter(quantity) = self.goal.measure else { return None };
+        let count = self.ranges.len();
+        let changes = |share: f64| {
+            let varied = self.at(&vec![share; count]);
+            let (values, slopes) = (self.values(&varied).ok()?, self.slopes(&varied));
+            let by = |slopes: &Vec<f64>| {
+                let own = |at: usize| Dual { value: values[at], slope: slopes[at] };
+                quantity.value(self.design.info(), &own).is_some_and(|value| value.slope != 0.0)
+            };
+            Some(slopes.iter().any(by))
+        };
+        // Where there is no such design in the middle, and where it does not change there by chance, it may elsewhere.
+        let is_fixed = [0.5, 0.31].into_iter().all(|share| changes(share) == Some(false));
+        let names: Vec<String> = self.ranges.iter().map(|range| format!("`{}`", range.parameter.name)).collect();
+        is_fixed.then(|| format!("`{}` does not change with {}", self.goal.measure, names.join(", ")))
     }
 
     /// The same, searched in another way.

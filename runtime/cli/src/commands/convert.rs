@@ -41,7 +41,7 @@ pub struct Options {
     design: DesignOptions,
     /// The parameterization: paper, moore, pydy, principal, gyrostats, libbicycle, jbike6 or geometry
     #[arg(long, value_name = "NAME")]
-    to: String,
+    to: Option<String>,
     /// toml, json, yaml, csv, python, matlab or text [default: by the ending of --output, or toml; matlab for jbike6]
     #[arg(long, value_enum, hide_possible_values = true)]
     format: Option<Format>,
@@ -83,8 +83,12 @@ impl Format {
 }
 
 pub fn run(options: &Options) -> Result<(), Failure> {
-    let place = || Place::Option(format!("--to {}", options.to));
-    let convention = Convention::called(&options.to).map_err(|failure| Failure::at(place(), failure.to_string()))?;
+    let Some(to) = &options.to else {
+        let names: Vec<&str> = Convention::all().map(|convention| convention.name).collect();
+        return Err(Failure::usage(format!("expected --to NAME, with one of {}", names.join(", "))));
+    };
+    let place = || Place::Option(format!("--to {to}"));
+    let convention = Convention::called(to).map_err(|failure| Failure::at(place(), failure.to_string()))?;
     if let Some(output) = &options.output
         && options.design.request().reads(output)
     {

@@ -9,6 +9,7 @@ mod convert;
 mod demo;
 mod equations;
 mod groups;
+mod hints;
 mod lists;
 mod lqr;
 mod measure;
@@ -27,7 +28,7 @@ use std::process::ExitCode;
 
 use carvallo_design::{Failure, Place, Problem};
 use clap::builder::{Styles, styling::AnsiColor};
-use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::error::{ContextKind, ContextValue};
 use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 
 use crate::terminal::{ERROR, note};
@@ -157,8 +158,10 @@ fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Arguments, Fai
     let mut command = groups::grouped(Arguments::command());
     let matches = command.try_get_matches_from_mut(arguments);
     let parsed = matches.and_then(|matches| Ok((Arguments::from_arg_matches(&matches)?, matches)));
-    let (arguments, matches) =
-        parsed.map_err(|error| problem(&error).unwrap_or_else(|| error.format(&mut command).exit()))?;
+    let (arguments, matches) = parsed.map_err(|error| {
+        let told = problem(&error).or_else(|| hints::hint(&error, &command));
+        told.unwrap_or_else(|| error.format(&mut command).exit())
+    })?;
     destination::check(&matches)?;
     Ok(arguments)
 }
@@ -169,11 +172,6 @@ fn problem(error: &clap::Error) -> Option<Failure> {
         Some(ContextValue::String(text)) => Some(text),
         _ => None,
     };
-    if error.kind() == ErrorKind::UnknownArgument && text(ContextKind::InvalidArg).is_some_and(|own| own == "--output")
-    {
-        let message = "the result of this command goes to the standard output: write `> FILE` behind it";
-        return Some(Failure::at(Place::Option("--output".to_owned()), message));
-    }
     let problem: &Problem = error.source()?.downcast_ref()?;
     // `--set <NAME=VALUE>`
     let (argument, value) = (text(ContextKind::InvalidArg)?, text(ContextKind::InvalidValue)?);

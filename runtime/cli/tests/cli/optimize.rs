@@ -282,6 +282,19 @@ fn mistakes_are_told() {
         "error: --keep 'xB >= 1 kg': `1 kg` is no value: `kg` is no unit for it\n",
     );
     fails(
+        &[&["--vary", "c=0:0.1", "--vary", "trail=0:0.1"], &goal[..]].concat(),
+        2,
+        "error: --vary trail=0:0.1: `trail` is `c`, which has a range already\n",
+    );
+    fails(
+        &[&["--vary", "w=0.9:1", "--output", "best.json"], &goal[..]].concat(),
+        2,
+        "error: --output best.json: the name must end in .toml\n",
+    );
+    assert!(!directory.0.join("best.json").exists());
+    fails(&["--vary", "c=0:0.1", "--minimize", "mB"], 2, "error: `mB` does not change with `c`\n");
+    fails(&["--vary", "w=0.9:1", "--minimize", "trail"], 2, "error: `trail` does not change with `w`\n");
+    fails(
         &["--vary", "w=0.9:1", "--maximize", "range"],
         2,
         "error: --maximize range: `range` is not a parameter of Whipple; expected a parameter, or one of stable-range, \

@@ -228,3 +228,21 @@ fn exit_codes_of_files_are_the_same_everywhere() {
     directory.run(&["analyze", "--plot", "a.svg", "--feedback", "nonsense"]);
     assert!(!directory.0.join("a.svg").exists());
 }
+
+/// Options that other commands have, and words that are options, point to these commands; what is near a name points to that.
+#[test]
+fn what_there_is_not_points_to_what_there_is() {
+    let directory = Directory::of_this_test();
+    for (arguments, message) in [
+        (&["bode", "--speed", "5"][..], "there is no command `bode`; --bode is an option of `transfer`"),
+        (&["sensitivity", "--along", "w=1:2"], "--along: this command has no such option; `analyze` has"),
+        (&["show", "--bode", "x.svg"], "--bode: this command has no such option; `transfer` has"),
+        (&["show", "--keep", "w > 1"], "--keep: this command has no such option; `optimize` has"),
+    ] {
+        directory.run(arguments).fails(2, &format!("error: {message}\n"));
+    }
+    for (arguments, near) in [(&["analize"][..], "'analyze'"), (&["optimize", "--minimise", "x"], "'--minimize'")] {
+        let run = directory.run(arguments);
+        assert!(run.code == Some(2) && run.stderr.contains(near), "{}", run.stderr);
+    }
+}

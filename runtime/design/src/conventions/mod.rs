@@ -93,7 +93,7 @@ fn nothing(_: &Values, _: &Values) -> Values {
 /// The parameters of the paper by Meijaard, Papadopoulos, Ruina and Schwab (2007), which all commands compute with.
 pub const PAPER: &Convention = &Convention {
     name: "paper",
-    others: &["benchmark", "Meijaard2007", "meijaard2007"],
+    others: &["benchmark", "Meijaard2007"],
     title: "the names of the paper (2007)",
     names: &[],
     alternatives: &[],
@@ -132,7 +132,8 @@ impl Convention {
     }
 
     fn find(name: &str) -> Option<&'static Self> {
-        Self::all().find(|convention| convention.name == name || convention.others.contains(&name))
+        let is_it = |own: &&str| own.eq_ignore_ascii_case(name);
+        Self::all().find(|convention| is_it(&convention.name) || convention.others.iter().any(|own| is_it(own)))
     }
 
     /// That there is none called so.

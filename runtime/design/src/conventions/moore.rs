@@ -11,7 +11,7 @@ use super::tensor::{Tensor, turned};
 
 pub const MOORE: Convention = Convention {
     name: "moore",
-    others: &["Moore2012", "moore2012"],
+    others: &["Moore2012"],
     title: "the names of Moore (2012)",
     names: NAMES,
     alternatives: &[],

@@ -8,6 +8,7 @@ use super::name::{Name, Need};
 use super::read::{has_paper, list};
 use super::recognise::{only, with_all};
 use super::source::parameter;
+use super::twice::PRINTED;
 use super::{Convention, OTHERS};
 use crate::failure::Place;
 use crate::input::{Entry, Written, position};
@@ -109,6 +110,20 @@ impl Naming {
             Need::Ignored(reason) if position(name, self.info).is_none() => Some(reason),
             _ => None,
         }
+    }
+
+    /// What there is to know of a column that may be a little off from what follows from another one, which counts.
+    pub fn second(&self, counts: &Varying, other: &Varying) -> Option<String> {
+        let (At::Convention(first), At::Convention(second)) = (counts.at, other.at) else { return None };
+        let together = self.convention?.together(second.name);
+        let is_length = first.printed == Some("mm")
+            && together.map_or(second.printed == Some("mm"), |names| names.first() == Some(&second.name));
+        let is_second = self.convention?.in_place_of(second.name) == Some(first.name) && is_length;
+        let names = together.map_or_else(|| list(&[second.name]), list);
+        let (most, stands) = (1e3 * PRINTED, if together.is_some() { "stand" } else { "stands" });
+        is_second.then(|| {
+            format!("{names} {stands} beside `{}`, which counts; they may disagree by up to {most} mm", first.name)
+        })
     }
 
     fn unknown(&self, name: &str) -> String {

@@ -94,6 +94,12 @@ impl Range {
         if step <= 0.0 {
             return Err(format!("the step is `{step_text}`; it must be > 0"));
         }
+        if step > self.high - self.low && self.high > self.low {
+            let step = with_unit(step, info.unit);
+            return Err(format!(
+                "the step is {step}, longer than the range; a number of values is `{step_text} points`"
+            ));
+        }
         // The end belongs to the range also if the division falls just short of it.
         let steps = ((self.high - self.low) / step + 1e-9).floor();
         if steps >= MAX_POINTS {

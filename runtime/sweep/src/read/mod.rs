@@ -10,7 +10,7 @@ mod rows;
 use std::path::{Path, PathBuf};
 
 use carvallo::ModelInfo;
-use carvallo_design::conventions::Naming;
+use carvallo_design::conventions::{Naming, Varying};
 use carvallo_design::quantity::scale;
 use carvallo_design::{Failure, Place, Problem};
 
@@ -121,6 +121,9 @@ impl File {
             Format::Csv => csv::check(path, &columns)?,
             Format::Parquet => parquet::check(path, &columns).map(|()| false)?,
         };
+        let parameters = || columns.iter().filter_map(|column| column.parameter.as_ref());
+        let second = |other: &Varying| parameters().find_map(|counts| naming.second(counts, other));
+        notes.extend(parameters().filter_map(second).map(|text| format!("{label}: {text}")));
         let file = Self { path: path.to_owned(), format, naming, columns, notes, has_both_signs };
         if file.designs(&mut file.records()?, 1)?.rows == 0 {
             let message = "there is no design: no row follows the names of the columns";

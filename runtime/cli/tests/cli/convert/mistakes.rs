@@ -63,6 +63,10 @@ fn mistakes_are_told_by_the_names_of_the_file() {
     let known = "there is no parameterization `more`; there are paper, moore, pydy, principal, gyrostats, \
                  libbicycle, jbike6, geometry; did you mean `moore`?";
     bicycle(&["--to", "more"], &format!("--to more: {known}"));
+    let names = "paper, moore, pydy, principal, gyrostats, libbicycle, jbike6, geometry";
+    bicycle(&["pista"], &format!("expected --to NAME, with one of {names}"));
+    let [capital, own] = ["Moore", "moore"].map(|name| directory.run(&["convert", "benchmark", "--to", name]).stdout);
+    assert!(own.contains("d1 = ") && capital == own, "{capital}");
     bicycle(
         &["--model", "Pendulum", "--to", "moore"],
         "Pendulum seconds: the model Pendulum has other parameters than a bicycle",

@@ -140,3 +140,16 @@ fn long_files_are_read_to_their_end() {
         assert_eq!(table.number(row, "l1"), Some(1.0 + row as f64 / 1e4));
     }
 }
+
+/// By definition the trail is (r sin λ - offset)/cos λ: 59.9 mm with 17°, a radius of 0.35 m and an offset of 45 mm.
+#[test]
+fn what_columns_say_twice_is_told() {
+    let directory = Directory::of_this_test();
+    directory.write("both.csv", "head_angle_deg,trail_mm,rake_mm\n73,58,45\n73,70,45\n");
+    let run = directory.run(&["sweep", "--designs", "both.csv"]);
+    let note = "note: both.csv: `trail` stands beside `fork_offset`, which counts; they may disagree by up to 5 mm\n";
+    assert!(run.code == Some(0) && run.stderr.contains(note), "{}", run.stderr);
+    let rows: Vec<&str> = run.stdout.lines().skip(1).collect();
+    assert!(rows[0].ends_with(','), "{}", rows[0]);
+    assert!(rows[1].contains("`trail` is 70.0 mm, but 59.9 mm with the fork offset"), "{}", rows[1]);
+}

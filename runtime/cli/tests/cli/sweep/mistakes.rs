@@ -39,6 +39,10 @@ fn sweeps_that_make_no_sense() {
         assert!(run.stderr.contains("expected a whole number"), "{}", run.stderr);
     }
     check(&["--random", "w=1..2", "--samples", "0"], "--samples 0: expected at least 1");
+    check(
+        &["--vary", "w=1:1.2:5"],
+        "--vary w=1:1.2:5: the step is 5 m, longer than the range; a number of values is `5 points`",
+    );
     check(&["--vary", "w=1,2", "--vary", "w=3"], "--vary w=3: `w` is given twice; first at --vary w=1,2");
     check(&["--vary", "g=1,2", "--gravity", "3"], "--vary g=1,2: `g` is given twice; first at --gravity 3");
     let message = "nothing in the model Pendulum depends on the speed: give --eigenvalues SPEEDS";
