@@ -133,7 +133,7 @@ impl Convention {
 
     fn find(name: &str) -> Option<&'static Self> {
         let is_it = |own: &&str| own.eq_ignore_ascii_case(name);
-        Self::all().find(|convention| is_it(&convention.name) || convention.others.iter().any(|own| is_it(own)))
+        Self::all().find(|convention| is_it(&convention.name) || convention.others.iter().any(is_it))
     }
 
     /// That there is none called so.
