@@ -6,6 +6,7 @@ use std::ops::Deref;
 use std::path::{Path, PathBuf};
 
 use carvallo_design::Failure;
+use carvallo_design::input::is_same_file;
 use clap::ArgMatches;
 
 use crate::options::Picture;
@@ -28,20 +29,27 @@ impl Deref for Destination {
     }
 }
 
-/// Tries whether all files that a command is to write can be written.
+/// Tries whether all files that a command is to write can be written, each once.
 ///
 /// # Errors
-/// The first that cannot.
+/// The first that cannot; or that two results go to one file.
 pub fn check(matches: &ArgMatches) -> Result<(), Failure> {
     let Some((_, matches)) = matches.subcommand() else { return Ok(()) };
+    let mut paths: Vec<&Path> = Vec::new();
     for id in matches.ids() {
         // Other options have values of other types.
         let pictures = matches.try_get_many::<Picture>(id.as_str()).ok().flatten();
         let files = matches.try_get_many::<Destination>(id.as_str()).ok().flatten();
-        let pictures = pictures.into_iter().flatten().map(Picture::path);
-        pictures.chain(files.into_iter().flatten().map(|file| &**file)).try_for_each(check_file)?;
+        paths.extend(pictures.into_iter().flatten().map(Picture::path));
+        paths.extend(files.into_iter().flatten().map(|file| &**file));
     }
-    Ok(())
+    for (at, path) in paths.iter().enumerate() {
+        let is_kept = !path.exists() || path.is_file();
+        if is_kept && paths[..at].iter().any(|other| other == path || is_same_file(other, path)) {
+            return Err(Failure::usage(format!("two results go to {}: give each a file of its own", path.display())));
+        }
+    }
+    paths.into_iter().try_for_each(check_file)
 }
 
 /// Nothing is left of a file that was not there.

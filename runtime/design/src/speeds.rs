@@ -38,6 +38,9 @@ fn range(low: &str, high: &str, step: &str) -> Result<Vec<f64>, String> {
         Ok(step) if step > 0.0 => step,
         _ => return Err(format!("the step is `{}`; it must be a finite number > 0", step.trim())),
     };
+    if step > high - low && high > low {
+        return Err(format!("the step is {} m/s, longer than the range", shortest(step)));
+    }
     // The end belongs to the range also if the division falls just short of it.
     let steps = ((high - low) / step + 1e-9).floor();
     if steps >= MAX_POINTS {

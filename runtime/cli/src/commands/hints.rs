@@ -4,6 +4,9 @@ use carvallo_design::{Failure, Place};
 use clap::Command;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
+/// Options of more commands than this tell nothing.
+const MOST: usize = 6;
+
 /// What an error means that is known better here than where the command line is read.
 pub fn hint(error: &clap::Error, command: &Command) -> Option<Failure> {
     let text = |kind| match error.get(kind) {
@@ -18,7 +21,7 @@ pub fn hint(error: &clap::Error, command: &Command) -> Option<Failure> {
                     "the result of this command goes to the standard output: write `> FILE` behind it".to_owned()
                 }
                 _ => format!(
-                    "this command has no such option; {} has",
+                    "this command has no such option; it is one of {}",
                     with_option(command, option.strip_prefix("--")?)?
                 ),
             };
@@ -40,6 +43,8 @@ fn with_option(command: &Command, long: &str) -> Option<String> {
     match &names[..] {
         [] => None,
         [name] => Some(name.clone()),
-        [others @ .., last] => Some(format!("{} or {last}", others.join(", "))),
+        // Nearly all have it.
+        names if names.len() > MOST => None,
+        [others @ .., last] => Some(format!("{} and {last}", others.join(", "))),
     }
 }

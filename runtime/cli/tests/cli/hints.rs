@@ -31,6 +31,22 @@ fn options_without_what_they_need() {
     check_options(&["--speeds", ",,,"], "--speeds ,,,: a speed is empty; it must be a finite number");
     let descending = "--speeds 10:0:-1: the range ends at 0, before it begins at 10; it must ascend";
     check_options(&["--speeds", "10:0:-1"], descending);
+    check_options(&["--speeds", "0:10:100"], "--speeds 0:10:100: the step is 100 m/s, longer than the range");
+}
+
+/// By what the parameters are, in the words of their descriptions.
+#[test]
+fn names_in_words_point_to_parameters() {
+    for (name, hint) in [
+        ("tilt", "; did you mean `lam`?"),
+        ("steer axis tilt", "; did you mean `lam`?"),
+        ("mass of the rear wheel", "; did you mean `mR`?"),
+        ("head", "; did you mean `head_angle`?"),
+        ("mass", ""),
+    ] {
+        let message = format!("--set {name}=1: `{name}` is not a parameter of Whipple{hint}");
+        check_options(&["--set", &format!("{name}=1")], &message);
+    }
 }
 
 #[test]

@@ -235,9 +235,13 @@ fn what_there_is_not_points_to_what_there_is() {
     let directory = Directory::of_this_test();
     for (arguments, message) in [
         (&["bode", "--speed", "5"][..], "there is no command `bode`; --bode is an option of `transfer`"),
-        (&["sensitivity", "--along", "w=1:2"], "--along: this command has no such option; `analyze` has"),
-        (&["show", "--bode", "x.svg"], "--bode: this command has no such option; `transfer` has"),
-        (&["show", "--keep", "w > 1"], "--keep: this command has no such option; `optimize` has"),
+        (&["sensitivity", "--along", "w=1:2"], "--along: this command has no such option; it is one of `analyze`"),
+        (&["show", "--bode", "x.svg"], "--bode: this command has no such option; it is one of `transfer`"),
+        (
+            &["turns", "--outputs", "phi"],
+            "--outputs: this command has no such option; it is one of `statespace`, `transfer`, `respond` and `controllability`",
+        ),
+        (&["show", "--keep", "w > 1"], "--keep: this command has no such option; it is one of `optimize`"),
     ] {
         directory.run(arguments).fails(2, &format!("error: {message}\n"));
     }
@@ -245,4 +249,16 @@ fn what_there_is_not_points_to_what_there_is() {
         let run = directory.run(arguments);
         assert!(run.code == Some(2) && run.stderr.contains(near), "{}", run.stderr);
     }
+}
+
+/// What one picture shows would be lost under the other.
+#[test]
+fn two_results_do_not_go_to_one_file() {
+    let directory = Directory::of_this_test();
+    let compare = ["compare", "benchmark", "pista", "--plot", "a.svg", "--contributions"];
+    let run = |file: &'static str| directory.run(&[&compare[..], &[file]].concat());
+    run("a.svg").fails(2, "error: two results go to a.svg: give each a file of its own\n");
+    assert_eq!(run("b.svg").code, Some(0));
+    // Now that it is there, by another path.
+    run("./a.svg").fails(2, "error: two results go to ./a.svg: give each a file of its own\n");
 }

@@ -137,7 +137,7 @@ impl<'a> File<'a> {
         let Some(first) = GEOMETRY.in_place_of(name.name).and_then(|first| GEOMETRY.parameter(first)) else { return };
         if !missing.is_empty() {
             let (called, missing) = (&entry.name, list(&missing));
-            let only = format!("`{called}` is not used: `{}` follows from it only with {missing}", first.name);
+            let only = format!("`{called}` tells nothing: `{}` follows only with {missing}", first.name);
             self.notes.push(format!("{}: {only}", self.label));
         } else if option.first() == Some(&name.name) {
             let own = first.others.iter().find_map(|name| Some((*name, self.own(name)?.clone())));

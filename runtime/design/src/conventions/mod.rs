@@ -39,6 +39,7 @@ mod tensor;
 #[cfg(test)]
 mod tests;
 mod twice;
+mod unknown;
 mod varied;
 mod wheels;
 mod write;
@@ -46,10 +47,10 @@ mod write;
 pub use self::convert::{Converted, Parameter, convert};
 pub use self::name::{Name, Need};
 pub use self::naming::{Naming, Varying, folded, spelled};
-pub(crate) use self::naming::{hint, settable};
 pub use self::quantity::Quantity;
 pub use self::read::Reading;
 pub(crate) use self::read::read;
+pub(crate) use self::unknown::{hint, settable};
 pub use self::varied::Varied;
 pub use self::write::{Form, left_out, write};
 

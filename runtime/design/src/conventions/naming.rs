@@ -9,10 +9,10 @@ use super::read::{has_paper, list};
 use super::recognise::{only, with_all};
 use super::source::parameter;
 use super::twice::PRINTED;
+use super::unknown::{changes_nothing, fixed, meant};
 use super::{Convention, OTHERS};
 use crate::failure::Place;
 use crate::input::{Entry, Written, position};
-use crate::nearest::nearest;
 use crate::parameter::find;
 
 /// What names mean that stand beside each other: names of the model, and of the one convention that has all others.
@@ -146,7 +146,7 @@ impl Naming {
                 if let Some(why) = changes_nothing(name) {
                     return why;
                 }
-                without + &meant(name).unwrap_or_default()
+                without + &meant(name, self.info).unwrap_or_default()
             }
             (several, [_]) => format!("`{name}` means several things: it is a name of {}", titles(several)),
             (of, foreign) => {
@@ -225,52 +225,6 @@ impl Varying {
     }
 }
 
-/// Of a name that a model does not have, whose it is or what was probably meant, as the end of a sentence.
-pub fn hint(name: &str, info: &ModelInfo) -> Option<String> {
-    if !has_paper(info) {
-        return None;
-    }
-    if let Some(convention) = only(&entries(&[name.to_owned()])) {
-        return Some(format!(
-            "; it is one of {}, in which a file has all parameters; `--set {name}=…` changes it of another bicycle",
-            convention.title
-        ));
-    }
-    meant(name)
-}
-
-/// Whether a name that is set beside others, and is none of a model's, is one of a convention; otherwise why it cannot be set, if it
-/// is of several.
-///
-/// # Errors
-/// If it is none of one.
-pub fn settable<'a>(
-    name: &str,
-    set: impl Iterator<Item = &'a str>,
-    info: &'static ModelInfo,
-) -> Result<(), Option<String>> {
-    let is_known = |name: &str| has_paper(info) && !with_all(&entries(&[name.to_owned()])).is_empty();
-    match is_known(name) {
-        true => Naming::new(info, set.filter(|name| is_known(name))).find(name).map(drop).map_err(Some),
-        false => Err(changes_nothing(name).filter(|_| has_paper(info))),
-    }
-}
-
-/// Why a name that others have cannot vary, if one of them has it so.
-fn changes_nothing(name: &str) -> Option<String> {
-    OTHERS.iter().find_map(|convention| fixed(name, convention.known(&prepared(name, convention))?))
-}
-
-/// What was probably meant by a name that nobody has, as the end of a sentence.
-fn meant(name: &str) -> Option<String> {
-    if name.eq_ignore_ascii_case("caster") || name.eq_ignore_ascii_case("castor") {
-        return Some("; did you mean `trail`, a length, or `caster_angle`, the tilt of the steer axis?".to_owned());
-    }
-    let names = OTHERS.iter().flat_map(|convention| convention.names).map(|known| known.name);
-    let meant = nearest(name, names).filter(|meant| *meant != name)?;
-    Some(format!("; did you mean `{meant}`?"))
-}
-
 /// A name that a model or a convention has, if this is one but for its spaces, hyphens and capitals.
 pub fn spelled(name: &str, info: &ModelInfo) -> Option<String> {
     let is_known = |name: &str| {
@@ -306,16 +260,6 @@ fn entry(name: &str) -> Vec<Entry> {
     vec![Entry::from_text(name, Place::Nowhere, "0")]
 }
 
-fn entries(names: &[String]) -> Vec<Entry> {
+pub(super) fn entries(names: &[String]) -> Vec<Entry> {
     names.iter().flat_map(|name| entry(name)).collect()
-}
-
-/// Why the value of a name that others have cannot vary, if it cannot.
-fn fixed(name: &str, known: &Name) -> Option<String> {
-    match known.need {
-        Need::Zero(reason) => Some(format!("`{name}` is always 0: {reason}")),
-        Need::Equal(other, reason) => Some(format!("`{name}` is that of `{other}`: {reason}")),
-        Need::Ignored(reason) => Some(format!("`{name}` changes nothing: {reason}")),
-        _ => None,
-    }
 }

@@ -2,6 +2,7 @@
 
 use super::Convention;
 use super::name::{Name, Values};
+use super::read::list;
 use super::source::{Source, parameter};
 use super::twice::{Agreement, Told};
 use crate::design::Given;
@@ -20,6 +21,7 @@ impl Source<'_> {
         for group in self.convention.alternatives {
             let is_given = |name: &&str| given.iter().any(|(own, _)| own.name == *name);
             let whole: Vec<Way> = group.iter().copied().filter(|option| option.iter().all(is_given)).collect();
+            group.iter().for_each(|option| self.tell_missing(option, &given, document));
             let Some((first, others)) = whole.split_first() else { continue };
             // What is of both wheels gives way to what is of one.
             for other in others.iter().filter(|other| self.is_shared(first) == self.is_shared(other)) {
@@ -27,6 +29,18 @@ impl Source<'_> {
             }
         }
         given
+    }
+
+    /// That a name tells nothing without others, which are missing; where one alone is, it follows.
+    fn tell_missing(&self, option: Way, given: &Named, document: &mut Document) {
+        let is_given = |name: &&str| given.iter().any(|(own, _)| own.name == *name);
+        let (own, missing): (Vec<&str>, Vec<&str>) = option.iter().partition(|name| is_given(name));
+        let ([name], [_, _, ..]) = (&own[..], &missing[..]) else { return };
+        let is_set = entry(self.convention, self.settings, name).is_some();
+        if let Some(first) = self.convention.in_place_of(name).filter(|_| !is_set) {
+            let only = format!("`{name}` tells nothing: `{first}` follows only with {}", list(&missing));
+            document.notes.push(format!("{}: {only}", self.label));
+        }
     }
 
     /// Whether names stand in the place of several others.

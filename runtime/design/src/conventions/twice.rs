@@ -5,7 +5,7 @@ use super::name::{Name, Values};
 use super::read::list;
 use crate::design::Given;
 use crate::input::without_owner;
-use crate::number::{fixed, with_unit};
+use crate::number::with_unit;
 
 /// However few digits there are, what differs by more, relatively, is not the same.
 const MOST: f64 = 0.005;
@@ -92,9 +92,9 @@ impl Told {
 
     /// The same of a length that is near, with what is not used for it.
     pub fn is_near(&self, called: &str, given: &Given, unused: &[&str]) -> String {
-        let off = fixed(1e3 * (given.value - self.value).abs(), 1);
+        let off = 1e3 * (given.value - self.value).abs();
         let are = if unused.len() == 1 { "is" } else { "are" };
-        format!("{}, {off} mm off; {} {are} not used", self.differs(called, given, "m"), list(unused))
+        format!("{}, {off:.1} mm off; {} {are} not used", self.differs(called, given, "m"), list(unused))
     }
 }
 

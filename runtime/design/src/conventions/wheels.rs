@@ -42,16 +42,16 @@ pub fn measure(entries: &mut Vec<Entry>, problems: &mut Vec<Problem>) {
         let called = |names: &[&'static str]| names.iter().any(|name| Name::new(name, "m", "").is_called(&entry.name));
         let Some((_, diameter)) = SIZES.iter().find(|(names, _)| called(names)) else { continue };
         let Written::Text(text) = &entry.value else { continue };
-        match self::diameter(text) {
-            Some(size) => entry.value = Written::Text(format!("{} mm", crate::number::shortest(size))),
-            None => problems.push(Problem {
-                place: entry.place.clone(),
-                message: format!(
-                    "`{}` is `{text}`; expected the size on its tyre, such as 28-622, 700x28C or 26x2.1, or `{diameter}`",
-                    entry.name
-                ),
-            }),
+        let found = self::diameter(text);
+        if found.is_none() {
+            let message = format!(
+                "`{}` is `{text}`; expected the size on its tyre, such as 28-622, 700x28C or 26x2.1, or `{diameter}`",
+                entry.name
+            );
+            problems.push(Problem { place: entry.place.clone(), message });
         }
+        // Any size will do where what is wrong is told.
+        entry.value = Written::Text(format!("{} mm", crate::number::shortest(found.unwrap_or(700.0))));
         entry.name = (*diameter).to_owned();
     }
 }

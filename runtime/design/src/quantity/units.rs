@@ -44,7 +44,9 @@ pub fn scale(written: &str, other: &str) -> Option<Scale> {
     let written = written.trim();
     let inner = written.strip_prefix('[').map_or(Some(written), |rest| rest.strip_suffix(']'))?;
     let (written, declared) = (Unit::parse(inner, false)?, Unit::parse(other, false)?);
-    written.fits(&declared).or_else(|| match (written.has_pounds, declared.has_pounds) {
+    // The page, which is small, takes no forces.
+    let is_full = cfg!(feature = "full");
+    written.fits(&declared).or_else(|| match (is_full && written.has_pounds, is_full && declared.has_pounds) {
         (true, false) => Unit::parse(inner, true)?.fits(&declared),
         (false, true) => written.fits(&Unit::parse(other, true)?),
         _ => None,

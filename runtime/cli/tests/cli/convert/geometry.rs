@@ -93,6 +93,10 @@ fn geometry_is_read_as_it_is_printed() {
         ":4: `wheel` is `28`; expected the size on its tyre, such as 28-622, 700x28C or 26x2.1, or `wheel_diameter`",
     );
     fails(
+        usual.replace("28-622", "700c"),
+        ":4: `wheel` is `700c`; expected the size on its tyre, such as 28-622, 700x28C or 26x2.1, or `wheel_diameter`",
+    );
+    fails(
         usual.replace("fork_offset = 45 mm\n", ""),
         ": missing: `fork_offset` (or `trail`), of the geometry that manufacturers print",
     );

@@ -30,6 +30,10 @@ fn what_is_said_twice_is_judged_alike_everywhere() {
         (printed("rR = 339 mm"), "`rR` says what `rear_wheel_diameter` says, too".to_owned()),
         (printed("rake = 45 mm"), "`rake` says what `fork_offset` says, too".to_owned()),
         (
+            printed("trail = 60.5 mm"),
+            format!("`trail` is 0.0605 m, but 0.0597025 m {follows}, 0.8 mm off; `trail` is not used"),
+        ),
+        (
             printed("trail = 62 mm"),
             format!("`trail` is 0.062 m, but 0.0597025 m {follows}, 2.3 mm off; `trail` is not used"),
         ),
@@ -90,9 +94,11 @@ fn several_lengths_say_a_wheel_base_together() {
     // sqrt(0.417^2 - 0.09^2) + 0.62 = 1.0271717
     let message = "`w` is 1.02 m, but 1.02717 m follows from `rR`, `rF`, `chainstay`, `bb_drop`, `front_center`";
     file(&directory, &of("417 mm"), &[]).fails(2, &format!("error: g.txt:1: {message}; leave one of them out\n"));
+    let printed = format!("{PRINTED}chainstay = 410 mm\n");
+    let in_geometry = file(&directory, &printed, &["w", "c", "lam", "rR", "rF", "g"]);
+    assert!(in_geometry.stderr.contains("note: g.txt: `chainstay` tells nothing: "), "{}", in_geometry.stderr);
     let run = file(&directory, "chainstay = 410 mm\n", &[]);
-    let note =
-        "note: g.txt: `chainstay` is not used: `wheelbase` follows from it only with `front_center`, `bb_drop`\n";
+    let note = "note: g.txt: `chainstay` tells nothing: `wheelbase` follows only with `front_center`, `bb_drop`\n";
     assert!(run.code == Some(0) && run.stderr.contains(note), "{}", run.stderr);
 }
 
