@@ -204,14 +204,6 @@ impl Machine {
         self.world_from(self.formulas.values(parameters).entries, parameters)
     }
 
-    /// With two slips in different formulas, of which these formulas are [affected](Formulas::affected).
-    pub fn world_of_both(&self, one: &FormulaSlip, other: &FormulaSlip, affected: &[usize]) -> World {
-        let mut values = self.values.clone();
-        let both = [one, other].map(|own| (&own.formulas[..], &own.changed));
-        self.formulas.change_both(both, affected, &self.parameters, &mut values);
-        self.world_from(values.entries, &self.parameters)
-    }
-
     /// With these entries, for parameters that have the gravitational field strength among them.
     pub fn world_from(&self, entries: Vec<f64>, parameters: &[f64]) -> World {
         let gains = self.gains().map(|gain| gain.value).collect();

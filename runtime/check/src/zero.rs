@@ -18,8 +18,10 @@ pub type Square = Vec<Complex<f64>>;
 /// An eigenvalue that was given, at its speed.
 #[derive(Clone, Debug)]
 pub struct Zero {
-    /// What each matrix is multiplied by in the sum, and at eigenvalues that are as far away on either side as may be.
-    factors: Vec<(MatrixName, [Complex<f64>; 3])>,
+    /// Of each matrix whether its factor in the sum is 1, s or s^2, and what it is multiplied by besides.
+    parts: Vec<(MatrixName, usize, f64)>,
+    /// The eigenvalue, and what is as far away on either side as may be.
+    points: [Complex<f64>; 3],
     count: usize,
 }
 
@@ -32,23 +34,21 @@ pub fn zeros(predictor: &Predictor, info: &ModelInfo, matrices: &[MatrixName]) -
         let eigenvalue = Complex::new(re.value, im.value);
         let tolerance = tolerances[at].hypot(tolerances[at + 1]);
         let speed = predictor.given().eigenvalues[*set].speed;
-        let factor = |&matrix: &MatrixName| {
-            let own = |s: Complex<f64>| match matrix {
-                MatrixName::M => s * s,
-                MatrixName::Cm1 => s / speed,
-                MatrixName::C0 => s,
-                MatrixName::C1 => s * speed,
-                // Gravity is multiplied with the entry.
-                MatrixName::Kc | MatrixName::K0 => Complex::new(1.0, 0.0),
-                MatrixName::K1 => Complex::new(speed, 0.0),
-                MatrixName::K2 => Complex::new(speed * speed, 0.0),
-            };
-            (matrix, [0.0, tolerance, -tolerance].map(|away| own(eigenvalue + away)))
+        let part = |&matrix: &MatrixName| match matrix {
+            MatrixName::M => (matrix, 2, 1.0),
+            MatrixName::Cm1 => (matrix, 1, 1.0 / speed),
+            MatrixName::C0 => (matrix, 1, 1.0),
+            MatrixName::C1 => (matrix, 1, speed),
+            // Gravity is multiplied with the entry.
+            MatrixName::Kc | MatrixName::K0 => (matrix, 0, 1.0),
+            MatrixName::K1 => (matrix, 0, speed),
+            MatrixName::K2 => (matrix, 0, speed * speed),
         };
-        let factors: Vec<_> = matrices.iter().map(factor).collect();
-        let is_finite = factors.iter().flat_map(|(_, own)| own).all(|own| own.re.is_finite() && own.im.is_finite());
+        let parts: Vec<_> = matrices.iter().map(part).collect();
+        let points = [0.0, tolerance, -tolerance].map(|away| eigenvalue + away);
+        let is_finite = parts.iter().all(|(.., factor)| factor.is_finite()) && eigenvalue.is_finite();
         if is_finite && im.value >= 0.0 && tolerance <= LARGEST * eigenvalue.norm() {
-            zeros.push(Zero { factors, count: info.coordinates.len() });
+            zeros.push(Zero { parts, points, count: info.coordinates.len() });
         }
     }
     zeros
@@ -64,20 +64,27 @@ impl Zero {
     /// The matrix whose determinant is zero, and the same on either side.
     pub fn matrices(&self, entries: &[f64], gravity: f64) -> [Square; 3] {
         let square = self.count * self.count;
-        [0, 1, 2].map(|which| {
-            let mut sum = vec![Complex::new(0.0, 0.0); square];
-            for (matrix, factors) in &self.factors {
-                let weight = if *matrix == MatrixName::K0 { gravity } else { 1.0 };
-                let own = &entries[*matrix as usize * square..][..square];
-                sum.iter_mut().zip(own).for_each(|(sum, entry)| *sum += factors[which] * (weight * entry));
+        // K, C and M at the speed.
+        let mut sums = vec![0.0; 3 * square];
+        for &(matrix, power, factor) in &self.parts {
+            let factor = if matrix == MatrixName::K0 { gravity * factor } else { factor };
+            let (sum, own) = (&mut sums[power * square..][..square], &entries[matrix as usize * square..][..square]);
+            for at in 0..square {
+                sum[at] += factor * own[at];
             }
-            sum
+        }
+        let (k, c, m) = (&sums[..square], &sums[square..2 * square], &sums[2 * square..]);
+        self.points.map(|s| {
+            let squared = s * s;
+            let entry =
+                |at: usize| Complex::new(squared.re * m[at] + s.re * c[at] + k[at], squared.im * m[at] + s.im * c[at]);
+            (0..square).map(entry).collect()
         })
     }
 
     /// How large the determinant is, and how large it may be: beside another eigenvalue twice as large as on the side that differs more.
     pub fn off(&self, [here, right, left]: &[Square; 3]) -> [f64; 2] {
-        let [off, right, left] = [here, right, left].map(|own| determinant(own.clone(), self.count));
+        let [off, right, left] = [here, right, left].map(|own| determinant(own, self.count));
         let allowed = (right - off).norm().max((left - off).norm());
         [off.norm(), 4.0 * allowed + ROUNDING * size(here, self.count)]
     }
@@ -89,10 +96,11 @@ pub fn size(matrix: &[Complex<f64>], count: usize) -> f64 {
 }
 
 /// By elimination with the largest pivots.
-pub fn determinant(mut matrix: Square, count: usize) -> Complex<f64> {
-    if let [a, b, c, d] = matrix[..] {
+pub fn determinant(matrix: &[Complex<f64>], count: usize) -> Complex<f64> {
+    if let [a, b, c, d] = *matrix {
         return a * d - b * c;
     }
+    let mut matrix = matrix.to_vec();
     let mut product = Complex::new(1.0, 0.0);
     for column in 0..count {
         let largest = (column..count)
@@ -128,11 +136,11 @@ mod tests {
     #[test]
     fn determinants_have_their_sign() {
         let points = [(1.0, 0.0), (2.0, 0.0), (0.0, 1.0), (-1.0, 0.0)].map(|(re, im)| Complex::new(re, im));
-        let rows = points.iter().flat_map(|own| (0..4).map(|power| own.powi(power))).collect();
+        let rows: Vec<_> = points.iter().flat_map(|own| (0..4).map(|power| own.powi(power))).collect();
         let mut expected = Complex::new(1.0, 0.0);
         for (at, a) in points.iter().enumerate() {
             points[at + 1..].iter().for_each(|b| expected *= b - a);
         }
-        assert!((determinant(rows, 4) - expected).norm() < 1e-12);
+        assert!((determinant(&rows, 4) - expected).norm() < 1e-12);
     }
 }

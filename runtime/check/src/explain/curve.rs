@@ -13,6 +13,11 @@ pub fn step(value: f64) -> f64 {
     if value == 0.0 { 1.0 } else { value }
 }
 
+/// The values at the nodes around that which a formula has.
+pub fn at_nodes(value: f64) -> [f64; 4] {
+    NODES.map(|node| value + node * step(value))
+}
+
 /// The coefficients, by powers of the steps, of the parabola through what there is at the first three nodes.
 pub fn parabola<T>(here: T, right: T, left: T) -> [T; 3]
 where
@@ -32,11 +37,10 @@ pub struct Curve {
 }
 
 impl Curve {
-    /// Around the value that a formula has; `off` tells by how much the relation is off for another one, how much that may be,
-    /// and the size of what is added up. `None` where it is no parabola.
-    pub fn new(value: f64, mut off: impl FnMut(f64) -> [f64; 3]) -> Option<Self> {
+    /// Around the value that a formula has, from what there is at the nodes: by how much the relation is off, how much that may be, and
+    /// the size of what is added up. `None` where it is no parabola.
+    pub fn new(value: f64, nodes: [[f64; 3]; 4]) -> Option<Self> {
         let step = step(value);
-        let nodes = NODES.map(|node| off(value + node * step));
         let [here, right, left, far] = nodes.map(|[off, ..]| off);
         let largest = |at: usize| nodes.iter().fold(0.0, |largest: f64, node| largest.max(node[at]));
         let coefficients = parabola(here, right, left);
@@ -60,18 +64,19 @@ impl Curve {
 
 #[cfg(test)]
 mod tests {
-    use super::Curve;
+    use super::{Curve, at_nodes};
 
     /// 3 (x - 2) (x - 5) is zero at 2 and at 5 alone.
     #[test]
     fn both_zeros_of_a_parabola_are_seen() {
-        let curve = Curve::new(7.0, |x| [3.0 * (x - 2.0) * (x - 5.0), 1e-9, 100.0]).expect("a parabola");
+        let nodes = at_nodes(7.0).map(|x| [3.0 * (x - 2.0) * (x - 5.0), 1e-9, 100.0]);
+        let curve = Curve::new(7.0, nodes).expect("a parabola");
         let seen = [2.0, 2.001, 3.5, 5.0, 4.999, 7.0].map(|x| curve.may_hold(x));
         assert_eq!(seen, [true, false, false, true, false, false]);
     }
 
     #[test]
     fn a_quotient_is_no_parabola() {
-        assert!(Curve::new(7.0, |x| [1.0 - 2.0 / x, 1e-9, 1.0]).is_none());
+        assert!(Curve::new(7.0, at_nodes(7.0).map(|x| [1.0 - 2.0 / x, 1e-9, 1.0])).is_none());
     }
 }

@@ -56,8 +56,8 @@ fn solution(rows: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
         };
         (0..rows.len()).flat_map(|row| (0..rows.len()).map(move |column| entry(row, column))).collect()
     };
-    let (all, largest) = (determinant(with(None), rows.len()).re, size(&with(None), rows.len()));
-    let values = (0..rows.len()).map(|column| determinant(with(Some(column)), rows.len()).re / all);
+    let (all, largest) = (determinant(&with(None), rows.len()).re, size(&with(None), rows.len()));
+    let values = (0..rows.len()).map(|column| determinant(&with(Some(column)), rows.len()).re / all);
     (all.abs() > ROUNDING * largest).then(|| values.collect())
 }
 

@@ -23,6 +23,7 @@ use crate::conventions::{Convention, Effect};
 use crate::given::Given;
 use crate::machine::Machine;
 use crate::predict::{Predictor, World};
+use crate::report::rank;
 use carvallo_slips::FormulaSlip;
 
 pub use carvallo_slips::DoubleSlip;
@@ -50,6 +51,16 @@ pub struct Found<'a> {
 }
 
 impl Found<'_> {
+    /// A value with many digits fits some number or other: it explains nothing where something else does.
+    fn is_plain(&self) -> bool {
+        !matches!(self.causes[..], [Cause::Parameter(_, value)] if digits(value) > PLAIN)
+    }
+
+    /// How unlikely it is.
+    pub fn rank(&self, machine: &Machine) -> u32 {
+        self.causes.iter().map(|cause| rank(machine, cause)).sum()
+    }
+
     /// Whether speeds that are others make it.
     fn has_other_speeds(&self) -> bool {
         let is_other = |cause: &Cause| match cause {
@@ -77,6 +88,8 @@ pub enum Cause<'a> {
     Speed(f64),
     /// The loop is closed, by feedback that was not declared.
     Feedback(Undeclared),
+    /// All numbers are cut off, and not rounded; so likely by what else shows it.
+    CutOff(u32),
     /// A number itself was written wrongly, whatever it comes from: in words.
     Written(String),
 }
@@ -124,30 +137,34 @@ impl<'a, 'b> Search<'a, 'b> {
         self.singles().iter().any(|found| predictor.fits(&found.world))
     }
 
-    /// Everything that reproduces all numbers, read in one way, to the given digits, by the fewest causes: one; or else two
-    /// conventions, slips, or one of each; or else another value of one definition, with two slips in its formula that make it.
-    pub fn explain(&self, predictor: &Predictor) -> Vec<Found<'a>> {
-        let fitting = |all: &[Found<'a>]| -> Vec<Found<'a>> {
-            all.iter().filter(|found| predictor.fits(&found.world)).cloned().collect()
-        };
-        let mut found = fitting(self.singles());
-        // A value with many digits fits some number or other: it explains nothing where something else does.
-        let is_plain =
-            |found: &Found| !matches!(found.causes[..], [Cause::Parameter(_, value)] if digits(value) > PLAIN);
+    /// What reproduces all numbers, read in one way, by a slip, a convention or another value of a parameter alone.
+    pub fn by_one(&self, predictor: &Predictor) -> Vec<Found<'a>> {
+        let mut found = self.fitting(self.singles(), predictor);
         // Speeds in another unit are told with it.
         let has_unit = found.iter().any(|own| own.has_other_speeds());
         let solved = self.solved(predictor, self.parameters());
         found.extend(solved.into_iter().filter(|own| !(has_unit && own.has_other_speeds())));
-        if found.iter().any(is_plain) {
-            found.retain(is_plain);
+        if found.iter().any(Found::is_plain) {
+            found.retain(Found::is_plain);
         }
+        found
+    }
+
+    fn fitting(&self, all: &[Found<'a>], predictor: &Predictor) -> Vec<Found<'a>> {
+        all.iter().filter(|found| predictor.fits(&found.world)).cloned().collect()
+    }
+
+    /// Everything that reproduces all numbers, read in one way, to the given digits, by the fewest causes: one; or else two
+    /// conventions, slips, or one of each; or else another value of one definition, with two slips in its formula that make it.
+    pub fn explain(&self, predictor: &Predictor) -> Vec<Found<'a>> {
+        let mut found = self.by_one(predictor);
         // Of one number alone that is likelier than two causes.
         if found.is_empty() {
             found = self.written(predictor, 1);
         }
         if found.is_empty() {
-            found = fitting(self.pairs());
-            found.extend(fitting(self.slips()));
+            found = self.fitting(self.pairs(), predictor);
+            found.extend(self.fitting(self.slips(), predictor));
         }
         if found.is_empty() {
             found.extend(self.solved(predictor, self.parameters_with_conventions()));

@@ -1,9 +1,14 @@
 //! Numbers that may be rounded or cut off: what explains them in either way.
 
-use super::{Found, Search};
+use super::{Cause, Found, Search};
 use crate::given::Given;
 use crate::machine::Machine;
 use crate::predict::Predictor;
+
+/// From so many numbers on that are cut off by themselves nobody rounds.
+const SURE: usize = 2;
+/// How much unlikelier it is that all numbers are cut off where none shows it by itself.
+const UNLIKELY: u32 = 2;
 
 /// What explains numbers, and how they are meant where some of them are cut off.
 pub struct Explained<'a> {
@@ -22,26 +27,46 @@ pub fn explain<'a>(given: &Given, machine: &'a Machine) -> Explained<'a> {
     let of_all = Predictor::new(&all, machine);
     let some = given.cut_off(&mut |at| !rounded.agrees(at, here[at]) && of_all.agrees(at, here[at]));
     let of_some = Predictor::new(&some, machine);
-    if of_some.agreeing(&here) == rounded.agreeing(&here) {
-        return Explained { found: Search::new(machine, &rounded, &rounded).explain(&rounded), cut: None };
-    }
+    // So many numbers are here as they are given, but cut off and not rounded.
+    let shown = of_some.agreeing(&here) - rounded.agreeing(&here);
     let any = given.in_any_way();
     let of_any = Predictor::new(&any, machine);
     let search = Search::new(machine, &rounded, &of_any);
-    let is_one_cause = search.has_one_cause(&rounded);
+    let mut one = search.by_one(&rounded);
     // Who cuts off needs no other cause; but a slip that makes the very same numbers is told beside that.
-    if of_some.agreeing(&here) == here.len() {
-        let found = if is_one_cause { search.explain(&rounded) } else { Vec::new() };
+    if shown > 0 && of_some.agreeing(&here) == here.len() {
+        let found = if search.has_one_cause(&rounded) { one } else { Vec::new() };
         return Explained { found, cut: Some(some) };
     }
-    // One slip or convention is likelier than it beside a slip; two causes, or a definition of another value, are not.
-    if !is_one_cause {
-        for (cut, own) in [(&of_all, &all), (&of_some, &some)] {
-            if cut.agreeing(&here) > rounded.agreeing(&here) {
-                let found = search.explain(cut);
-                if !found.is_empty() {
-                    return Explained { found, cut: Some(own.clone()) };
-                }
+    let mut of_cut = if all == *given { Vec::new() } else { search.by_one(&of_all) };
+    of_cut.retain(|own| shown > 0 || own.is_plain());
+    one.retain(|own| own.is_plain() || of_cut.is_empty());
+    if shown >= SURE && !of_cut.is_empty() {
+        one.clear();
+    }
+    let best = |found: &[Found]| found.iter().map(|own| own.rank(machine)).min();
+    match (best(&one), best(&of_cut)) {
+        (None, Some(_)) if shown > 0 => return Explained { found: of_cut, cut: Some(all) },
+        (one_rank, Some(cut_rank)) => {
+            let unlikely = if shown > 0 { 0 } else { UNLIKELY };
+            if shown > 0 || one_rank.is_none_or(|rank| cut_rank + unlikely < rank) {
+                of_cut.iter_mut().for_each(|own| own.causes.push(Cause::CutOff(unlikely)));
+                one.extend(of_cut);
+            }
+            return Explained { found: one, cut: None };
+        }
+        (Some(_), None) => return Explained { found: one, cut: None },
+        (None, None) => {}
+    }
+    if shown == 0 {
+        return Explained { found: Search::new(machine, &rounded, &rounded).explain(&rounded), cut: None };
+    }
+    // It is likelier that all or some are cut off than that there are two causes, or a definition of another value.
+    for (cut, own) in [(&of_all, &all), (&of_some, &some)] {
+        if cut.agreeing(&here) > rounded.agreeing(&here) {
+            let found = search.explain(cut);
+            if !found.is_empty() {
+                return Explained { found, cut: Some(own.clone()) };
             }
         }
     }

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use carvallo_slips::FormulaSlip;
 
-use super::beside::{self, Condition, Left};
+use super::beside::{self, Condition, Group, Left};
 use super::curve::Curve;
 use super::set::Set;
 use super::{Cause, DoubleSlip, Found, double};
@@ -50,23 +50,19 @@ struct Class<'a> {
     slips: Vec<&'a FormulaSlip>,
 }
 
-/// The relation that is tried first.
+/// A relation that is tried with each pair.
 struct Pivot<'a> {
     relation: &'a Relation,
     gravity: f64,
 }
 
 impl Condition for Pivot<'_> {
-    fn holds(&self, entries: &[f64]) -> bool {
-        self.relation.holds(entries, self.gravity)
-    }
-
-    fn curve(&self, here: f64, entries: &mut dyn FnMut(f64) -> Vec<f64>) -> Option<Box<dyn Fn(f64) -> bool>> {
-        let curve = Curve::new(here, |value| {
-            let entries = entries(value);
-            let [off, allowed] = self.relation.off(&entries, self.gravity);
-            [off, allowed, self.relation.size(&entries, self.gravity)]
-        });
+    fn curve(&self, here: f64, nodes: &[Vec<f64>; 4]) -> Option<Box<dyn Fn(f64) -> bool>> {
+        let of = |entries: &Vec<f64>| {
+            let [off, allowed] = self.relation.off(entries, self.gravity);
+            [off, allowed, self.relation.size(entries, self.gravity)]
+        };
+        let curve = Curve::new(here, nodes.each_ref().map(of));
         curve.map(|curve| Box::new(move |value| curve.may_hold(value)) as Box<_>)
     }
 }
@@ -132,52 +128,56 @@ impl<'a, 'b> Search<'a, 'b> {
     fn pairs(&self, has_sense: bool) -> Vec<Found<'a>> {
         let mut found = Vec::new();
         let mut left = Left { compared: COMPARED, evaluated: EVALUATED };
-        for second in &self.classes {
-            let is_of_mechanism = |class: &Class| self.machine.formulas.formulas[class.formulas[0]].is_of_mechanism;
-            let firsts = self.classes.iter().filter(|first| {
-                first.formulas[0] < second.formulas[0]
-                    && is_of_mechanism(first) == is_of_mechanism(second)
-                    && first.formulas.iter().all(|formula| !second.formulas.contains(formula))
-                    && second.wrong.is_within(&first.changed)
-                    && first.wrong.is_within(&second.changed)
-            });
-            for first in firsts {
-                self.of_classes(first, second, has_sense, &mut left, &mut found);
+        let of_formulas: Vec<&[Class]> = self.classes.chunk_by(|a, b| a.formulas == b.formulas).collect();
+        let is_of_mechanism = |class: &Class| self.machine.formulas.formulas[class.formulas[0]].is_of_mechanism;
+        let may_follow = |first: &Class, second: &Class| {
+            first.formulas[0] < second.formulas[0]
+                && is_of_mechanism(first) == is_of_mechanism(second)
+                && first.formulas.iter().all(|formula| !second.formulas.contains(formula))
+        };
+        for seconds in &of_formulas {
+            for firsts in of_formulas.iter().filter(|firsts| may_follow(&firsts[0], &seconds[0])) {
+                self.of_formulas([firsts, seconds], has_sense, &mut left, &mut found);
             }
         }
         found
     }
 
-    fn of_classes(
+    fn of_formulas(
         &self,
-        first: &Class<'a>,
-        second: &Class<'a>,
+        [firsts, seconds]: [&[Class<'a>]; 2],
         has_sense: bool,
         left: &mut Left,
         found: &mut Vec<Found<'a>>,
     ) {
-        let formulas = &self.machine.formulas;
-        let all = formulas.affected(first.formulas.iter().chain(second.formulas).copied());
-        // One relation first, that is made of the fewest formulas, of those that both change, or else of those that are wrong.
-        let made_of = |relation: &Relation| -> Vec<usize> {
-            let entries: Vec<usize> =
-                relation.terms.iter().filter_map(|term| self.machine.formula(term.place)).collect();
-            all.iter().copied().filter(|own| entries.iter().any(|&entry| formulas.feeds(*own, entry))).collect()
+        let slips: Vec<&FormulaSlip> = seconds.iter().flat_map(|class| class.slips.iter().copied()).collect();
+        let group = |first: &Class<'a>| {
+            let is_beside =
+                |second: &Class| second.wrong.is_within(&first.changed) && first.wrong.is_within(&second.changed);
+            let mut places = 0..;
+            let mut own = Vec::new();
+            for second in seconds {
+                let of_class = places.by_ref().take(second.slips.len());
+                if is_beside(second) { own.extend(of_class) } else { of_class.for_each(drop) }
+            }
+            Group { firsts: first.slips.clone(), seconds: own }
         };
-        let is_in = |at: &usize, both: bool| {
-            let [a, b] = [&first.changed, &second.changed].map(|own| own.contains(*at));
-            if both { a && b } else { a || b }
+        let groups: Vec<Group> = firsts.iter().map(group).filter(|group| !group.seconds.is_empty()).collect();
+        if groups.is_empty() {
+            return;
+        }
+        // The relations that both change, and then those that one of them does.
+        let changes = |at: usize| {
+            [firsts, seconds].iter().filter(|classes| classes.iter().any(|own| own.changed.contains(at))).count()
         };
-        let pivot = |both: bool| {
-            let meant = (0..self.relations.len()).filter(move |at| is_in(at, both));
-            meant.map(|at| (at, made_of(&self.relations[at]))).min_by_key(|(_, made_of)| made_of.len())
-        };
-        let Some((pivot, made_of)) = pivot(true).or_else(|| pivot(false)) else { return };
-        let pivot = Pivot { relation: &self.relations[pivot], gravity: self.gravity };
-        let slips = [&first.slips[..], &second.slips[..]];
+        let mut pivots: Vec<usize> = (0..self.relations.len()).filter(|at| changes(*at) > 0).collect();
+        pivots.sort_by_key(|at| std::cmp::Reverse(changes(*at)));
+        let pivot = |at: usize| Pivot { relation: &self.relations[at], gravity: self.gravity };
+        let pivots: Vec<Pivot> = pivots.into_iter().map(pivot).collect();
+        let conditions: Vec<&dyn Condition> = pivots.iter().map(|own| own as _).collect();
         let is_meant = |a: &FormulaSlip, b: &FormulaSlip| (a.makes_sense && b.makes_sense) == has_sense;
-        beside::pairs(self.machine, &pivot, &made_of, slips, &is_meant, left, &mut |a, b| {
-            let world = self.machine.world_of_both(a, b, &all);
+        beside::pairs(self.machine, &conditions, &groups, &slips, &is_meant, left, &mut |a, b, entries| {
+            let world = self.machine.world_from(entries.to_vec(), &self.machine.parameters);
             if self.predictor.fits(&world) {
                 found.push(Found { causes: vec![Cause::Slip(a), Cause::Slip(b)], world });
             }

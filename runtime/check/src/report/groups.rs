@@ -20,7 +20,7 @@ const DERIVED: u32 = 5;
 
 /// Groups explanations, the likeliest first.
 pub fn groups(machine: &Machine, predictor: &Predictor, mut found: Vec<Found>) -> Vec<Group> {
-    found.sort_by_key(|found| found.causes.iter().map(|cause| rank(machine, cause)).sum::<u32>());
+    found.sort_by_key(|found| found.rank(machine));
     let mut sorted: Vec<Vec<Found>> = Vec::new();
     for own in found {
         match sorted.iter_mut().find(|group| are_same(machine, &group[0].world, &own.world)) {
@@ -120,6 +120,7 @@ pub fn rank(machine: &Machine, cause: &Cause) -> u32 {
         },
         Cause::Definition(..) => 8,
         Cause::Speed(_) => 3,
+        Cause::CutOff(rank) => *rank,
         Cause::Written(_) | Cause::Feedback(_) => 4,
     }
 }
@@ -190,6 +191,8 @@ fn world(other: &Machine, machine: &Machine, found: &Found) -> Option<World> {
                 let text = double.apply(machine.formulas.formulas[double.formulas[0]].text);
                 slips.push((double.formulas.clone(), machine.formulas.parse(double.formulas[0], &text)?));
             }
+            // No matrices change with it.
+            Cause::CutOff(_) => {}
             Cause::Parameter(..) | Cause::Definition(..) | Cause::Speed(_) | Cause::Feedback(_) | Cause::Written(_) => {
                 return None;
             }

@@ -10,6 +10,7 @@ use carvallo_design::DisplayUnit;
 use carvallo_design::number::shortest;
 use serde::Serialize;
 
+pub(crate) use self::groups::rank;
 pub use self::suspects::{Behind, Part, Suspects};
 pub use self::words::words;
 

@@ -49,6 +49,7 @@ pub fn words(machine: &Machine, cause: &Cause) -> String {
             format!("{name} is {} in the place of {} = {text}", shortest(*value), shortest(rounded(old)))
         }
         Cause::Written(what) => what.clone(),
+        Cause::CutOff(_) => "all numbers are cut off, not rounded".to_owned(),
         Cause::Feedback(own) => {
             let (forces, further) = (own.forces.join(" and "), further(own));
             let at = own.speed.map(|speed| format!(" ({})", at_one_speed(speed))).unwrap_or_default();
