@@ -29,45 +29,31 @@ pub fn structs<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
     }
 }
 
-/// The designs in lanes: groups of numbers are transposed, the last of which takes some parameters again rather than fewer.
+/// The designs in lanes: groups of numbers are transposed, the last of which may have zeros behind it.
 #[inline(always)]
 fn parameters<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
     simd: S,
     designs: &[M],
 ) -> M::Over<Lanes<S, M::Scalar>> {
-    // Known where this is compiled, not only after it is optimized: what writes lanes one by one would keep a register, which
-    // may come from there, from being one.
-    if const { M::INFO.parameters.len() < GROUP } {
-        return M::Over::<Lanes<S, M::Scalar>>::from_parameters(
-            #[inline(always)]
-            |position| {
-                Lanes::from_fn(
-                    simd,
-                    #[inline(always)]
-                    |lane| designs[lane].parameters().as_ref()[position],
-                )
-            },
-        );
-    }
     let zero = M::Scalar::from_f64(0.0);
     let mut columns = [Lanes::splat(simd, zero); GROUP];
     M::Over::<Lanes<S, M::Scalar>>::from_parameters(
         #[inline(always)]
         |position| {
-            let first = (position - position % GROUP).min(const { M::INFO.parameters.len().saturating_sub(GROUP) });
             // They are asked for in order.
             if position % GROUP == 0 {
                 columns = M::Scalar::side_by_side(
                     simd,
                     #[inline(always)]
                     |design| {
+                        let end = (position + GROUP).min(const { M::INFO.parameters.len() });
                         let mut four = [zero; GROUP];
-                        four.copy_from_slice(&designs[design].parameters().as_ref()[first..first + GROUP]);
+                        four[..end - position].copy_from_slice(&designs[design].parameters().as_ref()[position..end]);
                         four
                     },
                 );
             }
-            columns[position - first]
+            columns[position % GROUP]
         },
     )
 }
