@@ -80,8 +80,8 @@ pub mod turns;
 pub use eigenvalues::{Eigenvectors, matrix_eigenvalues};
 pub use model::{
     Bound, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator, EvaluatorWithDerivatives, FormulaInfo,
-    FormulaSubject, LengthError, Model, ModelInfo, Nonlinear, ParameterError, ParameterInfo, Partial, Rate,
-    RequirementInfo, SetInfo, WithDerivatives,
+    FormulaSubject, LengthError, Model, ModelInfo, MotionFormulas, Nonlinear, ParameterError, ParameterInfo, Partial,
+    Rate, RequirementInfo, SetInfo, WithDerivatives,
 };
 pub use motion::{Linearizable, Motion, MotionError};
 /// The library of matrices, in the version that has the types of this crate.

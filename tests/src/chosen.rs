@@ -688,6 +688,7 @@ impl<T: Scalar> Model<2> for WhippleChosen<T> {
             FormulaInfo::entry(&[(MatrixName::K2, 1, 1)], "kg", "((SA + SF*sin(lam))/w)*cos(lam)"),
         ],
         attributes: &[],
+        motion: None,
         gravity: Some(3),
     };
 

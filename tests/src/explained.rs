@@ -6,11 +6,11 @@ use std::fmt;
 
 use carvallo::{Coefficients, CriticalKind, MatrixName, Stability};
 use carvallo_check::explain::{Cause, DoubleSlip};
-use carvallo_check::given::{CriticalSpeed, Eigenvalues, Given, Reading, StateMatrix};
+use carvallo_check::given::{Accelerations, CriticalSpeed, Eigenvalues, Given, Kind, Reading, StateMatrix};
 use carvallo_check::machine::Machine;
 use carvallo_check::{Explanation, check_machine, words};
 use carvallo_models::{Whipple, WhippleMechanism};
-use carvallo_slips::{FormulaSlip, Kind, Slip, slips};
+use carvallo_slips::{FormulaSlip, Kind as KindOfSlip, Slip, Values, slips};
 
 /// What somebody has of the bicycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,6 +23,8 @@ pub enum Evidence {
     Eigenvalues(usize),
     /// The weave and capsize speeds.
     CriticalSpeeds(usize),
+    /// The accelerations of lean and steer in two states by the nonlinear equations.
+    Accelerations(usize),
 }
 
 /// All digits of a double.
@@ -31,7 +33,13 @@ pub const FULL: usize = 17;
 /// At which eigenvalues are known, in m/s.
 const SPEEDS: [f64; 3] = [2.0, 4.0, 6.0];
 
+/// In which accelerations are known: speed in m/s, lean and steer in rad, their rates in rad/s.
+const STATES: [(f64, [f64; 2], [f64; 2]); 2] = [(4.2, [0.3, -0.4], [-0.5, 0.7]), (6.5, [-0.2, 0.25], [0.9, -0.3])];
+
 impl Evidence {
+    /// Those that are measured of attributes beside all others: no slip in a formula of a matrix is in them.
+    pub const OF_MOTION: [Self; 2] = [Self::Accelerations(FULL), Self::Accelerations(5)];
+
     /// Those that are measured.
     pub const ALL: [Self; 8] = [
         Self::Matrices(FULL),
@@ -52,6 +60,7 @@ impl fmt::Display for Evidence {
             Self::StateMatrix(digits) => ("state matrix at 5 m/s", *digits),
             Self::Eigenvalues(digits) => ("eigenvalues at 2, 4 and 6 m/s", *digits),
             Self::CriticalSpeeds(digits) => ("weave and capsize speeds", *digits),
+            Self::Accelerations(digits) => ("nonlinear accelerations in two states", *digits),
         };
         let digits = if digits == FULL { "all digits".to_owned() } else { format!("{digits} digits") };
         write!(f, "{what}, {digits}")
@@ -158,9 +167,14 @@ pub fn mechanism() -> Machine {
     Machine::with(WhippleMechanism::<f64>::INFO, &parameters).expect("formulas that can be read")
 }
 
-/// What comes of every so many of the slips in the attributes of a mechanism, on all processors.
+/// What comes of every so many of the slips in the attributes of a mechanism on which such numbers depend, on all processors.
 pub fn measure_attributes(machine: &Machine, evidence: Evidence, every: usize) -> Tally {
-    let is_of_attribute = |own: &&FormulaSlip| machine.formulas.formulas[own.formulas[0]].is_of_mechanism;
+    let is_of_motion = matches!(evidence, Evidence::Accelerations(_));
+    let is_of_attribute = |own: &&FormulaSlip| {
+        let formula = own.formulas[0];
+        let is_used = is_of_motion || !machine.formulas.dependents(formula).is_empty();
+        machine.formulas.formulas[formula].is_of_mechanism && is_used
+    };
     let slips: Vec<&FormulaSlip> = plain(machine).filter(is_of_attribute).step_by(every).collect();
     on_all_processors(&slips, &|slip| judge(machine, evidence, slip))
 }
@@ -172,7 +186,7 @@ pub fn count(machine: &Machine) -> usize {
 }
 
 fn is_plain(slip: &Slip) -> bool {
-    Kind::PLAIN.contains(&slip.kind)
+    KindOfSlip::PLAIN.contains(&slip.kind)
 }
 
 /// What comes of every so many of the slips, each in one formula, on all processors.
@@ -225,7 +239,7 @@ fn on_all_processors<T: Copy + Send + Sync>(all: &[T], judge: &(dyn Fn(T) -> (Ou
 pub fn judge(machine: &Machine, evidence: Evidence, slip: &FormulaSlip) -> (Outcome, usize) {
     let mut values = machine.values.clone();
     let is_any = slip.apply(&machine.formulas, &machine.parameters, &machine.values, &mut values);
-    let given = if is_any { given(evidence, &values.entries) } else { None };
+    let given = if is_any { given(machine, evidence, &values) } else { None };
     outcome(machine, given, &[words(machine, &Cause::Slip(slip))])
 }
 
@@ -235,7 +249,7 @@ pub fn judge_pair(machine: &Machine, evidence: Evidence, [a, b]: [&FormulaSlip; 
     let sees = |slip: &FormulaSlip| {
         let mut values = machine.values.clone();
         let is_any = slip.apply(formulas, &machine.parameters, &machine.values, &mut values);
-        let given = if is_any { given(evidence, &values.entries) } else { None };
+        let given = if is_any { given(machine, evidence, &values) } else { None };
         given.and_then(|given| check_machine(&given, machine).ok()).is_some_and(|report| !report.agrees)
     };
     let mut values = machine.values.clone();
@@ -265,7 +279,7 @@ pub fn judge_pair(machine: &Machine, evidence: Evidence, [a, b]: [&FormulaSlip; 
     if !(sees(a) && sees(b)) {
         return (Outcome::Silent, 0);
     }
-    outcome(machine, given(evidence, &values.entries), &causes)
+    outcome(machine, given(machine, evidence, &values), &causes)
 }
 
 /// What comes of numbers that somebody has by these causes, in any order.
@@ -294,8 +308,9 @@ fn outcome(machine: &Machine, given: Option<Given>, causes: &[String]) -> (Outco
     (outcome, size)
 }
 
-/// The numbers of somebody whose matrices these are; `None` where there are none.
-fn given(evidence: Evidence, entries: &[f64]) -> Option<Given> {
+/// The numbers of somebody who has these values of formulas; `None` where there are none.
+fn given(machine: &Machine, evidence: Evidence, values: &Values) -> Option<Given> {
+    let entries = &values.entries;
     if entries.iter().any(|entry| !entry.is_finite()) {
         return None;
     }
@@ -348,5 +363,21 @@ fn given(evidence: Evidence, entries: &[f64]) -> Option<Given> {
             }
             Given { critical_speeds, ..Given::default() }
         }
+        Evidence::Accelerations(digits) => return of_motion(machine, digits, &machine.attributes(values)),
     })
+}
+
+/// The accelerations of a mechanism with these attributes.
+fn of_motion(machine: &Machine, digits: usize, attributes: &[f64]) -> Option<Given> {
+    let motion = machine.motion.as_ref()?;
+    let of = |(speed, positions, rates): (f64, [f64; 2], [f64; 2])| {
+        let (positions, rates, forces) = (positions.to_vec(), rates.to_vec(), vec![0.0; 2]);
+        let equations = Some(Kind::Nonlinear);
+        let given = Accelerations { equations, speed, positions, rates, forces, values: Vec::new() };
+        let found = motion.with_attributes(&given, attributes, &machine.parameters, &[])?;
+        let values = found.iter().map(|value| Some(Reading::rounded(*value, digits))).collect();
+        Some(Accelerations { values, ..given })
+    };
+    let accelerations = STATES.into_iter().map(of).collect::<Option<_>>()?;
+    Some(Given { accelerations, ..Given::default() })
 }

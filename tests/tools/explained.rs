@@ -27,7 +27,7 @@ fn main() {
         row(&evidence.to_string(), &|| measure(&machine, evidence, every));
     }
     let bodies = mechanism();
-    for evidence in Evidence::ALL.into_iter().filter(|_| every > 0) {
+    for evidence in Evidence::ALL.into_iter().chain(Evidence::OF_MOTION).filter(|_| every > 0) {
         row(&format!("attributes of the mechanism: {evidence}"), &|| measure_attributes(&bodies, evidence, every));
     }
     for (of, has_sense) in [("that make sense by their units", true), ("of all", false)] {
@@ -35,7 +35,7 @@ fn main() {
         let all = Evidence::ALL.into_iter().filter(|own| match own {
             Evidence::Matrices(_) | Evidence::StateMatrix(_) => true,
             Evidence::Eigenvalues(_) => has_sense,
-            Evidence::CriticalSpeeds(_) => false,
+            Evidence::CriticalSpeeds(_) | Evidence::Accelerations(_) => false,
         });
         for evidence in all {
             let what = format!("{pairs} pairs {of}: {evidence}");

@@ -1137,6 +1137,7 @@ impl<T: Scalar> Model<2> for BalanceAssist<T> {
                 "yaw_per_v_delta*(delta_along_x*h_spin_F/length_delta + P_delta_lateral)",
             ),
         ],
+        motion: None,
         gravity: Some(3),
     };
 

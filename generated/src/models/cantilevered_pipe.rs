@@ -572,6 +572,7 @@ impl<T: Scalar> Model<4> for CantileveredPipe<T> {
             FormulaInfo::entry(&[(MatrixName::K2, 3, 3)], "kg/m^2", "flow*n4*(2 - n4)"),
         ],
         attributes: &[],
+        motion: None,
         gravity: None,
     };
 

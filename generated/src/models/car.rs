@@ -327,6 +327,7 @@ impl<T: Scalar> Model<2> for Car<T> {
             FormulaInfo::entry(&[(MatrixName::C1, 0, 1)], "kg", "m"),
         ],
         attributes: &[],
+        motion: None,
         gravity: None,
     };
 

@@ -678,6 +678,7 @@ impl<T: Scalar> Model<3> for CarTrailer<T> {
             FormulaInfo::entry(&[(MatrixName::Kc, 1, 2)], "kg*m^2/s^2", "-U_x*U_cornering"),
             FormulaInfo::entry(&[(MatrixName::Kc, 2, 2)], "kg*m^2/s^2", "U_cornering*(q_through_x - U_x)"),
         ],
+        motion: None,
         gravity: Some(15),
     };
 

@@ -1100,6 +1100,7 @@ impl<T: Scalar> Model<2> for FlywheelBicycle<T> {
                 "yaw_per_v_delta*(delta_along_x*h_spin_F/length_delta + P_delta_lateral)",
             ),
         ],
+        motion: None,
         gravity: Some(3),
     };
 

@@ -289,6 +289,7 @@ impl<T: Scalar> Model<2> for JeffcottRotor<T> {
             FormulaInfo::entry(&[(MatrixName::K1, 1, 0)], "kg/m/s", "-circulation"),
         ],
         attributes: &[],
+        motion: None,
         gravity: None,
     };
 

@@ -1093,6 +1093,7 @@ impl<T: Scalar> Model<6> for Motorcycle<T> {
             ),
             FormulaInfo::entry(&[(MatrixName::K1, 5, 5)], "kg/m/s^2", "F_cornering/F_relaxation^2"),
         ],
+        motion: None,
         gravity: Some(25),
     };
 

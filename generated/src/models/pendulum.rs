@@ -255,6 +255,7 @@ impl<T: Scalar> Model<1> for Pendulum<T> {
             FormulaInfo::entry(&[(MatrixName::K0, 0, 0)], "kg*m", "m*l"),
         ],
         attributes: &[],
+        motion: None,
         gravity: Some(3),
     };
 

@@ -1010,6 +1010,7 @@ impl<T: Scalar> Model<2> for RearSteered<T> {
                 "yaw_per_v_delta*(delta_along_x*h_spin_R/length_delta + P_delta_lateral)",
             ),
         ],
+        motion: None,
         gravity: Some(3),
     };
 

@@ -698,6 +698,7 @@ impl<T: Scalar> Model<1> for Skateboard<T> {
                 "P_gamma_lateral*(deltaR_by_gamma*yaw_per_v_deltaR + deltaF_by_gamma__*yaw_per_v_deltaF)",
             ),
         ],
+        motion: None,
         gravity: Some(14),
     };
 

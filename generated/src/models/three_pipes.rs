@@ -463,6 +463,7 @@ impl<T: Scalar> Model<3> for ThreePipes<T> {
             FormulaInfo::entry(&[(MatrixName::K2, 0, 2), (MatrixName::K2, 1, 2)], "kg", "f*l"),
         ],
         attributes: &[],
+        motion: None,
         gravity: Some(5),
     };
 

@@ -306,6 +306,7 @@ impl<T: Scalar> Model<2> for TowedWheel<T> {
             FormulaInfo::entry(&[(MatrixName::K1, 1, 0)], "1", "-1"),
         ],
         attributes: &[],
+        motion: None,
         gravity: None,
     };
 

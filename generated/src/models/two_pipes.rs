@@ -378,6 +378,7 @@ impl<T: Scalar> Model<2> for TwoPipes<T> {
             FormulaInfo::entry(&[(MatrixName::K2, 0, 1)], "kg", "f*l"),
         ],
         attributes: &[],
+        motion: None,
         gravity: Some(5),
     };
 

@@ -360,6 +360,7 @@ impl<T: Scalar> Model<2> for TypicalSection<T> {
             FormulaInfo::entry(&[(MatrixName::K2, 1, 1)], "kg", "-lift*arm"),
         ],
         attributes: &[],
+        motion: None,
         gravity: None,
     };
 

@@ -7,8 +7,8 @@
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
     EvaluatorWithDerivatives, FormulaInfo, LengthError, MatrixName, Model, ModelInfo,
-    Nonlinear, Number, ParameterError, ParameterInfo, Partial, Rate, Rows, Scalar,
-    SetInfo, States, WithDerivatives,
+    MotionFormulas, Nonlinear, Number, ParameterError, ParameterInfo, Partial, Rate,
+    Rows, Scalar, SetInfo, States, WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -1790,6 +1790,41 @@ impl<T: Scalar> Model<3> for WheeledPendulum<T> {
             ),
             FormulaInfo::entry(&[(MatrixName::K0, 1, 1)], "kg*m", "K_theta_theta"),
         ],
+        motion: Some(MotionFormulas {
+            constants: &[
+                "C4=A14-A8;C5=A15-A9;C6=A5/A11;C7=A0+A4+A10;T0=A8*A0;T1=C4*A10;C8=T1-T0;T2=A1-A9;T3=A0*T2;T4=C5*A10;C9=T3+T4",
+                "T5=T2*T3+C5*T4;T6=A7+A13+A8*T0+C4*T1;C10=T5+T6;C11=T5+A2;C12=T0*T2-C5*T1;C13=T6+A3;C15=C13-C10;C16=A5*C7",
+                "C17=A5*C16;C18=A5*C8;C19=A6+C17+A12*C6*C6;C0=A6;C1=A12;C2=A5;C3=A11;C14=P9",
+            ],
+            closure: &[
+                "T0=cos(Q3);T1=sin(Q3);T2=cos(Q4)*C5;R0=T0*C3+T1*C4+T0*T2-C2*T0;R1=-(R0/(C2*T1+T0*C4-C3*T1-T1*T2))",
+            ],
+            accelerations: &[
+                "T0=U1+U2;T1=C2*T0;T2=cos(Q2);T3=sin(Q2);T4=cos(Q3);T5=sin(Q4);T6=sin(Q3);T7=cos(Q4)",
+                "T8=C2*T6+T4*C4-T6*C3-C5*T6*T7;T9=1/T8;T10=T4*T5*C5*T9;R3=U1*T10;T11=1/C3;T12=T8*T11;T13=T6*T12",
+                "R6=U0*T12+U1*T13+U2*C6;T14=U0*T4;T15=R3*T14;T16=C2*R3;T17=U0*T6;T18=C2*T17;T19=R3*T16+(T0+T17)*T18",
+                "T20=C2*T15+T14*T16;T21=T5*T20;T22=T7*R3-T5*T14;T23=C5*T22;T24=U1+T17;T25=T7*T14+T5*R3;T26=C5*T24-C4*T25",
+                "T27=R3*T17;T28=T5*T27-U1*T25;T29=T7*T19+C4*T28-T21-T22*T23-T24*T26;T30=T7*T20;T31=C4*T22;T32=T7*T27-U1*T22",
+                "T33=T24*T31+T23*T25+C5*T15+C4*T32-T30-T5*T19;T34=C3*R3;T35=T11*(T5*T29+T7*T33+C3*T15+T14*T34)",
+                "T36=C1*(T15-T35);T37=F1-T36;T38=T19-T4*C14;T39=T7*T38-T21;T40=T0*T14;T41=T14*T18;T42=U1+R6;T43=C3*T17",
+                "T44=T25*T26+C3*T14*T42+T14*T43-C2*T40-T41",
+                "T45=T6*(T44-T22*T31-C5*T28)+T4*(T7*T29-T5*T33-R3*T34-T43*(T17+T42));T46=T9*T45;T47=T28-T7*T46;T48=T22*C9",
+                "T49=T24*C9-T25*C8;T50=T30+T5*T38;T51=T32+T5*T46;T52=T22*C8;T53=T7*(T15*C9+T51*C8+T24*T52+T25*T48-T50*C7)",
+                "T54=T5*(C7*T39+C8*T47-T22*T48-T24*T49)+T53;T55=T15*C0-C2*T54;T56=T22*C10;T57=T24*C12+T25*C13",
+                "T58=T36+T15*C11+T25*T56+T55-C9*T50-C12*T51;T59=T58-T22*T57;T60=T24*C11+T25*C12+C0*(U2+T24)+C1*(R6+T24)",
+                "T61=T50*C8+T15*C12+T22*T60-T51*C13-T24*T56;T62=T41+T6*C14+C2*(T40+T46)",
+                "T63=T39*C8+C9*T62+C10*T47+T24*T57-T25*T60;T64=T12*T37-T6*T59-T4*(T7*T61-T5*T63);T65=T6*C0;T66=T7*C9",
+                "T67=C2*(T66-C16);T68=T6+T12;T69=C1*T68;T70=C2*T66;T71=C17-T70-T70;T72=C11+T71;T73=C18+T7*C12;T74=T5*C15",
+                "T75=T5*T74;T76=T6*(T6*T72+T4*T73)+T4*(T6*T73+T4*(C13-T75))+T6*T65;T77=T76+T68*T69;T78=1/T77",
+                "T79=(T65+T4*C18+C6*T69-T6*T67)*T78;T80=T13+1.0;T81=C1*T80;T82=T5*C12;T83=T72+T10*T82",
+                "T84=T4*(T73+T10*(T7*T74+C2*T5*C9));T85=T78*(T65+T6*T83+T84+T69*T80);T86=T77*T85",
+                "T87=C0+T83+T10*(T82+T10*(C10+T71+T75));T88=T87+T80*T81-T85*T86;T89=1/T88;T90=(C0+C6*T81-T67-T79*T86)*T89",
+                "T91=T5*T61+T7*T63+C2*(T25*T49-C7*T62-C9*T47-T22*T52);T92=T13*T37-T59-T10*T91-T64*T85",
+                "R12=(F0+C6*T37-T55-T64*T79-T90*T92)/(C19-T77*T79*T79-T88*T90*T90);R11=T89*T92-T90*R12;T93=C2*(R12+R11)",
+                "T94=T1*U0;R7=T3*T94-T2*T93;R9=T64*T78-T85*R11-T79*R12;R10=T10*R11-T46;R13=T12*R9+T13*R11+C6*R12-T35",
+                "R0=-(T1*T2);R1=-(T1*T3);R8=-(T3*T93+T2*T94);R2=U0;R4=U1;R5=U2",
+            ],
+        }),
         gravity: Some(9),
     };
 

@@ -341,6 +341,7 @@ impl<T: Scalar> Model<2> for Wheelset<T> {
             FormulaInfo::entry(&[(MatrixName::Kc, 1, 1)], "kg*m^2/s^2", "kpsi"),
         ],
         attributes: &[],
+        motion: None,
         gravity: None,
     };
 

@@ -1110,6 +1110,7 @@ impl<T: Scalar> Model<2> for WhippleSprung<T> {
                 "yaw_per_v_delta*(delta_along_x*h_spin_F/length_delta + P_delta_lateral)",
             ),
         ],
+        motion: None,
         gravity: Some(3),
     };
 

@@ -13,6 +13,8 @@ pub struct MotionModel {
     pub positions: Vec<Position>,
     /// The names of the wheels, each with what it is.
     pub wheels: Vec<[String; 2]>,
+    /// The same machine with its attributes as further parameters, behind all others: for mistakes in one of them.
+    pub by_attributes: Option<Machine>,
 }
 
 impl MotionModel {

@@ -5,7 +5,7 @@ use proc_macro2::TokenStream;
 use crate::derivatives::{self, Derivatives};
 use crate::equations::Equations;
 use crate::model::Model;
-use crate::nonlinear::{self, MotionPrograms};
+use crate::nonlinear::{self, AccelerationPrograms, MotionPrograms};
 use crate::program::{Counts, Program};
 use crate::report::{self, Region, Report};
 use crate::symbolic::{self, Failure, Place};
@@ -31,6 +31,8 @@ pub struct Programs {
     pub kinematics: Option<Program>,
     /// The nonlinear equations of motion, if the model asks for them.
     pub motion: Option<MotionPrograms>,
+    /// Accelerations by the attributes of the mechanism, if it does.
+    pub by_attributes: Option<AccelerationPrograms>,
     /// Computes the entries of the matrices together with their derivatives, if the model asks for them.
     pub derivatives: Option<Derivatives>,
 }
@@ -104,8 +106,12 @@ fn build_programs(model: &Model) -> Result<Programs, (Region, Failure)> {
         .map(|asked| derivatives::compile(model, asked, &matrices).map_err(|why| (Region::from(asked.span), why)));
     let motion = model.motion.as_ref();
     let with_derivatives = model.derivatives.as_ref().is_some_and(|asked| asked.is_all(model));
+    let by_attributes = motion.and_then(|motion| {
+        let machine = motion.by_attributes.as_ref()?;
+        Some(nonlinear::compile_accelerations(machine, &motion.layout))
+    });
     let motion = motion.map(|motion| nonlinear::compile(&motion.machine, &motion.layout, with_derivatives));
-    Ok(Programs { matrices, requirements, kinematics, motion, derivatives: derivatives.transpose()? })
+    Ok(Programs { matrices, requirements, kinematics, motion, by_attributes, derivatives: derivatives.transpose()? })
 }
 
 /// Where in the declaration a failure belongs.

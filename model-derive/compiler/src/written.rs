@@ -77,11 +77,13 @@ impl Writer<'_> {
         self.names.text_in_order(formula).to_string()
     }
 
-    /// Those that the matrices depend on; behind those of the declaration are the attributes of a mechanism, which are this.
+    /// Those that the matrices depend on, and attributes that only a nonlinear motion depends on; behind those of the declaration are the attributes of a mechanism, which are this.
     fn definitions(&self, matrices: &Matrices, whats: &[String]) -> Vec<Written> {
-        let entries = matrices.iter().flat_map(|(_, rows)| rows.iter().flatten()).cloned().collect();
-        let needed = Equations::of_formulas(self.checked.domains.len(), self.definitions, entries).origins;
         let first = self.checked.definitions.len();
+        let entries = matrices.iter().flat_map(|(_, rows)| rows.iter().flatten()).cloned();
+        let attributes = (first..first + whats.len()).map(Formula::Definition);
+        let needed = entries.chain(attributes).collect();
+        let needed = Equations::of_formulas(self.checked.domains.len(), self.definitions, needed).origins;
         let written = needed.into_iter().map(|index| {
             let name = self.names.definitions[index].to_string();
             let what = index.checked_sub(first).and_then(|index| whats.get(index));

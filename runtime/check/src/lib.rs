@@ -20,7 +20,7 @@ use carvallo_design::units::Units;
 pub use self::given::Given;
 pub use self::report::{Behind, Comparison, Explanation, Group, Part, Report, Suspects, words};
 
-use self::explain::{Cause, Explained, Found};
+use self::explain::{Cause, Explained, Found, Search};
 use self::machine::Machine;
 use self::predict::Predictor;
 
@@ -53,23 +53,52 @@ pub fn check_machine(given: &Given, machine: &Machine) -> Result<Report, String>
     if machine.motion.is_none() && given.accelerations.iter().any(is_nonlinear) {
         return Err(format!("the model {} has no nonlinear equations for accelerations", machine.info.name));
     }
+    let Some(other) = Predictor::new(given, machine).by_other_equations(machine) else {
+        return Ok(compare(given, machine));
+    };
+    // By which equations wrong accelerations are is a guess: one cause by the others is likelier than several by these.
+    let [first, last] = match !has_one_cause(given, machine) && has_one_cause(&other, machine) {
+        true => [&other, given],
+        false => [given, &other],
+    };
+    let found = compare(first, machine);
+    let other = found.explanations.is_empty().then(|| compare(last, machine));
+    Ok(other.filter(|other| !other.explanations.is_empty()).unwrap_or(found))
+}
+
+/// Whether a slip or a convention alone makes all numbers.
+fn has_one_cause(given: &Given, machine: &Machine) -> bool {
+    let machine = with_formulas_of(given, machine);
+    let own = Predictor::new(given, machine);
+    Search::new(machine, &own, &own).has_one_cause(&own)
+}
+
+/// The machine with a mechanism where accelerations are by its nonlinear equations.
+fn with_formulas_of<'a>(given: &Given, machine: &'a Machine) -> &'a Machine {
+    let own = Predictor::new(given, machine);
+    let has_nonlinear = (0..own.numbers().len()).any(|at| own.is_nonlinear(at));
+    machine.with_mechanism().filter(|_| has_nonlinear).unwrap_or(machine)
+}
+
+fn compare(given: &Given, machine: &Machine) -> Report {
+    let machine = with_formulas_of(given, machine);
     let own = Predictor::new(given, machine);
     let here = own.predict(&machine.world());
     if own.agreeing(&here) == here.len() {
-        return Ok(Report::new(machine, &own, &own, Vec::new(), None));
+        return Report::new(machine, &own, &own, Vec::new(), None);
     }
     if !given::contradictions(given, machine.info).is_empty() {
-        return Ok(Report::new(machine, &own, &own, Vec::new(), Some(Suspects::new(machine, &own, &[]))));
+        return Report::new(machine, &own, &own, Vec::new(), Some(Suspects::new(machine, &own, &[])));
     }
     if let Some((mended, told)) = form::mended(given, machine.info) {
-        return Ok(check_mended(given, &mended, told, machine));
+        return check_mended(given, &mended, told, machine);
     }
     let Explained { found, cut } = explain::explain(given, machine);
     let cut = cut.as_ref().map(|own| Predictor::new(own, machine));
     let meant = cut.as_ref().unwrap_or(&own);
     let is_whole = meant.agreeing(&here) == here.len();
     let suspects = (!is_whole && found.is_empty()).then(|| Suspects::new(machine, meant, &[]));
-    Ok(Report::new(machine, &own, meant, found, suspects))
+    Report::new(machine, &own, meant, found, suspects)
 }
 
 /// Of state matrices that are transposed or negative as a whole: that, and what explains them beside it.

@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use carvallo::ModelInfo;
+use carvallo::{FormulaInfo, ModelInfo};
 use carvallo_design::Design;
 use carvallo_design::feedback::{Gain, Law};
 use carvallo_design::units::Units;
@@ -38,9 +38,14 @@ pub struct Machine {
     pub single: Vec<Convention>,
     /// Of each place among the entries the formula.
     places: Vec<Option<usize>>,
+    /// The attributes among the formulas, in their order, where the nonlinear equations depend on them.
+    attributes: Vec<usize>,
+    /// The text of the attributes that are among the formulas.
+    by_attributes: &'static [FormulaInfo],
     slips: OnceLock<Vec<FormulaSlip>>,
     worlds: OnceLock<Worlds>,
     others: OnceLock<Vec<Machine>>,
+    with_mechanism: OnceLock<Option<Box<Machine>>>,
 }
 
 /// The matrices of every single cause.
@@ -58,7 +63,7 @@ impl Machine {
     /// # Errors
     /// If its model has no formulas, as matrices that are given themselves.
     pub fn new(design: &Design) -> Result<Self, String> {
-        Self::closed(design.info(), &design.values(), &design.feedback)
+        Self::closed(design.info(), design.info().attributes, &design.values(), &design.feedback)
     }
 
     /// The same from a model and the values of its parameters.
@@ -66,16 +71,33 @@ impl Machine {
     /// # Errors
     /// As there.
     pub fn with(info: &'static ModelInfo, parameters: &[f64]) -> Result<Self, String> {
-        Self::closed(info, parameters, &[])
+        Self::closed(info, info.attributes, parameters, &[])
     }
 
     /// The same machine with other feedback; `None` where that is none.
     pub fn closed_by(&self, feedback: &[Law]) -> Option<Self> {
-        Self::closed(self.info, &self.parameters, feedback).ok().filter(|_| !feedback.is_empty())
+        Self::closed(self.info, self.by_attributes, &self.parameters, feedback).ok().filter(|_| !feedback.is_empty())
     }
 
-    fn closed(info: &'static ModelInfo, parameters: &[f64], feedback: &[Law]) -> Result<Self, String> {
-        let formulas = Formulas::with_attributes(info)?;
+    /// The same machine with the mechanism of its nonlinear equations among its formulas; `None` where that is there already, or
+    /// where it has none.
+    pub fn with_mechanism(&self) -> Option<&Self> {
+        let with_mechanism = || {
+            let by_attributes = self.motion.as_ref().map(Nonlinear::attributes)?;
+            let closed = || Self::closed(self.info, by_attributes, &self.parameters, &self.feedback);
+            let machine = if self.by_attributes.is_empty() { closed().ok() } else { None };
+            machine.map(|machine| Box::new(Self { units: self.units.clone(), ..machine }))
+        };
+        self.with_mechanism.get_or_init(with_mechanism).as_deref()
+    }
+
+    fn closed(
+        info: &'static ModelInfo,
+        by_attributes: &'static [FormulaInfo],
+        parameters: &[f64],
+        feedback: &[Law],
+    ) -> Result<Self, String> {
+        let formulas = Formulas::with_attributes(info, by_attributes)?;
         let values = formulas.values(parameters);
         let gravity = info.gravity.map_or(0.0, |at| parameters[at]);
         // Of a closed loop the sign of its feedback is the likeliest.
@@ -93,13 +115,15 @@ impl Machine {
         single.extend(conventions::parameters(info, parameters));
         single.extend(conventions::gains(info, feedback));
         let (parameters, feedback) = (parameters.to_vec(), feedback.to_vec());
-        let (slips, worlds, others) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
+        let (slips, worlds, others, with_mechanism) = Default::default();
         let (units, motion) = (Units::default(), Nonlinear::new(info));
         let entry = |at: usize| {
             let (matrix, row, column) = place(at, formulas.count);
             formulas.entry(matrix, row, column)
         };
         let places = (0..values.entries.len()).map(entry).collect();
+        let is_attribute = |at: &usize| matches!(formulas.formulas[*at].subject, Subject::Attribute(_));
+        let attributes = (0..formulas.definitions).filter(|at| motion.is_some() && is_attribute(at)).collect();
         Ok(Self {
             info,
             formulas,
@@ -112,9 +136,12 @@ impl Machine {
             sums,
             single,
             places,
+            attributes,
+            by_attributes,
             slips,
             worlds,
             others,
+            with_mechanism,
         })
     }
 
@@ -138,7 +165,7 @@ impl Machine {
         let mut own = self.values.clone();
         let mut world = |slip: &FormulaSlip| {
             let is_any = slip.apply(&self.formulas, &self.parameters, &self.values, &mut own);
-            is_any.then(|| self.world_from(own.entries.clone(), &self.parameters))
+            is_any.then(|| self.world_from(own.clone(), &self.parameters))
         };
         Worlds {
             conventions: self.usual.iter().chain(&self.single).map(|own| self.world_with(own)).collect(),
@@ -157,7 +184,9 @@ impl Machine {
             let other = |number: usize| -> Vec<f64> {
                 self.parameters.iter().enumerate().map(|own| vary(number, own)).collect()
             };
-            (0..2).filter_map(|number| Self::closed(self.info, &other(number), &self.feedback).ok()).collect()
+            (0..2)
+                .filter_map(|number| Self::closed(self.info, self.by_attributes, &other(number), &self.feedback).ok())
+                .collect()
         })
     }
 
@@ -196,18 +225,24 @@ impl Machine {
 
     /// The matrices as they are.
     pub fn world(&self) -> World {
-        self.world_from(self.values.entries.clone(), &self.parameters)
+        self.world_from(self.values.clone(), &self.parameters)
     }
 
     /// The matrices for other parameters.
     pub fn world_of(&self, parameters: &[f64]) -> World {
-        self.world_from(self.formulas.values(parameters).entries, parameters)
+        self.world_from(self.formulas.values(parameters), parameters)
     }
 
-    /// With these entries, for parameters that have the gravitational field strength among them.
-    pub fn world_from(&self, entries: Vec<f64>, parameters: &[f64]) -> World {
+    /// With these values, for parameters that have the gravitational field strength among them.
+    pub fn world_from(&self, values: Values, parameters: &[f64]) -> World {
         let gains = self.gains().map(|gain| gain.value).collect();
-        World { entries, gravity: self.gravity(parameters), gains, parameters: parameters.to_vec() }
+        let (gravity, attributes) = (self.gravity(parameters), self.attributes(&values));
+        World { entries: values.entries, gravity, gains, parameters: parameters.to_vec(), attributes }
+    }
+
+    /// The attributes that the nonlinear equations depend on.
+    pub fn attributes(&self, values: &Values) -> Vec<f64> {
+        self.attributes.iter().map(|&at| values.definition(at)).collect()
     }
 
     /// The matrices with a convention.

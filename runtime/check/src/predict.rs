@@ -1,5 +1,7 @@
 //! The numbers that somebody should have: what the matrices of a machine make of each quantity that was given.
 
+mod meant;
+
 use std::borrow::Cow;
 use std::cmp::Ordering;
 
@@ -8,10 +10,10 @@ use carvallo_design::feedback::Law;
 use carvallo_design::matrices::{self, Coordinate, Form};
 use carvallo_design::{Equations, Shipped};
 
+use self::meant::Exact;
 use crate::form::order;
-use crate::given::{Accelerations, Eigenvalues, Given, Kind, Quantity, Reading, StateMatrix, SystemMatrix};
+use crate::given::{Accelerations, Eigenvalues, Given, Quantity, Reading, StateMatrix, SystemMatrix};
 use crate::machine::{Machine, entries_of};
-use crate::motion::Nonlinear;
 use crate::relation::{Relation, relations};
 use crate::states::states;
 use crate::zero::{Zero, zeros};
@@ -40,14 +42,6 @@ pub struct Predictor<'a> {
     zeros: Vec<Zero>,
 }
 
-/// Nonlinear equations, and what they make of the parameters as they are.
-#[derive(Debug)]
-struct Exact<'a> {
-    motion: &'a Nonlinear,
-    parameters: &'a [f64],
-    accelerations: Option<Vec<f64>>,
-}
-
 /// Matrices of the open loop, all eight row by row, the gravitational field strength in N/kg, and what closes the loop.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct World {
@@ -57,8 +51,10 @@ pub struct World {
     pub gravity: f64,
     /// The values of the gains of the feedback, in the order of [`Machine::gains`].
     pub gains: Vec<f64>,
-    /// The parameters, of which the nonlinear equations are: no slip in a formula is in them.
+    /// The parameters.
     pub parameters: Vec<f64>,
+    /// The attributes of the mechanism, of which the nonlinear equations are; none where these do not matter.
+    pub attributes: Vec<f64>,
 }
 
 /// What rounding may do to a number, relative to the largest of its kind: an entry, an eigenvalue, a critical speed. Other
@@ -99,40 +95,9 @@ impl<'a> Predictor<'a> {
         made
     }
 
-    /// By which equations accelerations are: by those that were said, or else by those that come nearer.
-    fn meant(&self, machine: &'a Machine) -> Vec<Option<Exact<'a>>> {
-        let world = machine.world();
-        let meant = |given: &Accelerations| {
-            let motion = machine.motion.as_ref()?;
-            let accelerations = motion.accelerations(given, &world.parameters, self.feedback);
-            let exact = Exact { motion, parameters: &machine.parameters, accelerations };
-            if let Some(said) = given.equations {
-                return (said == Kind::Nonlinear).then_some(exact);
-            }
-            let mut linear = None;
-            let visited = self.visit(&world, &mut |equations| {
-                linear = self.accelerations(given, equations, world.gravity);
-            });
-            // How many are off, and how far the farthest.
-            let off = |found: &Option<Vec<f64>>| {
-                let of = |found: &Vec<f64>| {
-                    let values = given.values.iter().zip(found);
-                    let off =
-                        values.filter_map(|(value, own)| Some((value.as_ref()?, (value.as_ref()?.value - own).abs())));
-                    let far = off.filter(|(value, off)| *off > value.tolerance.max(ROUNDING[2] * value.value.abs()));
-                    far.fold((0, 0.0), |(count, most), (_, off)| (count + 1, f64::max(most, off)))
-                };
-                found.as_ref().map_or((usize::MAX, f64::INFINITY), of)
-            };
-            (off(&exact.accelerations) < off(&linear) || visited.is_err()).then_some(exact)
-        };
-        self.given.accelerations.iter().map(meant).collect()
-    }
-
     /// What a number is called.
     pub fn name(&self, at: usize) -> String {
-        let quantity = self.numbers[at].0;
-        let is_nonlinear = matches!(quantity, Quantity::Acceleration(state, _) if self.nonlinear[state].is_some());
+        let (quantity, is_nonlinear) = (self.numbers[at].0, self.is_nonlinear(at));
         let name = self.given.name(quantity, self.info);
         if is_nonlinear { format!("{name} by the nonlinear equations") } else { name }
     }
@@ -198,6 +163,21 @@ impl<'a> Predictor<'a> {
         values
     }
 
+    /// One number of all; NaN where there is none.
+    pub fn number(&self, at: usize, world: &World) -> f64 {
+        match self.numbers[at].0 {
+            Quantity::Acceleration(state, of) => {
+                let given = &self.given.accelerations[state];
+                let found = match &self.nonlinear[state] {
+                    Some(exact) => exact.accelerations(given, world, self.feedback),
+                    None => self.linear(given, world),
+                };
+                found.map_or(f64::NAN, |found| found[of])
+            }
+            _ => self.predict(world)[at],
+        }
+    }
+
     /// That of an entry of a matrix; of others `None`.
     pub fn entry(&self, quantity: Quantity, world: &World) -> Option<f64> {
         match quantity {
@@ -242,6 +222,10 @@ impl<'a> Predictor<'a> {
             place += 1;
             tell(place - 1, value)
         };
+        if (first..self.numbers.len()).all(|at| self.is_nonlinear(at)) {
+            self.each_acceleration(None, world, &mut next);
+            return;
+        }
         let visited = self.visit(world, &mut |equations| self.each_other(equations, world, &mut next));
         if visited.is_err() {
             (first..self.numbers.len()).all(|_| next(f64::NAN));
@@ -267,7 +251,7 @@ impl<'a> Predictor<'a> {
     /// The same in the order of [`Given::numbers`].
     fn each_other(&self, equations: &dyn Equations, world: &World, tell: &mut dyn FnMut(f64) -> bool) {
         let gravity = world.gravity;
-        let Given { matrices: _, system_matrices, state_matrices, eigenvalues, critical_speeds, accelerations } =
+        let Given { matrices: _, system_matrices, state_matrices, eigenvalues, critical_speeds, accelerations: _ } =
             self.given;
         for SystemMatrix { speed, is_stiffness, rows } in system_matrices {
             let own = equations.system(*speed, gravity).ok().map(|[_, c, k]| if *is_stiffness { k } else { c });
@@ -313,11 +297,15 @@ impl<'a> Predictor<'a> {
                 }
             }
         }
-        for (given, nonlinear) in accelerations.iter().zip(&self.nonlinear) {
+        self.each_acceleration(Some(equations), world, tell);
+    }
+
+    /// The accelerations in their order, by linear equations where they are not by nonlinear ones.
+    fn each_acceleration(&self, linear: Option<&dyn Equations>, world: &World, tell: &mut dyn FnMut(f64) -> bool) {
+        for (given, nonlinear) in self.given.accelerations.iter().zip(&self.nonlinear) {
             let found = match nonlinear {
-                Some(exact) if exact.parameters == world.parameters => exact.accelerations.clone(),
-                Some(exact) => exact.motion.accelerations(given, &world.parameters, self.feedback),
-                None => self.accelerations(given, equations, gravity),
+                Some(exact) => exact.accelerations(given, world, self.feedback),
+                None => linear.and_then(|equations| self.accelerations(given, equations, world.gravity)),
             };
             for (of, _) in given.values.iter().enumerate().filter(|(_, value)| value.is_some()) {
                 if !tell(found.as_ref().map_or(f64::NAN, |found| found[of])) {
@@ -325,6 +313,13 @@ impl<'a> Predictor<'a> {
                 }
             }
         }
+    }
+
+    /// The accelerations by the linear equations; `None` where there are none.
+    fn linear(&self, given: &Accelerations, world: &World) -> Option<Vec<f64>> {
+        let mut found = None;
+        self.visit(world, &mut |equations| found = self.accelerations(given, equations, world.gravity)).ok()?;
+        found
     }
 
     /// The accelerations of all coordinates by the linear equations; NaN where only the position is a state.

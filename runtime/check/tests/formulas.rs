@@ -36,7 +36,7 @@ fn varied(values: &[f64], number: usize) -> Vec<f64> {
 fn attributes_make_the_matrices_of_every_mechanism() {
     let mut mechanisms = 0;
     for model in MODELS {
-        let formulas = Formulas::with_attributes(model.info).expect("formulas that can be read");
+        let formulas = Formulas::with_attributes(model.info, model.info.attributes).expect("formulas that can be read");
         let mut designs = 0;
         for (set, number) in model.info.sets.iter().flat_map(|set| (0..20).map(move |number| (set, number))) {
             let values = if number == 0 { set.values.to_vec() } else { varied(set.values, number) };

@@ -83,18 +83,15 @@ impl Formulas {
     /// # Errors
     /// That it has none, or the one that cannot be read.
     pub fn new(info: &ModelInfo) -> Result<Self, String> {
-        Self::of(info, &[])
+        Self::with_attributes(info, &[])
     }
 
-    /// The same, and beside them those by the attributes of a mechanism, if it is one.
+    /// The same, and beside them those by the attributes of a mechanism with these parameters, as [`ModelInfo::attributes`] has
+    /// them of a model that is one.
     ///
     /// # Errors
     /// As there.
-    pub fn with_attributes(info: &ModelInfo) -> Result<Self, String> {
-        Self::of(info, info.attributes)
-    }
-
-    fn of(info: &ModelInfo, attributes: &[FormulaInfo]) -> Result<Self, String> {
+    pub fn with_attributes(info: &ModelInfo, attributes: &[FormulaInfo]) -> Result<Self, String> {
         if info.formulas.is_empty() {
             return Err(format!("the model {} has no formulas", info.name));
         }

@@ -5,6 +5,7 @@ use core::fmt;
 use super::domain::Domain;
 use super::error::ParameterError;
 use super::formula::FormulaInfo;
+use super::motion_formulas::MotionFormulas;
 use crate::motion::AppliedInfo;
 use crate::system::{MatrixName, States};
 
@@ -38,8 +39,11 @@ pub struct ModelInfo {
     pub formulas: &'static [FormulaInfo],
     /// The same matrices by the attributes of a mechanism, such as the mass of a body or a place on the axis of a joint: each that has a
     /// parameter in it is a definition of its own, in which a mistake can be tried by itself. What holds because of relations
-    /// between attributes, as that a wheel touches the ground, is taken to hold. Empty for models that are no mechanisms.
+    /// between attributes, as that a wheel touches the ground, is taken to hold. Of a model with nonlinear equations there are also
+    /// attributes that these alone depend on. Empty for models that are no mechanisms.
     pub attributes: &'static [FormulaInfo],
+    /// Accelerations by the nonlinear equations of motion in these attributes, of a model whose declaration says `nonlinear;`.
+    pub motion: Option<MotionFormulas>,
     /// The position of the parameter that is the gravitational field strength g, if there is one.
     pub gravity: Option<usize>,
 }
@@ -48,7 +52,7 @@ impl ModelInfo {
     /// The same without formulas: all that checks of parameters need, so that a program that only checks carries no more.
     #[must_use]
     pub const fn without_formulas(&self) -> Self {
-        Self { formulas: &[], attributes: &[], ..*self }
+        Self { formulas: &[], attributes: &[], motion: None, ..*self }
     }
 
     /// The position of the parameter called `name`.

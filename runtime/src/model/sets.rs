@@ -39,6 +39,7 @@ mod tests {
         requirements: &[],
         formulas: &[],
         attributes: &[],
+        motion: None,
         gravity: None,
     };
 

@@ -2,7 +2,6 @@
 
 use super::error::MotionError;
 use super::info::MotionInfo;
-use super::traits::Unchecked;
 use crate::number::Scalar;
 
 /// No step is longer than this, in rad or m: it keeps to the solution that is near.
@@ -10,16 +9,22 @@ const LONGEST: f64 = 0.25;
 /// With steps of that length it leads around the whole circle; near a solution a handful is enough.
 const MOST_STEPS: usize = 60;
 
-pub fn close<M: Unchecked<Scalar: Scalar>>(
-    motion: &M,
+/// Makes positions such that every wheel touches the ground, as [`Motion::close`](super::Motion::close) does; `closure` tells for
+/// positions how far the wheels behind the first are below the ground, in m, and what to add to those positions that depend on
+/// others, by Newton's method.
+///
+/// # Errors
+/// As there.
+pub fn close<T: Scalar, P: AsRef<[T]> + AsMut<[T]>, D: AsRef<[T]> + AsMut<[T]>>(
+    closure: impl Fn(&P) -> (D, D),
     info: &MotionInfo,
-    mut positions: M::Positions,
-) -> Result<M::Positions, MotionError> {
-    let scalar = <M::Scalar as Scalar>::from_f64;
+    mut positions: P,
+) -> Result<P, MotionError> {
+    let scalar = T::from_f64;
     let [zero, one] = [0.0, 1.0].map(scalar);
     let mut shortest = scalar(f64::MAX.min(1e30));
     for _ in 0..MOST_STEPS {
-        let (_, mut steps) = motion.closure_unchecked(&positions);
+        let (_, mut steps) = closure(&positions);
         let longest =
             steps.as_ref().iter().fold(zero, |longest, step| if step.abs() > longest { step.abs() } else { longest });
         if !steps.as_ref().iter().all(|step| step.is_finite()) {
@@ -33,7 +38,7 @@ pub fn close<M: Unchecked<Scalar: Scalar>>(
             positions.as_mut()[*place] += *step;
         }
         // Near the solution steps shrink to rounding, and then no further.
-        let rounding = scalar(4.0) * <M::Scalar as Scalar>::EPSILON;
+        let rounding = scalar(4.0) * T::EPSILON;
         let size = info.dependent.iter().fold(one, |size, place| {
             let value = positions.as_ref()[*place].abs();
             if value > size { value } else { size }
@@ -43,7 +48,7 @@ pub fn close<M: Unchecked<Scalar: Scalar>>(
         }
         shortest = longest;
     }
-    let (below, _) = motion.closure_unchecked(&positions);
+    let (below, _) = closure(&positions);
     let worst = below.as_ref().iter().enumerate().fold((0, zero), |(worst, most), (wheel, below)| {
         if below.is_finite() && below.abs() > most { (wheel, below.abs()) } else { (worst, most) }
     });

@@ -20,6 +20,7 @@ mod none;
 mod traits;
 mod vector;
 
+pub use close::close;
 pub use error::MotionError;
 pub use info::{AppliedInfo, MotionInfo, PositionInfo, PositionKind, WheelInfo};
 pub use linearization::{Linearizable, Linearization, UncheckedPartials};

@@ -33,7 +33,7 @@ pub trait Motion: Unchecked<Scalar: Scalar> {
     /// If there is no such position near, or if something is not finite.
     fn close(&self, positions: &Self::Positions) -> Result<Self::Positions, MotionError> {
         finite(Self::INFO, "position", positions.as_ref(), |place| place)?;
-        close::close(self, Self::INFO, *positions)
+        close::close(|positions| self.closure_unchecked(positions), Self::INFO, *positions)
     }
 
     /// The rates of all positions at given speeds: rolling determines those that are not speeds.

@@ -1,6 +1,6 @@
 //! The forward speed of a machine.
 
-use super::machine::Machine;
+use super::machine::Moving;
 use super::state::State;
 
 /// What the forward speed of a machine is told by: the rate of one of its positions, which is proportional to it.
@@ -16,7 +16,7 @@ pub struct Drive {
 impl Drive {
     /// That of a machine; `None` for what does not run.
     #[must_use]
-    pub fn of(machine: &dyn Machine) -> Option<Self> {
+    pub fn of(machine: &dyn Moving) -> Option<Self> {
         let info = machine.info();
         let x = info.position("x")?;
         if info.speed_of(x).is_some() {

@@ -4,11 +4,11 @@ use nalgebra::DMatrix;
 
 use crate::motion::{Energy, Linearization, Motion, MotionError, MotionInfo, Vector};
 
-/// A [`Motion`] whose arrays are slices, so that what is done with it is compiled once for all of them, and machines of all
-/// kinds go into one list. Every [`Motion`] in `f64` is one.
+/// What has positions, and accelerations at a state and under forces: as much of a [`Machine`] as a [`State`](super::State) and a
+/// [`Drive`](super::Drive) need.
 ///
 /// Slices are as long as [`MotionInfo`] has positions, speeds and forces.
-pub trait Machine {
+pub trait Moving {
     /// See [`Motion::INFO`].
     fn info(&self) -> &'static MotionInfo;
 
@@ -24,6 +24,22 @@ pub trait Machine {
     /// As there.
     fn rates(&self, positions: &[f64], speeds: &[f64], rates: &mut [f64]) -> Result<(), MotionError>;
 
+    /// See [`Motion::accelerations`].
+    ///
+    /// # Errors
+    /// As there.
+    fn accelerations(
+        &self,
+        positions: &[f64],
+        speeds: &[f64],
+        forces: &[f64],
+        accelerations: &mut [f64],
+    ) -> Result<(), MotionError>;
+}
+
+/// A [`Motion`] whose arrays are slices, so that what is done with it is compiled once for all of them, and machines of all
+/// kinds go into one list. Every [`Motion`] in `f64` is one.
+pub trait Machine: Moving {
     /// See [`Motion::derivatives`]: the rates of all positions, and those of the speeds.
     ///
     /// # Errors
@@ -35,18 +51,6 @@ pub trait Machine {
         forces: &[f64],
         rates: &mut [f64],
         of_speeds: &mut [f64],
-    ) -> Result<(), MotionError>;
-
-    /// See [`Motion::accelerations`].
-    ///
-    /// # Errors
-    /// As there.
-    fn accelerations(
-        &self,
-        positions: &[f64],
-        speeds: &[f64],
-        forces: &[f64],
-        accelerations: &mut [f64],
     ) -> Result<(), MotionError>;
 
     /// See [`Linearizable::linearize`](crate::motion::Linearizable::linearize): nothing for a model whose declaration does not
@@ -83,7 +87,7 @@ fn array<V: Vector<f64>>(values: &[f64]) -> V {
     V::from_fn(|place| values[place])
 }
 
-impl<M: Motion<Scalar = f64>> Machine for M {
+impl<M: Motion<Scalar = f64>> Moving for M {
     fn info(&self) -> &'static MotionInfo {
         M::INFO
     }
@@ -98,6 +102,20 @@ impl<M: Motion<Scalar = f64>> Machine for M {
         Ok(())
     }
 
+    fn accelerations(
+        &self,
+        positions: &[f64],
+        speeds: &[f64],
+        forces: &[f64],
+        accelerations: &mut [f64],
+    ) -> Result<(), MotionError> {
+        let found = Motion::accelerations(self, &array(positions), &array(speeds), &array(forces))?;
+        accelerations.copy_from_slice(found.as_ref());
+        Ok(())
+    }
+}
+
+impl<M: Motion<Scalar = f64>> Machine for M {
     fn derivatives(
         &self,
         positions: &[f64],
@@ -109,18 +127,6 @@ impl<M: Motion<Scalar = f64>> Machine for M {
         let (of_positions, own) = Motion::derivatives(self, &array(positions), &array(speeds), &array(forces))?;
         rates.copy_from_slice(of_positions.as_ref());
         of_speeds.copy_from_slice(own.as_ref());
-        Ok(())
-    }
-
-    fn accelerations(
-        &self,
-        positions: &[f64],
-        speeds: &[f64],
-        forces: &[f64],
-        accelerations: &mut [f64],
-    ) -> Result<(), MotionError> {
-        let found = Motion::accelerations(self, &array(positions), &array(speeds), &array(forces))?;
-        accelerations.copy_from_slice(found.as_ref());
         Ok(())
     }
 

@@ -48,7 +48,7 @@ pub use exponential::{Propagator, PropagatorError};
 pub use force::{Force, ForceError};
 pub use linear::{LinearMotion, Snapshot};
 #[cfg(feature = "simulation")]
-pub use machine::{Machine, MachineLinearization};
+pub use machine::{Machine, MachineLinearization, Moving};
 #[cfg(feature = "simulation")]
 pub use nonlinear::{End, Happening, Moment, Ride, RideRow, Simulation};
 #[cfg(feature = "simulation")]

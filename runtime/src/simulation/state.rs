@@ -1,9 +1,9 @@
 //! What a motion begins with.
 
 use super::error::{SimulationError, require_finite};
-use super::machine::Machine;
+use super::machine::Moving;
 
-/// The state of a [`Machine`]: all that decides how it goes on.
+/// The state of a [`Machine`](super::Machine): all that decides how it goes on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
     /// The position of everything, such that every wheel touches the ground.
@@ -22,7 +22,7 @@ impl State {
     /// If there is no position or no free rate of a name, if a value is not finite, or if the wheels cannot all touch the
     /// ground.
     pub fn new(
-        machine: &dyn Machine,
+        machine: &dyn Moving,
         positions: &[(&str, f64)],
         rates: &[(&str, f64)],
     ) -> Result<Self, SimulationError> {

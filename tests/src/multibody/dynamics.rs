@@ -1,6 +1,6 @@
 //! The forces that a motion takes: Kane's equations of the tree, reduced to the freedoms that rolling leaves.
 
-use nalgebra::{DMatrix, DVector, Vector3};
+use nalgebra::{DMatrix, DVector, SMatrix, SVector, Vector3};
 
 use super::kinematics::{Kinematics, State};
 use super::{Mechanism, Root};
@@ -94,6 +94,25 @@ impl Mechanism {
                 None => motion[1][index] - speeds[place],
             }
         })
+    }
+
+    /// The accelerations of the independent coordinates in a state, and under forces on them.
+    ///
+    /// # Panics
+    /// As [`Mechanism::forces`]; or if a coordinate moves nothing.
+    pub fn accelerations<const N: usize>(
+        &self,
+        drive: &Drive<N>,
+        [q, qd]: [[f64; N]; 2],
+        applied: [f64; N],
+    ) -> SVector<f64, N> {
+        // Forces are linear in accelerations.
+        let taken = |qdd: [f64; N]| SVector::<f64, N>::from_column_slice(self.forces(drive, [q, qd, qdd]).as_slice());
+        let still = taken([0.0; N]);
+        let mass = SMatrix::<f64, N, N>::from_columns(&std::array::from_fn::<_, N, _>(|place| {
+            taken(std::array::from_fn(|other| f64::from(u8::from(other == place)))) - still
+        }));
+        mass.try_inverse().expect("a mass matrix") * (SVector::from(applied) - still)
     }
 
     /// Kinetic energy, and potential energy of gravity and springs, in a motion of the independent coordinates.
@@ -211,8 +230,9 @@ impl Mechanism {
             let heights = self.contacts.iter().map(|contact| kinematics.touch(contact).place.z - contact.ground);
             DMatrix::from_iterator(self.contacts.len(), 1, heights)
         };
-        // Newton's method, which is at the last digit after one step from 1e-4 rad, and after two from half a radian.
-        for _ in 0..3 {
+        // Newton's method, which is at the last digit after one step from 1e-4 rad, and after two from half a radian; of wheels that do
+        // not stand on the ground in the reference configuration after a few more.
+        for _ in 0..6 {
             let step = lift(&self.slopes(state).select_columns(standing), &heights(state));
             standing.iter().zip(&step).for_each(|(&place, step)| state.q[place] -= step);
         }

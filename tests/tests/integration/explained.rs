@@ -48,6 +48,17 @@ fn slips_of_attributes_are_named_from_matrices() {
     }
 }
 
+/// By the nonlinear equations.
+#[test]
+fn slips_of_attributes_are_named_from_accelerations() {
+    let machine = mechanism();
+    for evidence in Evidence::OF_MOTION {
+        let tally = measure_attributes(&machine, evidence, 23);
+        let [named, of] = tally.named();
+        assert!(of > 20 && named == of, "{tally:?}");
+    }
+}
+
 #[test]
 fn slips_are_named_from_critical_speeds() {
     let [named, of] = measure(&benchmark(), Evidence::CriticalSpeeds(FULL), 397).named();

@@ -66,3 +66,4 @@ mod trigonometry;
 #[cfg(feature = "compiler")]
 mod without_derivatives;
 mod wrong_attributes;
+mod wrong_motion;

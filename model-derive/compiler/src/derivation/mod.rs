@@ -126,7 +126,10 @@ pub fn derive(checked: &Checked<'_>, report: &mut Report) -> Derived {
             report_numbers_out_of_range(&derived, mechanism, report);
             if report.is_empty() {
                 match attributes::derive_by_attributes(checked, mechanism, assembly, &assembled) {
-                    Ok(attributes) => derived.attributes = Some(attributes),
+                    Ok((attributes, standing)) => {
+                        derived.attributes = Some(attributes);
+                        derived.motion = derived.motion.map(|motion| motion::with_attributes(motion, standing));
+                    }
                     Err(failure) => report.error(mechanism.span, failure),
                 }
             }

@@ -2,7 +2,9 @@
 
 use std::collections::HashSet;
 
+use super::attributes::Standing;
 use crate::check::{Assembly, Checked, Role};
+use crate::formula::Formula;
 use crate::free_name::take_free_name;
 use crate::mechanics::{Derivation, Motion};
 use crate::motion::{MotionModel, Position, PositionKind};
@@ -49,7 +51,25 @@ pub fn describe_motion(
             .collect(),
         machine,
         layout,
+        by_attributes: None,
     })
+}
+
+/// The same motion, with the machine by its attributes beside it.
+pub fn with_attributes(motion: MotionModel, Standing { mechanism, parameters }: Standing) -> MotionModel {
+    let Machine { unit_axes, gravity, parameters: first, definitions, .. } = &motion.machine;
+    // An axis by attributes has any length.
+    let is_attribute = |part: &Formula| matches!(part, Formula::Parameter(index) if index >= first);
+    let is_declared = |axis: &[Formula; 3]| !axis.iter().any(is_attribute);
+    let unit_axes = mechanism.joints.iter().zip(unit_axes).map(|(joint, is_unit)| *is_unit && is_declared(&joint.axis));
+    let by_attributes = Machine {
+        unit_axes: unit_axes.collect(),
+        gravity: *gravity,
+        parameters,
+        definitions: definitions.clone(),
+        mechanism,
+    };
+    MotionModel { by_attributes: Some(by_attributes), ..motion }
 }
 
 /// The positions by the names of the coordinates, and what has none as the paper calls it.

@@ -3,6 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
+use super::by_attributes;
 use super::evaluator::entries;
 use super::names::GeneratedNames;
 use super::number;
@@ -11,11 +12,11 @@ use crate::domain::{Bound, Domain};
 use crate::kinematics::Applied;
 use crate::matrix_name::MatrixName;
 use crate::model::{Model, Requirement};
-use crate::program::Program;
+use crate::pipeline::Programs;
 use crate::states::States;
 use crate::written::{Of, Written};
 
-pub fn emit(model: &Model, names: &GeneratedNames, matrices: Option<&Program>) -> TokenStream {
+pub fn emit(model: &Model, names: &GeneratedNames, programs: Option<&Programs>) -> TokenStream {
     let GeneratedNames { runtime, model: model_name, .. } = names;
     let Model { docs, source, .. } = model;
     let name = model.name.to_string();
@@ -68,14 +69,16 @@ pub fn emit(model: &Model, names: &GeneratedNames, matrices: Option<&Program>) -
     let [formulas, attributes] = [&model.formulas, &model.attributes].map(|all| all.iter().map(formula));
     let forces = forces(model, names);
     let n = model.coordinates.len();
-    let entries = matrices.map(entries).unwrap_or_default().into_iter().map(|(_, places)| {
-        let places = places.into_iter().map(|place| {
-            let matrix = matrix_name(model.matrices[place / (n * n)].0);
-            let [row, column] = [place / n % n, place % n].map(Literal::usize_unsuffixed);
-            quote!((#matrix, #row, #column))
+    let entries =
+        programs.map(|programs| entries(&programs.matrices)).unwrap_or_default().into_iter().map(|(_, places)| {
+            let places = places.into_iter().map(|place| {
+                let matrix = matrix_name(model.matrices[place / (n * n)].0);
+                let [row, column] = [place / n % n, place % n].map(Literal::usize_unsuffixed);
+                quote!((#matrix, #row, #column))
+            });
+            quote!(#runtime::EntryInfo::at(&[#(#places),*]))
         });
-        quote!(#runtime::EntryInfo::at(&[#(#places),*]))
-    });
+    let motion = by_attributes::emit(model, names, programs.and_then(|programs| programs.by_attributes.as_ref()));
     let gravity = match model.gravity {
         Some(index) => {
             let index = Literal::usize_unsuffixed(index);
@@ -97,6 +100,7 @@ pub fn emit(model: &Model, names: &GeneratedNames, matrices: Option<&Program>) -
             requirements: &[#(#requirements),*],
             formulas: &[#(#formulas),*],
             attributes: &[#(#attributes),*],
+            motion: #motion,
             gravity: #gravity,
         }
     }

@@ -1,6 +1,7 @@
 //! A checked model and its programs to Rust.
 
 mod body;
+mod by_attributes;
 #[cfg(feature = "files")]
 pub mod c;
 mod compared;
@@ -20,6 +21,7 @@ mod names;
 mod nesting;
 mod outline;
 mod references;
+mod statements;
 mod states;
 mod structure;
 mod trait_impl;
@@ -82,11 +84,10 @@ fn emit_sections_with(model: &Model, programs: Option<&Programs>, driver: &Drive
     let sized = !model.coordinates.is_empty();
     let matrices = programs.map(|programs| &programs.matrices);
     let rates = programs.and_then(|programs| programs.kinematics.as_ref());
-    let requirements = programs.map(|programs| &programs.requirements);
     let [evaluator, matrix_arrays, trait_impl, described, lanes] = [
         sized.then(|| evaluator::emit(model, &names, matrices)),
         sized.then(|| evaluator::emit_conversions(model, &names, matrices)),
-        sized.then(|| trait_impl::emit(model, &names, matrices, requirements)),
+        sized.then(|| trait_impl::emit(model, &names, programs)),
         sized.then(|| described::emit(model, &names)),
         sized.then(|| lanes::emit(model, &names, matrices)),
     ];

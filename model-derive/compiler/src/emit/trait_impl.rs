@@ -8,20 +8,16 @@ use super::info;
 use super::names::GeneratedNames;
 use super::states;
 use crate::model::Model;
+use crate::pipeline::Programs;
 use crate::program::Program;
 
-pub fn emit(
-    model: &Model,
-    names: &GeneratedNames,
-    program: Option<&Program>,
-    requirements: Option<&Program>,
-) -> TokenStream {
+pub fn emit(model: &Model, names: &GeneratedNames, programs: Option<&Programs>) -> TokenStream {
     let GeneratedNames { runtime, model: name, matrices, scalar, other, .. } = names;
     let allow = names.allow();
     let n = Literal::usize_unsuffixed(model.coordinates.len());
     let count = Literal::usize_unsuffixed(model.parameters.len());
     let text = model.name.to_string();
-    let description = info::emit(model, names, program);
+    let description = info::emit(model, names, programs);
     let [position, info] = ["position", "info"].map(|name| names.variable(name));
     let [values, element] = ["values", "element"].map(|name| format_ident!("{name}"));
     let length_check = quote!(#runtime::LengthError::check(#text, #count, #values)?;);
@@ -34,7 +30,7 @@ pub fn emit(
     };
     let coefficients = quote!(#runtime::Coefficients::from_rows(#matrices::rows(&self.matrices())));
     let coefficients = states::complete(coefficients, model, names);
-    let requirements = requirements.filter(|_| !model.requirements.is_empty());
+    let requirements = programs.map(|programs| &programs.requirements).filter(|_| !model.requirements.is_empty());
     let nonlinear = model.motion.is_some().then(|| {
         quote! {
             fn nonlinear(&self) -> ::core::option::Option<impl #runtime::motion::Motion<Scalar = Self::Scalar>> {

@@ -9,6 +9,7 @@
 //! There is a division by what conditions and mass matrix are solved with, and by the sine of the angle between the axle of
 //! a wheel and the vertical, if it is steered: nothing else, so that nothing happens at zero lean, steer or speed.
 
+mod accelerations;
 mod chain;
 mod equations;
 mod forces;
@@ -24,6 +25,7 @@ mod split;
 mod vectors;
 mod wheels;
 
+pub use self::accelerations::{AccelerationPrograms, compile_accelerations};
 pub use self::layout::{Layout, Undetermined};
 
 use self::equations::Equations;
@@ -95,7 +97,7 @@ pub struct PartialPrograms {
 /// Derives the programs, and those of the derivatives if they are asked for.
 pub fn compile(machine: &Machine, layout: &Layout, with_partials: bool) -> MotionPrograms {
     let speeds = layout.conditions.independent.len();
-    let inputs = machine.parameters + layout.positions.len() + speeds + machine.mechanism.forces.len();
+    let inputs = count_inputs(machine, layout);
     let arithmetic = Arithmetic::new(inputs);
     let equations = Equations::new(machine, layout, &arithmetic);
     let mut outputs: Vec<Vec<Value>> = equations.outputs().into();
@@ -127,6 +129,12 @@ pub fn compile(machine: &Machine, layout: &Layout, with_partials: bool) -> Motio
         contact_forces: next(),
         partials: with_partials.then(|| PartialPrograms { by_state: next(), by_parameters: next() }),
     }
+}
+
+/// The parameters, and behind them positions, speeds and applied forces.
+fn count_inputs(machine: &Machine, layout: &Layout) -> usize {
+    let state = layout.positions.len() + layout.conditions.independent.len();
+    machine.parameters + state + machine.mechanism.forces.len()
 }
 
 /// The mechanism in quantities, with axes of unit length.

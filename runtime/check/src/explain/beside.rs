@@ -28,7 +28,7 @@ pub struct Group<'a> {
 /// So many slips are worth a curve: as many evaluations as there are nodes.
 const WORTH: usize = 4;
 
-/// Tells the pairs of slips in two formulas, of which all groups are of one, with which all conditions may hold, with the entries that they make; the first formula does
+/// Tells the pairs of slips in two formulas, of which all groups are of one, with which all conditions may hold, with the values that they make; the first formula does
 /// not depend on the second.
 pub fn pairs<'a>(
     machine: &Machine,
@@ -37,7 +37,7 @@ pub fn pairs<'a>(
     seconds: &[&'a FormulaSlip],
     is_meant: &dyn Fn(&FormulaSlip, &FormulaSlip) -> bool,
     left: &mut Left,
-    tell: &mut dyn FnMut(&'a FormulaSlip, &'a FormulaSlip, &[f64]),
+    tell: &mut dyn FnMut(&'a FormulaSlip, &'a FormulaSlip, &Values),
 ) {
     let Machine { formulas, parameters, values: base, .. } = machine;
     let first = groups.iter().find_map(|group| group.firsts.first());
@@ -94,7 +94,7 @@ pub fn pairs<'a>(
                     formulas.change_both(both, all, parameters, &mut values);
                 }
             }
-            tell(a, b, &values.entries);
+            tell(a, b, &values);
         }
     }
 }

@@ -11,7 +11,7 @@ pub fn find<'a>(machine: &Machine, predictor: &Predictor, formulas: &[usize], va
     for (double, changed) in machine.formulas.doubles(machine.slips(), formulas, here, value) {
         let mut values = machine.values.clone();
         machine.formulas.change(formulas, &changed, &machine.parameters, &mut values);
-        let world = machine.world_from(values.entries, &machine.parameters);
+        let world = machine.world_from(values, &machine.parameters);
         if predictor.fits(&world) {
             found.push(Found { causes: vec![Cause::Slips(double)], world });
         }

@@ -91,18 +91,23 @@ fn of_parameters_and_slips<'a>(
     convention.change_parameters(&mut parameters);
     let base = formulas.values(&parameters);
     let mut own = base.clone();
-    let mut world = machine.world_from(base.entries.clone(), &parameters);
+    let mut world = machine.world_from(base.clone(), &parameters);
     let wrong = wrong(machine, predictor, &world);
+    let here = predictor.predict(&world);
+    let is_of_mechanism = (0..here.len()).any(|at| predictor.is_nonlinear(at) && !predictor.agrees(at, here[at]));
     // A slip does not mend what does not depend on it.
     let feeds = |formula: usize| -> Vec<bool> {
         wrong.iter().map(|entries| entries.iter().any(|&entry| formulas.feeds(formula, entry))).collect()
     };
     let feeds: Vec<Vec<bool>> = (0..formulas.formulas.len()).map(feeds).collect();
-    let may_mend =
-        |slip: &FormulaSlip| (0..wrong.len()).all(|at| slip.formulas.iter().any(|&formula| feeds[formula][at]));
+    let may_mend = |slip: &FormulaSlip| {
+        (formulas.formulas[slip.formulas[0]].is_of_mechanism || !is_of_mechanism)
+            && (0..wrong.len()).all(|at| slip.formulas.iter().any(|&formula| feeds[formula][at]))
+    };
     let mut found = Vec::new();
     for slip in machine.slips().iter().filter(|slip| may_mend(slip)) {
         if slip.apply(formulas, &parameters, &base, &mut own) {
+            world.attributes = machine.attributes(&own);
             std::mem::swap(&mut world.entries, &mut own.entries);
             if predictor.fits(&world) {
                 let causes = vec![Cause::Convention(convention), Cause::Slip(slip)];

@@ -176,8 +176,8 @@ impl<'a, 'b> Search<'a, 'b> {
         let pivots: Vec<Pivot> = pivots.into_iter().map(pivot).collect();
         let conditions: Vec<&dyn Condition> = pivots.iter().map(|own| own as _).collect();
         let is_meant = |a: &FormulaSlip, b: &FormulaSlip| (a.makes_sense && b.makes_sense) == has_sense;
-        beside::pairs(self.machine, &conditions, &groups, &slips, &is_meant, left, &mut |a, b, entries| {
-            let world = self.machine.world_from(entries.to_vec(), &self.machine.parameters);
+        beside::pairs(self.machine, &conditions, &groups, &slips, &is_meant, left, &mut |a, b, values| {
+            let world = self.machine.world_from(values.clone(), &self.machine.parameters);
             if self.predictor.fits(&world) {
                 found.push(Found { causes: vec![Cause::Slip(a), Cause::Slip(b)], world });
             }

@@ -84,7 +84,7 @@ impl Told {
                 let [off, _] = predictor.relations()[at].off(&predictor.closed_entries(world), world.gravity);
                 off
             }
-            Self::Number(at) => predictor.predict(world)[at] - predictor.numbers()[at].1.value,
+            Self::Number(at) => predictor.number(at, world) - predictor.numbers()[at].1.value,
         }
     }
 }

@@ -22,7 +22,10 @@ pub enum Unknown<'a> {
 impl<'a> Unknown<'a> {
     /// Every parameter that is used, with a convention or without one.
     pub fn parameters(machine: &Machine, convention: Option<&'a Convention>) -> impl Iterator<Item = Self> {
-        let all = machine.info.parameters.iter().enumerate().filter(|(_, parameter)| parameter.used);
+        // Nonlinear equations depend on more of them.
+        let is_nonlinear = machine.motion.is_some();
+        let all = machine.info.parameters.iter().enumerate();
+        let all = all.filter(move |(_, parameter)| parameter.used || is_nonlinear);
         all.map(move |(at, _)| Self::Parameter(convention, at))
     }
 
@@ -73,7 +76,7 @@ impl<'a> Unknown<'a> {
                 let mut own = machine.values.clone();
                 let number = Expression::Number(String::new(), x);
                 machine.formulas.change(&[at], &number, &machine.parameters, &mut own);
-                Some(machine.world_from(own.entries, &machine.parameters))
+                Some(machine.world_from(own, &machine.parameters))
             }
             Self::Speed => {
                 let world = machine.world_with(&Convention::of_speeds("", x, &machine.feedback));

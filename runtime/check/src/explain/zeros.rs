@@ -48,8 +48,8 @@ pub fn find<'a>(machine: &'a Machine, predictor: &Predictor) -> Vec<Found<'a>> {
         };
         for (_, firsts) in all.iter().filter(|(first, _)| is_before(first)) {
             let groups = [Group { firsts: firsts.clone(), seconds: (0..seconds.len()).collect() }];
-            beside::pairs(machine, &conditions, &groups, seconds, &|_, _| true, &mut left, &mut |a, b, entries| {
-                let world = machine.world_from(entries.to_vec(), &machine.parameters);
+            beside::pairs(machine, &conditions, &groups, seconds, &|_, _| true, &mut left, &mut |a, b, values| {
+                let world = machine.world_from(values.clone(), &machine.parameters);
                 if predictor.fits(&world) {
                     found.push(Found { causes: vec![Cause::Slip(a), Cause::Slip(b)], world });
                 }

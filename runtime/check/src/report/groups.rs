@@ -21,9 +21,10 @@ const DERIVED: u32 = 5;
 /// Groups explanations, the likeliest first.
 pub fn groups(machine: &Machine, predictor: &Predictor, mut found: Vec<Found>) -> Vec<Group> {
     found.sort_by_key(|found| found.rank(machine));
+    let has_nonlinear = (0..predictor.numbers().len()).any(|at| predictor.is_nonlinear(at));
     let mut sorted: Vec<Vec<Found>> = Vec::new();
     for own in found {
-        match sorted.iter_mut().find(|group| are_same(machine, &group[0].world, &own.world)) {
+        match sorted.iter_mut().find(|group| are_same(machine, has_nonlinear, &group[0].world, &own.world)) {
             Some(group) => group.push(own),
             None => sorted.push(vec![own]),
         }
@@ -44,7 +45,7 @@ pub fn groups(machine: &Machine, predictor: &Predictor, mut found: Vec<Found>) -
             let is_same = |&class: &usize| {
                 !elsewhere[at].is_empty()
                     && elsewhere[class].iter().zip(&elsewhere[at]).all(|pair| match pair {
-                        (Some(a), Some(b)) => are_same(machine, a, b),
+                        (Some(a), Some(b)) => are_same(machine, has_nonlinear, a, b),
                         _ => false,
                     })
             };
@@ -125,17 +126,21 @@ pub fn rank(machine: &Machine, cause: &Cause) -> u32 {
     }
 }
 
-fn are_same(machine: &Machine, a: &World, b: &World) -> bool {
+/// Whether two make the same matrices, and, where nonlinear equations are meant, the same motion.
+fn are_same(machine: &Machine, has_nonlinear: bool, a: &World, b: &World) -> bool {
+    let is_near = |(a, b): (&f64, &f64)| (a - b).abs() <= SAME * a.abs();
     let square = machine.formulas.count * machine.formulas.count;
     let mut matrices = a.entries.chunks_exact(square).zip(b.entries.chunks_exact(square));
     let is_same = |(a, b): (&[f64], &[f64])| {
         let largest = a.iter().fold(0.0, |largest: f64, entry| largest.max(entry.abs()));
         a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME * largest)
     };
-    let mut gains = a.gains.iter().zip(&b.gains);
-    (a.gravity - b.gravity).abs() <= SAME * a.gravity.abs()
-        && gains.all(|(a, b)| (a - b).abs() <= SAME * a.abs())
+    let matters = |attribute: usize| machine.motion.as_ref().is_some_and(|motion| motion.depend_on(attribute));
+    let mut attributes = a.attributes.iter().zip(&b.attributes).enumerate();
+    is_near((&a.gravity, &b.gravity))
+        && a.gains.iter().zip(&b.gains).all(is_near)
         && matrices.all(is_same)
+        && (!has_nonlinear || attributes.all(|(at, both)| is_near(both) || !matters(at)))
 }
 
 /// The first entry, or another number, in which matrices differ that was not given, with both values.
@@ -207,7 +212,7 @@ fn world(other: &Machine, machine: &Machine, found: &Found) -> Option<World> {
             other.formulas.change_both([(first, a), (second, b)], &affected, &parameters, &mut values);
         }
     }
-    let old = other.world_from(values.entries, &parameters);
+    let old = other.world_from(values, &parameters);
     Some(of_matrices.into_iter().fold(old, |old, convention| {
         let mut own = World::default();
         convention.change_matrices(&old, &mut own, other.formulas.count);

@@ -1,7 +1,7 @@
 //! Feedback in nonlinear motion.
 
 use carvallo::motion::{Energy, MotionError, MotionInfo};
-use carvallo::simulation::{Drive, Machine};
+use carvallo::simulation::{Drive, Machine, Moving};
 use carvallo::{MatrixName, ModelInfo};
 
 use super::{Gain, Law};
@@ -15,6 +15,11 @@ use super::{Gain, Law};
 /// Forces that are applied are added to those of feedback.
 pub struct Closed<'a> {
     machine: &'a dyn Machine,
+    closing: Closing,
+}
+
+/// The laws of feedback, with the places of what they are between in a machine.
+pub struct Closing {
     drive: Option<Drive>,
     parts: Vec<Part>,
 }
@@ -43,6 +48,20 @@ impl<'a> Closed<'a> {
     /// # Errors
     /// If a law cannot be part of its equations.
     pub fn new(machine: &'a dyn Machine, model: &ModelInfo, laws: &[Law]) -> Result<Self, Unclosed> {
+        Ok(Self { machine, closing: Closing::new(machine, model, laws)? })
+    }
+
+    fn forces(&self, positions: &[f64], speeds: &[f64], applied: &[f64]) -> Result<Vec<f64>, MotionError> {
+        self.closing.forces(self.machine, positions, speeds, applied)
+    }
+}
+
+impl Closing {
+    /// The laws of a model, whose coordinates are among the positions of a machine.
+    ///
+    /// # Errors
+    /// If a law cannot be part of its equations.
+    pub fn new(machine: &dyn Moving, model: &ModelInfo, laws: &[Law]) -> Result<Self, Unclosed> {
         let (info, drive) = (machine.info(), Drive::of(machine));
         let mut parts = Vec::new();
         for (place, law) in laws.iter().enumerate() {
@@ -55,13 +74,22 @@ impl<'a> Closed<'a> {
                 parts.push(Part { gain, force, position });
             }
         }
-        Ok(Self { machine, drive, parts })
+        Ok(Self { drive, parts })
     }
 
-    /// The applied forces with those of feedback.
-    fn forces(&self, positions: &[f64], speeds: &[f64], applied: &[f64]) -> Result<Vec<f64>, MotionError> {
+    /// The applied forces with those of feedback, in a state of that machine.
+    ///
+    /// # Errors
+    /// If the state is singular, or if a force is not finite.
+    pub fn forces(
+        &self,
+        machine: &dyn Moving,
+        positions: &[f64],
+        speeds: &[f64],
+        applied: &[f64],
+    ) -> Result<Vec<f64>, MotionError> {
         let mut rates = vec![0.0; positions.len()];
-        self.machine.rates(positions, speeds, &mut rates)?;
+        machine.rates(positions, speeds, &mut rates)?;
         let speed = self.drive.map_or(0.0, |drive| drive.speed(&rates));
         let mut forces = applied.to_vec();
         for Part { gain, force, position } in &self.parts {
@@ -71,7 +99,7 @@ impl<'a> Closed<'a> {
         match self.parts.iter().find(|part| !forces[part.force].is_finite()) {
             None => Ok(forces),
             Some(Part { force, .. }) => Err(MotionError::NotFinite {
-                name: self.info().forces[*force].name,
+                name: machine.info().forces[*force].name,
                 what: "force of feedback",
                 value: forces[*force],
             }),
@@ -98,7 +126,7 @@ impl Gain {
     }
 }
 
-impl Machine for Closed<'_> {
+impl Moving for Closed<'_> {
     fn info(&self) -> &'static MotionInfo {
         self.machine.info()
     }
@@ -111,6 +139,19 @@ impl Machine for Closed<'_> {
         self.machine.rates(positions, speeds, rates)
     }
 
+    fn accelerations(
+        &self,
+        positions: &[f64],
+        speeds: &[f64],
+        forces: &[f64],
+        accelerations: &mut [f64],
+    ) -> Result<(), MotionError> {
+        let forces = self.forces(positions, speeds, forces)?;
+        self.machine.accelerations(positions, speeds, &forces, accelerations)
+    }
+}
+
+impl Machine for Closed<'_> {
     fn derivatives(
         &self,
         positions: &[f64],
@@ -121,17 +162,6 @@ impl Machine for Closed<'_> {
     ) -> Result<(), MotionError> {
         let forces = self.forces(positions, speeds, forces)?;
         self.machine.derivatives(positions, speeds, &forces, rates, of_speeds)
-    }
-
-    fn accelerations(
-        &self,
-        positions: &[f64],
-        speeds: &[f64],
-        forces: &[f64],
-        accelerations: &mut [f64],
-    ) -> Result<(), MotionError> {
-        let forces = self.forces(positions, speeds, forces)?;
-        self.machine.accelerations(positions, speeds, &forces, accelerations)
     }
 
     fn energy(&self, positions: &[f64], speeds: &[f64]) -> Result<Energy, MotionError> {

@@ -1,7 +1,7 @@
 //! What a force acts on, and what it is called.
 
 use carvallo::ModelInfo;
-use carvallo::simulation::Machine;
+use carvallo::simulation::Moving;
 
 use crate::model::Shipped;
 use crate::motion_names::is_called;
@@ -98,7 +98,7 @@ impl Input {
     }
 
     /// The place of the force in the nonlinear equations of a machine.
-    pub(crate) fn in_machine(self, machine: &dyn Machine, info: &ModelInfo) -> Option<usize> {
+    pub(crate) fn in_machine(self, machine: &dyn Moving, info: &ModelInfo) -> Option<usize> {
         let forces = machine.info().forces;
         match self {
             Self::Applied(force) => machine.info().force(info.forces[force].name),

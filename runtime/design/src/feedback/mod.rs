@@ -14,7 +14,7 @@ use carvallo::{Coefficients, MatrixName, ModelInfo};
 
 use crate::failure::{Failure, Place, Problem};
 
-pub use self::closed::{Closed, Unclosed};
+pub use self::closed::{Closed, Closing, Unclosed};
 pub use self::input::Input;
 pub use self::law::Law;
 

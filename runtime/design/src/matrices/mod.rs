@@ -118,6 +118,7 @@ fn info(form: &Form) -> &'static ModelInfo {
         requirements: &[],
         formulas: &[],
         attributes: &[],
+        motion: None,
         gravity,
     }))
 }

@@ -3,7 +3,7 @@
 use carvallo_tests::designs::config;
 use carvallo_tests::multibody::dynamics::Drive;
 use carvallo_tests::multibody::{Mechanism, Wheel};
-use nalgebra::{SMatrix, SVector, Vector3};
+use nalgebra::{SVector, Vector3};
 use proptest::prelude::*;
 
 use super::interpreted::{Input, Interpreted};
@@ -30,7 +30,7 @@ fn compare<const N: usize>(
     let (q, u): ([f64; N], [f64; N]) = (joints.map(|joint| find(joint).0), joints.map(|joint| find(joint).1));
     let drive = Drive { gravity, ..Drive::new(joints, None) };
     let found = SVector::<f64, N>::from_vec(motion.speed_rates(&positions, &u));
-    let expected = accelerate(numeric, &drive, [q, u]);
+    let expected = numeric.accelerations(&drive, [q, u], [0.0; N]);
     let error = (found - expected).amax();
     prop_assert!(error <= DIFFERENCE * expected.amax().max(1.0), "{found} is not {expected}: {error:e}");
     compare_partials(motion, numeric, &drive, [q, u], &positions)?;
@@ -46,19 +46,6 @@ fn compare<const N: usize>(
     let size = kinetic.abs() + potential.abs();
     prop_assert!((kinetic + potential - expected).abs() <= 1e-12 * size, "{kinetic} + {potential} J, not {expected} J");
     Ok(())
-}
-
-/// The rates of the speeds by the other dynamics.
-fn accelerate<const N: usize>(numeric: &Mechanism, drive: &Drive<N>, [q, u]: [[f64; N]; 2]) -> SVector<f64, N> {
-    // Forces are linear in accelerations.
-    let taken = |accelerations: [f64; N]| {
-        SVector::<f64, N>::from_column_slice(numeric.forces(drive, [q, u, accelerations]).as_slice())
-    };
-    let still = taken([0.0; N]);
-    let mass = SMatrix::<f64, N, N>::from_columns(&std::array::from_fn::<_, N, _>(|speed| {
-        taken(std::array::from_fn(|other| f64::from(u8::from(other == speed)))) - still
-    }));
-    -mass.try_inverse().expect("a mass matrix") * still
 }
 
 /// Compares derivatives: all of them with those that numbers carry through the equations, and those of the rates of the
@@ -99,7 +86,7 @@ fn compare_partials<const N: usize>(
             let moved = |by: f64| {
                 let mut moved = state;
                 moved[varied][speed] += by;
-                accelerate(numeric, drive, moved)
+                numeric.accelerations(drive, moved, [0.0; N])
             };
             let expected = slope(step, moved);
             let found = SVector::<f64, N>::from_fn(|row, _| by_state[positions.len() + row][input]);

@@ -30,7 +30,14 @@ pub struct Attributes {
     pub matrices: Matrices,
 }
 
-/// Derives the matrices by attributes. What feeds back on `mechanism` stays as it is, and so do attributes that have the load of a
+/// A mechanism in which parameters stand for its attributes, in their order behind all others.
+pub struct Standing {
+    pub mechanism: mechanics::Mechanism<Formula>,
+    /// How many parameters there are in all.
+    pub parameters: usize,
+}
+
+/// Derives the matrices by attributes, and tells the mechanism that they are of. What feeds back on `mechanism` stays as it is, and so do attributes that have the load of a
 /// wheel in them, and numbers.
 ///
 /// # Errors
@@ -40,7 +47,7 @@ pub fn derive_by_attributes(
     declared: &Mechanism,
     assembly: &Assembly,
     mechanism: &mechanics::Mechanism<Formula>,
-) -> Result<Attributes, Failure> {
+) -> Result<(Attributes, Standing), Failure> {
     let declaration = checked.declaration;
     let first_load = declaration.parameters.len();
     let parameters = first_load + mechanism.loads.map_or(0, |_| declared.wheels.len());
@@ -62,16 +69,17 @@ pub fn derive_by_attributes(
     let assembled = assembled.map_or_else(|| mechanism.clone(), |assembly| assembly.mechanism);
     let assembled = mechanics::Mechanism { fed: mechanism.fed.clone(), ..assembled };
     let attributes: Vec<Formula> = chosen.iter().map(|index| assembly.attributes[*index].clone()).collect();
+    let standing = Standing { mechanism: assembled.clone(), parameters: parameters + chosen.len() };
     let apart = mechanics::derive_apart(
         assembled,
         Declared {
-            parameters: parameters + chosen.len(),
+            parameters: standing.parameters,
             definitions: checked.definitions.clone(),
             attributes: attributes.clone(),
         },
     )?;
     let derived = Derivation { apart, parameters, attributes };
-    Ok(derived.adopt(checked, declared, chosen.iter().map(|index| &named[*index])))
+    Ok((derived.adopt(checked, declared, chosen.iter().map(|index| &named[*index])), standing))
 }
 
 /// What was derived, with the attributes as parameters behind all others.
@@ -82,7 +90,8 @@ struct Derivation {
 }
 
 impl Derivation {
-    /// With the attributes as definitions, and of all definitions those that the matrices depend on.
+    /// With the attributes as definitions, and of all definitions those that the matrices depend on; of the attributes all where the
+    /// nonlinear equations depend on others.
     fn adopt<'a>(
         self,
         checked: &Checked<'_>,
@@ -117,7 +126,8 @@ impl Derivation {
         let entries = matrices.iter().flat_map(|(_, rows)| rows.iter().flatten()).cloned().collect();
         let needed = Equations::of_formulas(parameters, &definitions, entries).origins;
         // Those of the declaration stay, which units are known of.
-        let kept: Vec<usize> = (0..first).chain(needed.into_iter().filter(|index| *index >= first)).collect();
+        let all = first + if checked.declaration.nonlinear.is_some() { count } else { 0 };
+        let kept: Vec<usize> = (0..all).chain(needed.into_iter().filter(|index| *index >= all)).collect();
         let mut new = vec![0; definitions.len()];
         kept.iter().enumerate().for_each(|(position, index)| new[*index] = position);
         Attributes {

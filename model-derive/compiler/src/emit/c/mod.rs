@@ -87,7 +87,7 @@ impl<'a> Context<'a> {
     }
 
     fn all_programs(&self) -> impl Iterator<Item = &Program> {
-        let Programs { matrices, requirements, kinematics, derivatives, motion } = self.programs;
+        let Programs { matrices, requirements, kinematics, derivatives, motion, by_attributes: _ } = self.programs;
         let derivatives = derivatives.as_ref().map(|derivatives| &derivatives.program);
         let motion = motion.iter().flat_map(MotionPrograms::all);
         [matrices, requirements].into_iter().chain(kinematics).chain(derivatives).chain(motion)

@@ -1,20 +1,27 @@
 //! Accelerations by the nonlinear equations.
 
-use carvallo::ModelInfo;
-use carvallo::simulation::{Drive, Machine, State};
-use carvallo_design::feedback::{Closed, Law};
+mod attributes;
+mod program;
+
+use carvallo::motion::MotionInfo;
+use carvallo::simulation::{Drive, Machine, Moving, State};
+use carvallo::{FormulaInfo, ModelInfo};
+use carvallo_design::feedback::{Closing, Law};
 use carvallo_design::{Shipped, WHIPPLE};
 
+use self::attributes::ByAttributes;
 use crate::given::Accelerations;
 
 /// The model whose nonlinear equations those of another one are the linear ones of.
 #[derive(Clone, Debug)]
 pub struct Nonlinear {
     model: &'static Shipped,
+    motion: &'static MotionInfo,
     /// The linear one.
     info: &'static ModelInfo,
     /// Of each parameter of the model its place among those of the linear one.
     parameters: Vec<usize>,
+    by_attributes: ByAttributes,
 }
 
 impl Nonlinear {
@@ -23,32 +30,52 @@ impl Nonlinear {
         let is_whipple = info.name == WHIPPLE.info.name;
         let model = Shipped::called(if is_whipple { "WhippleMechanism" } else { info.name }).ok()?;
         let parameters = model.info.parameters.iter().map(|own| info.position(own.name)).collect::<Option<_>>()?;
-        let own = Self { model, info, parameters };
-        let mut has_all = false;
+        let mut motion = None;
         let set = model.info.sets.first()?;
-        let found = model.with_machine(set.values, &mut |machine| {
-            let positions = info.coordinates.iter().map(|own| machine.info().position(own.name));
-            has_all = positions.into_iter().all(|place| place.is_some_and(|at| machine.info().speed_of(at).is_some()));
-        });
-        (found == Ok(true) && has_all).then_some(own)
+        model.with_machine(set.values, &mut |machine| motion = Some(machine.info())).ok()?;
+        let motion = motion?;
+        let mut positions = info.coordinates.iter().map(|own| motion.position(own.name));
+        let has_all = positions.all(|place| place.is_some_and(|at| motion.speed_of(at).is_some()));
+        let by_attributes = ByAttributes::new(model.info, motion)?;
+        has_all.then_some(Self { model, motion, info, parameters, by_attributes })
+    }
+
+    /// The attributes of the mechanism, and what they are made of and make.
+    pub fn attributes(&self) -> &'static [FormulaInfo] {
+        self.model.info.attributes
+    }
+
+    /// Whether they depend on an attribute, by its place.
+    pub fn depend_on(&self, attribute: usize) -> bool {
+        self.by_attributes.depend_on(attribute)
     }
 
     /// The accelerations of all coordinates of the linear equations; `None` where there are none, as where the wheels cannot all
     /// touch the ground.
     pub fn accelerations(&self, given: &Accelerations, parameters: &[f64], feedback: &[Law]) -> Option<Vec<f64>> {
-        let own: Vec<f64> = self.parameters.iter().map(|&at| parameters[at]).collect();
         let mut found = None;
-        let mut of = |machine: &dyn Machine| {
-            found = match feedback.is_empty() {
-                true => self.of(machine, given),
-                false => Closed::new(machine, self.info, feedback).ok().and_then(|closed| self.of(&closed, given)),
-            };
-        };
-        self.model.with_machine(&own, &mut of).ok()?;
+        let mut of = |machine: &dyn Machine| found = self.of(machine, given, feedback);
+        self.model.with_machine(&self.own(parameters), &mut of).ok()?;
         found
     }
 
-    fn of(&self, machine: &dyn Machine, given: &Accelerations) -> Option<Vec<f64>> {
+    /// The same of a mechanism with these attributes.
+    pub fn with_attributes(
+        &self,
+        given: &Accelerations,
+        attributes: &[f64],
+        parameters: &[f64],
+        feedback: &[Law],
+    ) -> Option<Vec<f64>> {
+        let machine = self.by_attributes.machine(self.motion, attributes, &self.own(parameters));
+        self.of(&machine, given, feedback)
+    }
+
+    fn own(&self, parameters: &[f64]) -> Vec<f64> {
+        self.parameters.iter().map(|&at| parameters[at]).collect()
+    }
+
+    fn of(&self, machine: &dyn Moving, given: &Accelerations, feedback: &[Law]) -> Option<Vec<f64>> {
         let (info, names) = (machine.info(), self.info.coordinates.iter().map(|own| own.name));
         let positions: Vec<(&str, f64)> = names.clone().zip(given.positions.iter().copied()).collect();
         let mut rates: Vec<(&str, f64)> = names.clone().zip(given.rates.iter().copied()).collect();
@@ -60,8 +87,12 @@ impl Nonlinear {
         let State { positions, speeds } = State::new(machine, &positions, &rates).ok()?;
         let mut forces = vec![0.0; info.forces.len()];
         for (name, value) in names.clone().zip(&given.forces).filter(|(_, value)| **value != 0.0) {
-            let place = ["T", "F", ""].iter().find_map(|letter| info.force(&format!("{letter}{name}")))?;
+            let place = info.forces.iter().position(|force| force.position == name)?;
             forces[place] = *value;
+        }
+        if !feedback.is_empty() {
+            let closing = Closing::new(machine, self.info, feedback).ok()?;
+            forces = closing.forces(machine, &positions, &speeds, &forces).ok()?;
         }
         let mut accelerations = vec![0.0; positions.len()];
         machine.accelerations(&positions, &speeds, &forces, &mut accelerations).ok()?;

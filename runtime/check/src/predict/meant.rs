@@ -1,0 +1,110 @@
+//! By which equations of motion accelerations are.
+
+use carvallo_design::feedback::Law;
+
+use super::{Predictor, ROUNDING, World};
+use crate::given::{Accelerations, Given, Kind, Quantity};
+use crate::machine::Machine;
+use crate::motion::Nonlinear;
+
+/// Nonlinear equations, and what they make of the machine as it is.
+#[derive(Debug)]
+pub struct Exact<'a> {
+    motion: &'a Nonlinear,
+    parameters: &'a [f64],
+    attributes: Vec<f64>,
+    accelerations: Option<Vec<f64>>,
+}
+
+impl Exact<'_> {
+    /// The accelerations of a machine.
+    pub fn accelerations(&self, given: &Accelerations, world: &World, feedback: &[Law]) -> Option<Vec<f64>> {
+        if self.parameters == world.parameters && self.attributes == world.attributes {
+            return self.accelerations.clone();
+        }
+        self.motion.with_attributes(given, &world.attributes, &world.parameters, feedback)
+    }
+}
+
+/// How many accelerations are off, and how far the farthest.
+#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+struct Off {
+    count: usize,
+    far: f64,
+}
+
+impl Off {
+    fn of(given: &Accelerations, found: Option<&Vec<f64>>) -> Self {
+        let Some(found) = found else { return Self { count: usize::MAX, far: f64::INFINITY } };
+        let values = given.values.iter().zip(found).filter_map(|(value, own)| Some((value.as_ref()?, own)));
+        let off = values.map(|(value, own)| (value, (value.value - own).abs()));
+        let far = off.filter(|(value, off)| *off > value.tolerance.max(ROUNDING[2] * value.value.abs()));
+        far.fold(Self::default(), |all, (_, far)| all.and(Self { count: 1, far }))
+    }
+
+    fn and(self, other: Self) -> Self {
+        Self { count: self.count.saturating_add(other.count), far: self.far.max(other.far) }
+    }
+}
+
+impl<'a> Predictor<'a> {
+    /// By which equations accelerations are: by those that were said, or with which they agree, or else by those that come nearer to all
+    /// others.
+    pub(super) fn meant(&self, machine: &'a Machine) -> Vec<Option<Exact<'a>>> {
+        let all = &self.given.accelerations;
+        let Some(motion) = machine.motion.as_ref() else { return all.iter().map(|_| None).collect() };
+        let world = machine.world();
+        let exact = |given: &Accelerations| Exact {
+            motion,
+            parameters: &machine.parameters,
+            attributes: world.attributes.clone(),
+            accelerations: motion.accelerations(given, &world.parameters, self.feedback),
+        };
+        let by_both: Vec<(Exact, [Off; 2])> = all
+            .iter()
+            .map(|given| {
+                let exact = exact(given);
+                let off =
+                    [Off::of(given, self.linear(given, &world).as_ref()), Off::of(given, exact.accelerations.as_ref())];
+                (exact, off)
+            })
+            .collect();
+        let is_open =
+            |given: &Accelerations, off: &[Off; 2]| given.equations.is_none() && off.iter().all(|off| off.count > 0);
+        let open = all.iter().zip(&by_both).filter(|(given, (_, off))| is_open(given, off));
+        let [of_linear, of_exact] =
+            open.fold([Off::default(); 2], |sum, (_, (_, off))| [0, 1].map(|at| sum[at].and(off[at])));
+        let meant = |(given, (exact, off)): (&Accelerations, (Exact<'a>, [Off; 2]))| {
+            let is_exact = match given.equations {
+                Some(said) => said == Kind::Nonlinear,
+                None if is_open(given, &off) => of_exact < of_linear,
+                None => off[1] < off[0],
+            };
+            is_exact.then_some(exact)
+        };
+        all.iter().zip(by_both).map(meant).collect()
+    }
+
+    /// What was given with the other equations for those accelerations that do not agree and of which nothing is said of equations;
+    /// `None` where there are none.
+    pub fn by_other_equations(&self, machine: &Machine) -> Option<Given> {
+        machine.motion.as_ref()?;
+        let here = self.predict(&machine.world());
+        let mut given = self.given.clone();
+        let mut is_any = false;
+        for (at, (quantity, _)) in self.numbers.iter().enumerate().filter(|(at, _)| !self.agrees(*at, here[*at])) {
+            let Quantity::Acceleration(state, _) = *quantity else { continue };
+            if self.given.accelerations[state].equations.is_none() {
+                let other = if self.is_nonlinear(at) { Kind::Linear } else { Kind::Nonlinear };
+                given.accelerations[state].equations = Some(other);
+                is_any = true;
+            }
+        }
+        is_any.then_some(given)
+    }
+
+    /// Whether a number is by the nonlinear equations.
+    pub fn is_nonlinear(&self, at: usize) -> bool {
+        matches!(self.numbers[at].0, Quantity::Acceleration(state, _) if self.nonlinear[state].is_some())
+    }
+}
