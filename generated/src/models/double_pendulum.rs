@@ -772,7 +772,7 @@ impl<T: Scalar> Model<2> for DoublePendulum<T> {
                 "Sz_theta2",
             ),
         ],
-        motion: Some(MotionFormulas {
+        motion: Some(&MotionFormulas {
             constants: &[
                 "C2=A0*A1;C3=A2+A1*C2;T0=A4-A6;C4=A3*T0;C5=A5+T0*C4;C7=A6^2*A3;C0=A6;C1=A3;C6=P7",
             ],

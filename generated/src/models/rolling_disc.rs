@@ -805,7 +805,7 @@ impl<T: Scalar> Model<2> for RollingDisc<T> {
             FormulaInfo::entry(&[(MatrixName::C1, 1, 0)], "kg*m", "-h_spin_D"),
             FormulaInfo::entry(&[(MatrixName::K0, 0, 0)], "kg*m", "K_phi_phi"),
         ],
-        motion: Some(MotionFormulas {
+        motion: Some(&MotionFormulas {
             constants: &["C5=A0*A1*A1;C6=A3+C5;C7=A2+C5;C0=A3;C1=A2;C2=A0;C3=A1;C4=P4"],
             closure: &[],
             accelerations: &[

@@ -1790,7 +1790,7 @@ impl<T: Scalar> Model<3> for WheeledPendulum<T> {
             ),
             FormulaInfo::entry(&[(MatrixName::K0, 1, 1)], "kg*m", "K_theta_theta"),
         ],
-        motion: Some(MotionFormulas {
+        motion: Some(&MotionFormulas {
             constants: &[
                 "C4=A14-A8;C5=A15-A9;C6=A5/A11;C7=A0+A4+A10;T0=A8*A0;T1=C4*A10;C8=T1-T0;T2=A1-A9;T3=A0*T2;T4=C5*A10;C9=T3+T4",
                 "T5=T2*T3+C5*T4;T6=A7+A13+A8*T0+C4*T1;C10=T5+T6;C11=T5+A2;C12=T0*T2-C5*T1;C13=T6+A3;C15=C13-C10;C16=A5*C7",

@@ -7858,7 +7858,7 @@ impl<T: Scalar> Model<3> for WhippleLeaning<T> {
             ),
             FormulaInfo::entry(&[(MatrixName::K2, 2, 1)], "kg", "-yaw_per_v_delta*Sz_theta"),
         ],
-        motion: Some(MotionFormulas {
+        motion: Some(&MotionFormulas {
             constants: &[
                 "T0=1/sqrt(A33^2+A34^2);C7=A33*T0;C8=A34*T0;C9=C8*A32+C7*A25;C10=C7*A32-C8*A25;T1=A35-A25;C11=C7*T1;C12=C8*T1",
                 "C13=C8^2;C14=C7*C8;C15=C7^2;T2=A30-A32;C16=C8*T2-C7*A31;C17=C7*T2+C8*A31;C18=C10+C17;T3=A2-A25",

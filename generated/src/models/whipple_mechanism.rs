@@ -5692,7 +5692,7 @@ impl<T: Scalar> Model<2> for WhippleMechanism<T> {
                 "yaw_per_v_delta*(delta_along_x*h_spin_F/length_delta + P_delta_lateral)",
             ),
         ],
-        motion: Some(MotionFormulas {
+        motion: Some(&MotionFormulas {
             constants: &[
                 "T0=1/sqrt(A26^2+A27^2);C4=A26*T0;C5=A27*T0;C6=C5*A25+C4*A18;C7=C4*A25-C5*A18;T1=A23-A25;C8=C5*T1-C4*A24",
                 "C9=C4*T1+C5*A24;C10=C7+C9;T2=A2-A18;T3=C5*A1-C4*T2;C11=A0*T3;T4=C4*A1+C5*T2;C12=A0*T4;T5=C5*A4;T6=C4*A3+T5",

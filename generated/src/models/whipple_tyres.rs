@@ -6014,7 +6014,7 @@ impl<T: Scalar> Model<2> for WhippleTyres<T> {
                 "yaw_per_v_delta*(delta_along_x*h_spin_F/length_delta + P_delta_lateral)",
             ),
         ],
-        motion: Some(MotionFormulas {
+        motion: Some(&MotionFormulas {
             constants: &[
                 "T0=1/sqrt(A28^2+A29^2);C4=A28*T0;C5=A29*T0;C6=C5*A27+C4*A18;C7=C4*A27-C5*A18;C8=A15-A19;T1=A24-A27",
                 "C9=C5*T1-C4*A25;C10=C4*T1+C5*A25;C11=A21-A26;C12=C7+C10;T2=A2-A18;T3=C5*A1-C4*T2;C13=A0*T3;T4=C4*A1+C5*T2",

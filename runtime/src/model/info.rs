@@ -43,7 +43,7 @@ pub struct ModelInfo {
     /// attributes that these alone depend on. Empty for models that are no mechanisms.
     pub attributes: &'static [FormulaInfo],
     /// Accelerations by the nonlinear equations of motion in these attributes, of a model whose declaration says `nonlinear;`.
-    pub motion: Option<MotionFormulas>,
+    pub motion: Option<&'static MotionFormulas>,
     /// The position of the parameter that is the gravitational field strength g, if there is one.
     pub gravity: Option<usize>,
 }

@@ -33,7 +33,7 @@ pub fn emit(model: &Model, names: &GeneratedNames, programs: Option<&Acceleratio
     let constants = statements::write(constants, of_attributes, 'C');
     let [closure, accelerations] = [closure, accelerations].map(|program| statements::write(program, of_state, 'R'));
     quote! {
-        ::core::option::Option::Some(#runtime::MotionFormulas {
+        ::core::option::Option::Some(&#runtime::MotionFormulas {
             constants: &[#(#constants),*],
             closure: &[#(#closure),*],
             accelerations: &[#(#accelerations),*],
