@@ -772,17 +772,19 @@ impl<T: Scalar> Model<2> for DoublePendulum<T> {
                 "Sz_theta2",
             ),
         ],
-        motion: Some(&MotionFormulas {
-            constants: &[
-                "C2=A0*A1;C3=A2+A1*C2;T0=A4-A6;C4=A3*T0;C5=A5+T0*C4;C7=A6^2*A3;C0=A6;C1=A3;C6=P7",
-            ],
-            closure: &[],
-            accelerations: &[
-                "T0=sin(Q0);T1=T0*C6;T2=cos(Q1);T3=sin(Q1);T4=cos(Q0);T5=C6*T4+U0^2*C0;T6=T1*T2+T3*T5;T7=C4*T6;T8=U0+U1",
-                "T9=T2*T6*C1+T3*(C1*(T1*T3-T2*T5)-C4*T8*T8);T10=F0-C2*T1-T7-C0*T9;T11=C4*T2*C0;T12=T11+C5;T13=C3+T11+C7+T12",
-                "T14=1/T13;T15=T12*T14;R3=(F1-T7-T10*T15)/(C5-T13*T15*T15);R2=T10*T14-T15*R3;R0=U0;R1=U1",
-            ],
-        }),
+        motion: Some(
+            &MotionFormulas {
+                constants: &[
+                    "C2=A0*A1;C3=A2+A1*C2;T0=A4-A6;C4=A3*T0;C5=A5+T0*C4;C7=A6^2*A3;C0=A6;C1=A3;C6=P7",
+                ],
+                closure: &[],
+                accelerations: &[
+                    "T0=sin(Q0);T1=T0*C6;T2=cos(Q1);T3=sin(Q1);T4=cos(Q0);T5=C6*T4+U0^2*C0;T6=T1*T2+T3*T5;T7=C4*T6;T8=U0+U1",
+                    "T9=T2*T6*C1+T3*(C1*(T1*T3-T2*T5)-C4*T8*T8);T10=F0-C2*T1-T7-C0*T9;T11=C4*T2*C0;T12=T11+C5;T13=C3+T11+C7+T12",
+                    "T14=1/T13;T15=T12*T14;R3=(F1-T7-T10*T15)/(C5-T13*T15*T15);R2=T10*T14-T15*R3;R0=U0;R1=U1",
+                ],
+            },
+        ),
         gravity: Some(7),
     };
 

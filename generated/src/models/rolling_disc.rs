@@ -805,18 +805,22 @@ impl<T: Scalar> Model<2> for RollingDisc<T> {
             FormulaInfo::entry(&[(MatrixName::C1, 1, 0)], "kg*m", "-h_spin_D"),
             FormulaInfo::entry(&[(MatrixName::K0, 0, 0)], "kg*m", "K_phi_phi"),
         ],
-        motion: Some(&MotionFormulas {
-            constants: &["C5=A0*A1*A1;C6=A3+C5;C7=A2+C5;C0=A3;C1=A2;C2=A0;C3=A1;C4=P4"],
-            closure: &[],
-            accelerations: &[
-                "T0=C3*U2;T1=cos(Q2);T2=sin(Q2);T3=cos(Q3);T4=U0*T3;T5=U1*T4;T6=C3*T4;T7=C3*C2;T8=C1*T5+(C3*T5+U1*T6)*T7",
-                "T9=sin(Q3);T10=U1*C0;T11=T4*C0;T12=U0*T9;T13=T10*T12;T14=C1*(U2+T12)",
-                "T15=T9*(T4*T10+T8-U1*T11)+T3*(U1*T14-T13-T13);T16=T9*C5;T17=T9*C1;T18=T9*T16+T3^2*C0+T9*T17;T19=1/T18",
-                "T20=(T16+T17)*T19;R9=(T15*T20-T8)/(C7-T18*T20*T20);T21=C3*R9;T22=T0*U0;R5=T2*T22-T1*T21",
-                "T23=(T11*T12-T4*T14-T7*(U2*T6+T6*T12+T9*C4))/C6;R0=-(T0*T1);R1=-(T0*T2);R6=-(T2*T21+T1*T22)",
-                "R7=-(T15*T19+T20*R9);R8=-T23;R2=U0;R3=U1;R4=U2",
-            ],
-        }),
+        motion: Some(
+            &MotionFormulas {
+                constants: &[
+                    "C5=A0*A1*A1;C6=A3+C5;C7=A2+C5;C0=A3;C1=A2;C2=A0;C3=A1;C4=P4",
+                ],
+                closure: &[],
+                accelerations: &[
+                    "T0=C3*U2;T1=cos(Q2);T2=sin(Q2);T3=cos(Q3);T4=U0*T3;T5=U1*T4;T6=C3*T4;T7=C3*C2;T8=C1*T5+(C3*T5+U1*T6)*T7",
+                    "T9=sin(Q3);T10=U1*C0;T11=T4*C0;T12=U0*T9;T13=T10*T12;T14=C1*(U2+T12)",
+                    "T15=T9*(T4*T10+T8-U1*T11)+T3*(U1*T14-T13-T13);T16=T9*C5;T17=T9*C1;T18=T9*T16+T3^2*C0+T9*T17;T19=1/T18",
+                    "T20=(T16+T17)*T19;R9=(T15*T20-T8)/(C7-T18*T20*T20);T21=C3*R9;T22=T0*U0;R5=T2*T22-T1*T21",
+                    "T23=(T11*T12-T4*T14-T7*(U2*T6+T6*T12+T9*C4))/C6;R0=-(T0*T1);R1=-(T0*T2);R6=-(T2*T21+T1*T22)",
+                    "R7=-(T15*T19+T20*R9);R8=-T23;R2=U0;R3=U1;R4=U2",
+                ],
+            },
+        ),
         gravity: Some(4),
     };
 
