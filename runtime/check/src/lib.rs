@@ -14,6 +14,7 @@ mod report;
 mod states;
 mod zero;
 
+use carvallo::MatrixName;
 use carvallo_design::Design;
 use carvallo_design::units::Units;
 
@@ -49,6 +50,11 @@ pub fn check_in(given: &Given, design: &Design, units: Units) -> Result<Report, 
 /// As there.
 pub fn check_machine(given: &Given, machine: &Machine) -> Result<Report, String> {
     given.fits(machine.info)?;
+    let mut speeds =
+        given.state_matrices.iter().map(|own| own.speed).chain(given.eigenvalues.iter().map(|own| own.speed));
+    if machine.gains().any(|gain| gain.matrix == MatrixName::Cm1) && speeds.any(|speed| speed == 0.0) {
+        return Err("the feedback has 1/v in it, which has no value at 0 m/s, where numbers are given".to_owned());
+    }
     let is_nonlinear = |own: &given::Accelerations| own.equations == Some(given::Kind::Nonlinear);
     if machine.motion.is_none() && given.accelerations.iter().any(is_nonlinear) {
         return Err(format!("the model {} has no nonlinear equations for accelerations", machine.info.name));

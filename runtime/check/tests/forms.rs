@@ -130,3 +130,20 @@ fn a_speed_that_is_none_is_told_once() {
     assert!(told.contains("`speed` is `-5`: expected a speed >= 0 in m/s"), "{told}");
     assert!(!told.contains("has no speed"), "{told}");
 }
+
+#[test]
+fn a_critical_speed_is_not_negative() {
+    let told =
+        read::read("mine.toml", b"critical_speeds = { weave = -0.01 }".to_vec()).map(|_| ()).expect_err("no speed");
+    assert!(told.to_string().contains("weave speed is -0.01; it must be >= 0"), "{told}");
+}
+
+#[test]
+fn feedback_by_the_inverse_of_the_speed_has_no_value_at_rest() {
+    let right = written(numbers(0.0, |_, _, _| {}), &|entry| format!("{entry:.4}"));
+    let text = format!("feedback = 'Tdelta = 2*phi_rate/v'\nspeed = 0\nA = {right}");
+    let file = read::read("mine.toml", text.into()).expect("a file that can be read");
+    let design = file.design(&Request::default()).expect("a design");
+    let told = check(&file.given(&design).expect("numbers"), &design).expect_err("no value");
+    assert!(told.contains("the feedback has 1/v in it"), "{told}");
+}

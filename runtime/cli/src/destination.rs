@@ -45,11 +45,20 @@ pub fn check(matches: &ArgMatches) -> Result<(), Failure> {
     }
     for (at, path) in paths.iter().enumerate() {
         let is_kept = !path.exists() || path.is_file();
-        if is_kept && paths[..at].iter().any(|other| other == path || is_same_file(other, path)) {
+        if is_kept && paths[..at].iter().any(|other| place(other) == place(path) || is_same_file(other, path)) {
             return Err(Failure::usage(format!("two results go to {}: give each a file of its own", path.display())));
         }
     }
     paths.into_iter().try_for_each(check_file)
+}
+
+/// Where a file is or will be, however the way there is written.
+fn place(path: &Path) -> PathBuf {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    match (folder.canonicalize(), path.file_name()) {
+        (Ok(folder), Some(name)) => folder.join(name),
+        _ => path.to_owned(),
+    }
 }
 
 /// Nothing is left of a file that was not there.

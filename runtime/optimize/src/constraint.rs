@@ -29,7 +29,8 @@ pub type Excess = fn(&dyn Fn(&str) -> Dual, &str) -> Dual;
 
 impl Constraint {
     /// Reads `EXPRESSION <= EXPRESSION`, or with `>=`; `<` and `>` mean the same, since the difference is one of rounding. Names
-    /// are those of parameters, of the model or of a convention, and `stable_range`, `weave_speed`, `capsize_speed` and `flutter_speed`.
+    /// are those of parameters, of the model or of a convention, and `stable_range`, `weave_speed`, `capsize_speed` and `flutter_speed`,
+    /// which may have `-` in them.
     pub(crate) fn parse(
         written: &str,
         info: &ModelInfo,
@@ -42,7 +43,8 @@ impl Constraint {
         else {
             return Err(fail("expected an inequality, such as xB >= 0.2 or rR + rF <= 0.8*w".to_owned()));
         };
-        let (left, right) = (left.trim(), right.trim());
+        let [left, right] = [left, right].map(|side| Measure::with_underscores(side.trim()));
+        let (left, right) = (left.as_str(), right.as_str());
         // Beside a parameter or a speed alone, numbers may have units.
         let unit = |text: &str| Measure::find(text, info, beside).map(Measure::unit);
         let unit = unit(left).or_else(|| unit(right)).unwrap_or("1");

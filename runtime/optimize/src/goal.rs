@@ -76,6 +76,11 @@ impl Measure {
         NAMES.iter().find(|(known, _)| *known == name.replace('_', "-")).map(|(_, measure)| *measure)
     }
 
+    /// An expression with `_` in the names of measures of speeds, where `-` would be a difference.
+    pub(crate) fn with_underscores(expression: &str) -> String {
+        NAMES.iter().fold(expression.to_owned(), |text, (name, _)| text.replace(name, &name.replace('-', "_")))
+    }
+
     /// What a design has of which this is the measure, with an article.
     pub(crate) fn had(self) -> String {
         match self {

@@ -143,6 +143,10 @@ impl Reader {
         };
         let what = format!("{} speed", name.replace('_', " "));
         match speed_reading(node, &what) {
+            Ok(Some(speed)) if speed.value < 0.0 => {
+                let message = format!("{what} is {}; it must be >= 0", speed.written);
+                self.problems.push(problem(&node.place, message));
+            }
             Ok(Some(speed)) => self.given.critical_speeds.push(CriticalSpeed { kind, name: what, speed }),
             Ok(None) => {}
             Err(problem) => self.problems.push(problem),

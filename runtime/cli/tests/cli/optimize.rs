@@ -173,7 +173,7 @@ fn parameters_may_be_those_of_others() {
     assert!((after(&own) - after(&printed)).abs() < 1e-10, "{own}, {printed}");
     // A goal and what is kept may be by other names, too.
     let vary = ["--vary", "head_angle=65 deg:80 deg", "--vary", "fork_offset=0:8 cm"];
-    let keep = ["--keep", "weave_speed <= 4", "--keep", "c >= 3 cm"];
+    let keep = ["--keep", "weave-speed <= 4", "--keep", "c >= 3 cm"];
     let found = optimum(&[&vary[..], &keep[..], &["--maximize", "trail"]].concat());
     let [c, lam] = ["c", "lam"].map(|name| number(&found["parameters"][name]));
     assert!(after(&found) == c && number(&found["critical_speeds"][1]["speed"]) <= 4.0, "{found}");

@@ -258,6 +258,8 @@ fn two_results_do_not_go_to_one_file() {
     let compare = ["compare", "benchmark", "pista", "--plot", "a.svg", "--contributions"];
     let run = |file: &'static str| directory.run(&[&compare[..], &[file]].concat());
     run("a.svg").fails(2, "error: two results go to a.svg: give each a file of its own\n");
+    // By another path to where nothing is yet.
+    run("./a.svg").fails(2, "error: two results go to ./a.svg: give each a file of its own\n");
     assert_eq!(run("b.svg").code, Some(0));
     // Now that it is there, by another path.
     run("./a.svg").fails(2, "error: two results go to ./a.svg: give each a file of its own\n");

@@ -122,3 +122,17 @@ fn geometry_is_set_in_models_that_have_more_than_the_bicycle() {
         }
     }
 }
+
+/// A size of both wheels says something only of a wheel without a size of its own, or what that says, too.
+#[test]
+fn a_size_of_both_wheels_is_not_lost_beside_those_of_each() {
+    let directory = Directory::new("convert-both-wheels");
+    let own = directory.run(&["convert", "benchmark", "--to", "geometry", "--format", "text"]).ok();
+    let wrong = "a diameter of both wheels is given, 700.0 mm, and those of each, 600.0 and 700.0 mm; leave one out";
+    let with = |line: &str| directory.write("g.txt", format!("{own}{line}\n")).run(&["analyze", "g.txt"]);
+    with("wheel_diameter = 700 mm").fails(2, &format!("error: g.txt: {wrong}\n"));
+    let one: String =
+        own.lines().filter(|line| !line.starts_with("rear_wheel_diameter")).map(|line| format!("{line}\n")).collect();
+    let run = directory.write("one.txt", one + "wheel_diameter = 600 mm\n").run(&["analyze", "one.txt"]);
+    assert_eq!((run.code, run.stderr.lines().count()), (Some(0), 1), "{}", run.stderr);
+}
