@@ -99,12 +99,32 @@ fn compare(given: &Given, machine: &Machine) -> Report {
     if let Some((mended, told)) = form::mended(given, machine.info) {
         return check_mended(given, &mended, told, machine);
     }
+    let others = in_other_coordinates(given, &own, machine);
+    if !others.is_empty() {
+        return Report::new(machine, &own, &own, others, None);
+    }
     let Explained { found, cut } = explain::explain(given, machine);
     let cut = cut.as_ref().map(|own| Predictor::new(own, machine));
     let meant = cut.as_ref().unwrap_or(&own);
     let is_whole = meant.agreeing(&here) == here.len();
     let suspects = (!is_whole && found.is_empty()).then(|| Suspects::new(machine, meant, &[]));
     Report::new(machine, &own, meant, found, suspects)
+}
+
+/// What makes all numbers where some accelerations are by the nonlinear equations, of what was done to coordinates as a whole: such
+/// causes change no parameters and no matrices, in which others are searched.
+fn in_other_coordinates<'a>(given: &Given, own: &Predictor, machine: &Machine) -> Vec<Found<'a>> {
+    if !(0..own.numbers().len()).any(|at| own.is_nonlinear(at)) {
+        return Vec::new();
+    }
+    let world = machine.world();
+    let makes_all = |other: &Given| {
+        let own = Predictor::new(other, machine);
+        let here = own.predict(&world);
+        own.agreeing(&here) == here.len()
+    };
+    let all = motion::forms::mended(given, machine.info).into_iter().filter(|(other, _)| makes_all(other));
+    all.map(|(_, told)| Found { causes: vec![Cause::Written(told)], world: machine.world() }).collect()
 }
 
 /// Of state matrices that are transposed or negative as a whole: that, and what explains them beside it.

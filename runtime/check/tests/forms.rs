@@ -147,3 +147,17 @@ fn feedback_by_the_inverse_of_the_speed_has_no_value_at_rest() {
     let told = check(&file.given(&design).expect("numbers"), &design).expect_err("no value");
     assert!(told.contains("the feedback has 1/v in it"), "{told}");
 }
+
+#[test]
+fn what_is_wrong_with_accelerations_is_told_once() {
+    let told = |inside: &str| {
+        let text = format!("accelerations = {{ {inside} }}");
+        let file = read::read("mine.toml", text.into()).expect("a file that can be read");
+        let design = file.design(&Request::default()).expect("a design");
+        file.given(&design).map(|_| ()).expect_err("mistakes").to_string()
+    };
+    let found = told("speed = 4, state = { phi = 0.1 }, values = [0.9, 1.2]");
+    assert!(found.contains("`values` is no table; expected a number of each coordinate, as { phi = 0.1 }"), "{found}");
+    let found = told("speed = -4, state = { phi = 0.1 }, values = { phi = 0.9 }");
+    assert!(found.contains("speed >= 0") && !found.contains("no `speed`"), "{found}");
+}

@@ -180,6 +180,36 @@ fn accelerations_are_checked_by_the_nonlinear_equations() {
     assert!(checked(linear).agrees);
 }
 
+/// The same state and accelerations, by somebody who counts otherwise.
+#[test]
+fn accelerations_in_other_coordinates_are_told_as_a_whole() {
+    let [phi, phi_rate] = [std::f64::consts::FRAC_PI_2 - 0.9501292851472, -0.6068425835418];
+    let [delta, delta_rate] = [-0.2311385135743, -0.4859824687093];
+    let right = [7.8555281128244, 4.6198904039403];
+    let told = |state: [f64; 4], values: [f64; 2]| {
+        let [phi, delta, phi_rate, delta_rate] = state;
+        explained(&format!(
+            "accelerations = {{ speed = \"8.9129896614890*0.3\", equations = \"nonlinear\", state = {{ phi = {phi:.12}, delta = {delta:.12}, \
+             phi_rate = {phi_rate:.12}, delta_rate = {delta_rate:.12} }}, values = {{ phi = {:.9}, delta = {:.9} }} }}",
+            values[0], values[1]
+        ))
+    };
+    let state = [phi, delta, phi_rate, delta_rate];
+    let in_degrees = |values: &[f64]| values.iter().map(|value| value.to_degrees()).collect::<Vec<_>>();
+    let degrees: [f64; 4] = in_degrees(&state).try_into().expect("four");
+    let accelerations: [f64; 2] = in_degrees(&right).try_into().expect("two");
+    assert_eq!(told(state, accelerations), ["accelerations are in degrees/s^2"]);
+    assert_eq!(told(degrees, right), ["the state is in degrees"]);
+    assert_eq!(told(degrees, accelerations), ["state and accelerations are in degrees"]);
+    let mirrored = told([phi, -delta, phi_rate, -delta_rate], [right[0], -right[1]]);
+    // By symmetry, the same as a lean that is.
+    assert_eq!(mirrored, ["phi was counted positive the other way", "delta was counted positive the other way"]);
+    assert_eq!(told(state, [right[1], right[0]]), ["accelerations of phi and delta are exchanged"]);
+    let exchanged = told([delta, phi, delta_rate, phi_rate], [right[1], right[0]]);
+    assert_eq!(exchanged, ["phi and delta are exchanged"]);
+    assert_eq!(told(state, right.map(|value| -value)), ["accelerations have the other sign"]);
+}
+
 /// Of the double pendulum, from Lagrange's equations in absolute angles by hand in Python: at 0.7 and -1.1 rad, 0.3 and 2 rad/s, and
 /// with m2 = 2 kg in the place of 1.
 #[test]

@@ -1,6 +1,7 @@
 //! Accelerations by the nonlinear equations.
 
 mod attributes;
+pub mod forms;
 mod program;
 
 use carvallo::motion::MotionInfo;

@@ -66,6 +66,13 @@ pub fn accelerations(node: &Node, info: &ModelInfo) -> Result<Vec<Accelerations>
                     own.values[at] = reading(node, what)?;
                     Ok(())
                 }),
+                ("state" | "forces" | "values", _) => {
+                    let coordinate = info.coordinates.first().map_or("", |own| own.name);
+                    let message = format!(
+                        "`{name}` is no table; expected a number of each coordinate, as {{ {coordinate} = 0.1 }}"
+                    );
+                    Err(vec![problem(&node.place, message)])
+                }
                 (other, _) => {
                     let message = format!(
                         "`{other}` is not expected here; expected `speed`, `state`, `forces`, `values`, `equations`"
@@ -75,7 +82,8 @@ pub fn accelerations(node: &Node, info: &ModelInfo) -> Result<Vec<Accelerations>
             };
             problems.extend(done.err().into_iter().flatten());
         }
-        if own.speed.is_nan() {
+        // What is wrong with a speed was told.
+        if own.speed.is_nan() && !members.iter().any(|member| matches!(member.name.as_str(), "speed" | "v")) {
             problems.push(problem(&node.place, "accelerations have no `speed`"));
         }
         found.push(own);
