@@ -264,7 +264,7 @@ try {
   listen();
   open();
   document.body.dataset.ready = "";
-  rehearse(3);
+  rehearse(6);
 } catch (error) {
   fail(`The page cannot start: ${error.message}`);
   throw error;
