@@ -82,8 +82,7 @@ fn has_one_cause(given: &Given, machine: &Machine) -> bool {
 /// The machine with a mechanism where accelerations are by its nonlinear equations.
 fn with_formulas_of<'a>(given: &Given, machine: &'a Machine) -> &'a Machine {
     let own = Predictor::new(given, machine);
-    let has_nonlinear = (0..own.numbers().len()).any(|at| own.is_nonlinear(at));
-    machine.with_mechanism().filter(|_| has_nonlinear).unwrap_or(machine)
+    machine.with_mechanism().filter(|_| own.has_nonlinear()).unwrap_or(machine)
 }
 
 fn compare(given: &Given, machine: &Machine) -> Report {
@@ -114,7 +113,7 @@ fn compare(given: &Given, machine: &Machine) -> Report {
 /// What makes all numbers where some accelerations are by the nonlinear equations, of what was done to coordinates as a whole: such
 /// causes change no parameters and no matrices, in which others are searched.
 fn in_other_coordinates<'a>(given: &Given, own: &Predictor, machine: &Machine) -> Vec<Found<'a>> {
-    if !(0..own.numbers().len()).any(|at| own.is_nonlinear(at)) {
+    if !own.has_nonlinear() {
         return Vec::new();
     }
     let world = machine.world();
@@ -124,7 +123,7 @@ fn in_other_coordinates<'a>(given: &Given, own: &Predictor, machine: &Machine) -
         own.agreeing(&here) == here.len()
     };
     let all = motion::forms::mended(given, machine.info).into_iter().filter(|(other, _)| makes_all(other));
-    all.map(|(_, told)| Found { causes: vec![Cause::Written(told)], world: machine.world() }).collect()
+    all.map(|(_, told)| Found { causes: vec![Cause::Written(told)], world: world.clone() }).collect()
 }
 
 /// Of state matrices that are transposed or negative as a whole: that, and what explains them beside it.

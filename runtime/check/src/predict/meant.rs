@@ -107,4 +107,9 @@ impl<'a> Predictor<'a> {
     pub fn is_nonlinear(&self, at: usize) -> bool {
         matches!(self.numbers[at].0, Quantity::Acceleration(state, _) if self.nonlinear[state].is_some())
     }
+
+    /// Whether any number is.
+    pub fn has_nonlinear(&self) -> bool {
+        (0..self.numbers.len()).any(|at| self.is_nonlinear(at))
+    }
 }

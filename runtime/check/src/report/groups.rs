@@ -21,7 +21,7 @@ const DERIVED: u32 = 5;
 /// Groups explanations, the likeliest first.
 pub fn groups(machine: &Machine, predictor: &Predictor, mut found: Vec<Found>) -> Vec<Group> {
     found.sort_by_key(|found| found.rank(machine));
-    let has_nonlinear = (0..predictor.numbers().len()).any(|at| predictor.is_nonlinear(at));
+    let has_nonlinear = predictor.has_nonlinear();
     let mut sorted: Vec<Vec<Found>> = Vec::new();
     for own in found {
         match sorted.iter_mut().find(|group| are_same(machine, has_nonlinear, &group[0].world, &own.world)) {
