@@ -6,11 +6,20 @@ use carvallo_design::{Failure, Place};
 use clap::Args;
 
 use crate::destination::Destination;
+use crate::endings::Endings;
 use crate::options::Format;
 use crate::output::typeset::Language;
 
-/// What the names of files end in, in words.
-const ENDINGS: &str = ".json, .csv, .md, .tex or .txt";
+/// What the names of files end in. Any text may be in a file of text.
+const ENDINGS: Endings<Format> = Endings(&[
+    ("json", Format::Json),
+    ("csv", Format::Csv),
+    ("md", Format::Document(Language::Markdown)),
+    ("tex", Format::Document(Language::Latex)),
+    ("txt", Format::Table),
+    ("txt", Format::Document(Language::Markdown)),
+    ("txt", Format::Document(Language::Latex)),
+]);
 
 /// A file or the standard output, and a format.
 #[derive(Args, Clone, Debug)]
@@ -42,34 +51,20 @@ impl Delivery {
     /// If the ending of the file names another one than is asked for, or none while none is asked for.
     pub fn format(&self) -> Result<Format, Failure> {
         let Some(path) = self.path() else { return Ok(self.format.unwrap_or(Format::Table)) };
-        match (format_of(path), self.format) {
-            (None, None) => Err(self.problem(&format!("the name must end in {ENDINGS}"))),
-            (None, Some(format)) => Ok(format),
-            // Any text may be in a file of text.
-            (Some(Format::Table), Some(format)) if format.is_read() => Ok(format),
-            (Some(named), Some(format)) if named != format => {
-                Err(self.problem("the ending of its name is that of another format than --format"))
-            }
-            (Some(named), _) => Ok(named),
-        }
+        ENDINGS.kind(path, self.format).map_err(|message| self.problem(&message))
     }
 
     /// That the file cannot be what it was asked to be.
     pub fn problem(&self, message: &str) -> Failure {
-        let path = self.output.as_deref().unwrap_or(Path::new(""));
-        Failure::at(Place::Option(format!("--output {}", path.display())), message)
+        let place = self.output.as_ref().map_or(Place::Nowhere, Destination::place);
+        Failure::at(place, message)
     }
-}
 
-/// The format that the ending of a name stands for.
-pub fn format_of(path: &Path) -> Option<Format> {
-    let ending = path.extension()?.to_str()?.to_ascii_lowercase();
-    Some(match ending.as_str() {
-        "json" => Format::Json,
-        "csv" => Format::Csv,
-        "txt" => Format::Table,
-        "md" => Format::Document(Language::Markdown),
-        "tex" => Format::Document(Language::Latex),
-        _ => return None,
-    })
+    /// That source text takes the place of source text that this program wrote, if of anything.
+    ///
+    /// # Errors
+    /// If something else is there.
+    pub fn replaces_source(&self) -> Result<(), Failure> {
+        self.output.as_ref().map_or(Ok(()), Destination::replaces_source)
+    }
 }

@@ -5,8 +5,8 @@ use std::fs::OpenOptions;
 use std::ops::Deref;
 use std::path::{Path, PathBuf};
 
-use carvallo_design::Failure;
-use carvallo_design::input::is_same_file;
+use carvallo_design::input::{Request, is_same_file, load};
+use carvallo_design::{Failure, Place};
 use clap::ArgMatches;
 
 use crate::options::Picture;
@@ -26,6 +26,41 @@ impl Deref for Destination {
 
     fn deref(&self) -> &Path {
         &self.0
+    }
+}
+
+impl Destination {
+    /// Where it was asked for.
+    pub fn place(&self) -> Place {
+        Place::Option(format!("--output {}", self.0.display()))
+    }
+
+    /// That parameters take the place of parameters, if of anything: a program by hand is no result.
+    ///
+    /// # Errors
+    /// If something else is there.
+    pub fn replaces_parameters(&self) -> Result<(), Failure> {
+        let request = Request { parameters: Some(self.0.display().to_string()), ..Request::default() };
+        self.replaces("no file of parameters", |_| load(&request).is_ok())
+    }
+
+    /// That source text takes the place of source text that this program wrote, if of anything.
+    ///
+    /// # Errors
+    /// If something else is there.
+    pub fn replaces_source(&self) -> Result<(), Failure> {
+        self.replaces("nothing that this program wrote", |text| text.contains("Written by Carvallo;"))
+    }
+
+    fn replaces(&self, what: &str, is_own: impl Fn(&str) -> bool) -> Result<(), Failure> {
+        // What is no file, as a pipe, or cannot be read is told where it is written.
+        let Some(bytes) = self.0.is_file().then(|| std::fs::read(&self.0).ok()).flatten() else { return Ok(()) };
+        let text = String::from_utf8_lossy(&bytes);
+        if text.trim().is_empty() || is_own(&text) {
+            return Ok(());
+        }
+        let message = format!("this file is there, and is {what}: give another name, or remove it");
+        Err(Failure::at(self.place(), message))
     }
 }
 

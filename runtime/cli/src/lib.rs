@@ -3,6 +3,7 @@
 mod commands;
 mod delivery;
 mod destination;
+mod endings;
 mod frequencies;
 mod limits;
 mod options;

@@ -5,6 +5,7 @@ use carvallo_design::{Failure, Place};
 use clap::{Args, ValueEnum};
 
 use crate::destination::Destination;
+use crate::endings::Endings;
 use crate::options::{DesignOptions, UnitOptions};
 use crate::output;
 use crate::terminal::{WARNING, deliver, note};
@@ -47,13 +48,13 @@ pub struct Options {
     format: Option<Format>,
     #[command(flatten)]
     units: UnitOptions,
-    /// Writes to a file instead of the standard output
+    /// Writes to a file: .toml, .json, .yaml, .csv, .py, .m or .txt [default: stdout]
     #[arg(long, value_name = "FILE")]
     output: Option<Destination>,
 }
 
 /// The form of the file.
-#[derive(Clone, Copy, Debug, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
 enum Format {
     Toml,
     Json,
@@ -67,6 +68,17 @@ enum Format {
     #[value(alias = "txt")]
     Text,
 }
+
+const ENDINGS: Endings<Format> = Endings(&[
+    ("toml", Format::Toml),
+    ("json", Format::Json),
+    ("yaml", Format::Yaml),
+    ("yml", Format::Yaml),
+    ("csv", Format::Csv),
+    ("py", Format::Python),
+    ("m", Format::Matlab),
+    ("txt", Format::Text),
+]);
 
 impl Format {
     fn form(self) -> Form {
@@ -89,19 +101,21 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     };
     let place = || Place::Option(format!("--to {to}"));
     let convention = Convention::called(to).map_err(|failure| Failure::at(place(), failure.to_string()))?;
-    if let Some(output) = &options.output
-        && options.design.request().reads(output)
-    {
-        let place = Place::Option(format!("--output {}", output.display()));
-        return Err(Failure::at(place, "the parameters are read from this file"));
-    }
     let units = options.units.units()?;
-    let by_ending = || {
-        let ending = options.output.as_ref()?.extension()?.to_str()?.to_lowercase();
-        Format::from_str(&ending, true).ok()
-    };
     let usual = if convention.name == "jbike6" { Format::Matlab } else { Format::Toml };
-    let form = options.format.or_else(by_ending).unwrap_or(usual).form();
+    let format = match &options.output {
+        Some(output) => {
+            let fail = |message| Failure::at(output.place(), message);
+            if options.design.request().reads(output) {
+                return Err(fail("the parameters are read from this file".to_owned()));
+            }
+            let format = ENDINGS.kind(output, options.format).map_err(fail)?;
+            output.replaces_parameters()?;
+            format
+        }
+        None => options.format.unwrap_or(usual),
+    };
+    let form = format.form();
     if !form.has_units() && !units.is_si() {
         let place = Place::Option("--units".to_owned());
         return Err(Failure::at(place, "this form has no place for units; toml, json, yaml and csv have"));

@@ -105,7 +105,11 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         return Err(options.delivery.problem("the parameters are read from this file"));
     }
     let format = match options.emit {
-        Some(language) => language.ends(&options.delivery).map(|()| Format::Table),
+        Some(language) => {
+            language.ends(&options.delivery)?;
+            options.delivery.replaces_source()?;
+            Ok(Format::Table)
+        }
         None => table(&options.delivery),
     }?;
     let shown = options.units.shown()?;

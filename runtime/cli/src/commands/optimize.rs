@@ -152,14 +152,13 @@ fn check_files(options: &Options) -> Result<(), Failure> {
     options.pictures.check(&request)?;
     let Some(path) = &options.output else { return Ok(()) };
     let is_read = request.parameters.as_ref().is_some_and(|read| is_same_file(Path::new(read), path));
-    let place = || Place::Option(format!("--output {}", path.display()));
     if is_read {
-        return Err(Failure::at(place(), "the parameters are read from this file"));
+        return Err(Failure::at(path.place(), "the parameters are read from this file"));
     }
     if !path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
-        return Err(Failure::at(place(), "the name must end in .toml"));
+        return Err(Failure::at(path.place(), "the name must end in .toml"));
     }
-    Ok(())
+    path.replaces_parameters()
 }
 
 /// How far it is, on the standard error if that is a terminal; what is done soon needs no bar.

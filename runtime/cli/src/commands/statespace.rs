@@ -1,14 +1,15 @@
 //! `carvallo statespace`: the linearized motion at a speed with inputs and outputs.
 
 use carvallo_control::{Ports, files};
-use carvallo_design::{Failure, Place};
+use carvallo_design::Failure;
 use carvallo_plot::data;
 use clap::Args;
 
-use crate::delivery::format_of;
 use crate::destination::Destination;
+use crate::endings::Endings;
 use crate::options::Format;
 use crate::output::documents;
+use crate::output::typeset::Language;
 use crate::ports::PortOptions;
 use crate::terminal::{deliver, save};
 
@@ -55,6 +56,7 @@ pub struct Options {
     output: Option<Destination>,
 }
 
+/// What is written.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
     Text(Format),
@@ -62,34 +64,23 @@ enum Kind {
     Mat,
 }
 
-impl Kind {
-    /// What the ending of a file names.
-    fn of(file: &Destination) -> Result<Self, Failure> {
-        let ending = file.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_ascii_lowercase();
-        match ending.as_str() {
-            "npz" => Ok(Self::Npz),
-            "mat" => Ok(Self::Mat),
-            _ if let Some(format) = format_of(file) => Ok(Self::Text(format)),
-            _ => {
-                let outputs = format!("; an output of the state space is --outputs {}", file.display());
-                let hint = if ending.is_empty() { outputs.as_str() } else { "" };
-                let message = format!("the name must end in .npz, .mat, .json, .csv, .md, .tex or .txt{hint}");
-                Err(Failure::at(place(file), message))
-            }
-        }
-    }
-}
-
-/// Where it was asked for.
-fn place(file: &Destination) -> Place {
-    Place::Option(format!("--output {}", file.display()))
-}
+const ENDINGS: Endings<Kind> = Endings(&[
+    ("npz", Kind::Npz),
+    ("mat", Kind::Mat),
+    ("json", Kind::Text(Format::Json)),
+    ("csv", Kind::Text(Format::Csv)),
+    ("md", Kind::Text(Format::Document(Language::Markdown))),
+    ("tex", Kind::Text(Format::Document(Language::Latex))),
+    ("txt", Kind::Text(Format::Table)),
+    ("txt", Kind::Text(Format::Document(Language::Markdown))),
+    ("txt", Kind::Text(Format::Document(Language::Latex))),
+]);
 
 pub fn run(options: &Options) -> Result<(), Failure> {
     let file = options.output.as_ref();
     let kind = kind(options.format, file)?;
     if let Some(file) = file.filter(|file| options.ports.design.request().reads(file)) {
-        return Err(Failure::at(place(file), "the parameters are read from this file"));
+        return Err(Failure::at(file.place(), "the parameters are read from this file"));
     }
     let shown = options.ports.units.shown()?;
     let (design, space) = options.ports.load(Ports::states)?;
@@ -111,14 +102,15 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     }
 }
 
-/// What is written: what the ending of the file names, and else the format.
+/// What is written: what is asked for, and else what the ending of the file says.
 fn kind(format: Option<Format>, file: Option<&Destination>) -> Result<Kind, Failure> {
-    match (format, file.map(|file| Ok::<_, Failure>((file, Kind::of(file)?))).transpose()?) {
-        (None, None) => Ok(Kind::Text(Format::Table)),
-        (Some(format), None) => Ok(Kind::Text(format)),
-        (Some(format), Some((file, kind))) if kind != Kind::Text(format) => {
-            Err(Failure::at(place(file), "the ending of its name is that of another format than --format"))
-        }
-        (_, Some((_, kind))) => Ok(kind),
-    }
+    let Some(file) = file else { return Ok(Kind::Text(format.unwrap_or(Format::Table))) };
+    ENDINGS.kind(file, format.map(Kind::Text)).map_err(|message| {
+        let hint = if file.extension().is_none() {
+            format!("; an output of the state space is --outputs {}", file.display())
+        } else {
+            String::new()
+        };
+        Failure::at(file.place(), format!("{message}{hint}"))
+    })
 }

@@ -238,10 +238,30 @@ fn the_ending_of_a_file_names_the_format() {
         assert_eq!(directory.run(&[command, &["--output", "a.dat", "--format", "csv"]].concat()).code, Some(0));
         let message = "error: --output a.dat: the name must end in .json, .csv, .md, .tex or .txt\n";
         directory.run(&[command, &["--output", "a.dat"]].concat()).fails(2, message);
-        let message = "error: --output a.csv: the ending of its name is that of another format than --format\n";
+        let message =
+            "error: --output a.csv: the ending of its name is that of another format than --format; it must be .json\n";
         directory.run(&[command, &["--output", "a.csv", "--format", "json"]].concat()).fails(2, message);
     }
     let emit = ["lqr", "--inputs", "Tdelta", "--speeds", "5", "--emit", "c", "--output", "gains.csv"];
     let message = "error: --output gains.csv: the name of this source text must end in .c or .h\n";
     directory.run(&emit).fails(2, message);
+    // No table is a picture, whatever it is asked for.
+    let picture = ["turns", "--format", "markdown", "--output", "a.png"];
+    let message = "error: --output a.png: the ending of its name is that of another format than --format; it must be .md or .txt\n";
+    directory.run(&picture).fails(2, message);
+}
+
+/// A controller by hand is no result of this program, and gains of a previous run are.
+#[test]
+fn source_text_takes_the_place_of_its_own_kind_alone() {
+    let directory = Directory::of_this_test();
+    let emit = ["lqr", "--inputs", "Tdelta", "--speeds", "5", "--emit", "c", "--output", "gains.c"];
+    directory.write("gains.c", "int main(void) { return 0; }\n");
+    let message = "error: --output gains.c: this file is there, and is nothing that this program wrote: give another name, or remove it\n";
+    directory.run(&emit).fails(2, message);
+    assert_eq!(std::fs::read_to_string(directory.0.join("gains.c")).unwrap(), "int main(void) { return 0; }\n");
+    std::fs::remove_file(directory.0.join("gains.c")).unwrap();
+    for _ in 0..2 {
+        assert_eq!(directory.run(&emit).code, Some(0));
+    }
 }

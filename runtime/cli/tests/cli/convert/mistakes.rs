@@ -77,3 +77,25 @@ fn mistakes_are_told_by_the_names_of_the_file() {
     let wheel = "benchmark: the rear wheel has inertia and no mass, and so no radius of gyration";
     bicycle(&["--set", "mR=0", "--to", "principal"], wheel);
 }
+
+/// A form is written where its ending is, and a script that is no file of parameters stays.
+#[test]
+fn files_are_of_the_form_that_they_are_called() {
+    let directory = Directory::of_this_test();
+    let run = |more: &[&str]| directory.run(&[&["convert", "pista", "--to", "moore", "--output"], more].concat());
+    for name in ["pista", "pista.xlsx", "pista.md", "pista.py~"] {
+        let message = "the name must end in .toml, .json, .yaml, .yml, .csv, .py, .m or .txt";
+        run(&[name]).fails(2, &format!("error: --output {name}: {message}\n"));
+    }
+    let message = "the ending of its name is that of another format than --format; it must be .yaml or .yml";
+    run(&["pista.m", "--format", "yaml"]).fails(2, &format!("error: --output pista.m: {message}\n"));
+    directory.write("plan.py", "import os\nprint(os.getcwd())\n");
+    let message = "this file is there, and is no file of parameters: give another name, or remove it";
+    run(&["plan.py"]).fails(2, &format!("error: --output plan.py: {message}\n"));
+    assert_eq!(std::fs::read_to_string(directory.0.join("plan.py")).unwrap(), "import os\nprint(os.getcwd())\n");
+    // What was written before is written anew.
+    for _ in 0..2 {
+        assert_eq!(run(&["pista.py"]).code, Some(0));
+        assert_eq!(run(&["pista.dat", "--format", "csv"]).code, Some(0));
+    }
+}
