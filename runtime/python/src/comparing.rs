@@ -28,7 +28,7 @@ pub fn compare(py: Python<'_>, designs: Labelled<'_>) -> PyResult<String> {
 pub fn compare_svg(py: Python<'_>, designs: Labelled<'_>, of: &str) -> PyResult<Option<String>> {
     let comparison = comparison(py, designs).map_err(raise)?;
     let scene = match of {
-        "eigenvalues" => Some(picture::draw_overlay(&comparison, None).map_err(raise)?),
+        "eigenvalues" => Some(picture::draw_overlay(&comparison, None, None).map_err(raise)?),
         "side views" => picture::draw_side_views(&comparison),
         _ => {
             let last = comparison.differences.len();

@@ -10,7 +10,7 @@ use carvallo_plot::analysis::compare::{Compared, Comparison};
 use carvallo_plot::{data, picture};
 use clap::Args;
 
-use crate::limits::SpeedLimits;
+use crate::limits::{EigenvalueLimits, SpeedLimits};
 use crate::options::{Format, Picture, Setting, UnitOptions, load};
 use crate::output::documents;
 use crate::terminal::{print, write};
@@ -79,6 +79,9 @@ pub struct Pictures {
     /// The speeds that --plot shows, in m/s [default: as far as there is something to see]
     #[arg(long, value_name = "LOW:HIGH", requires = "plot")]
     xlim: Option<SpeedLimits>,
+    /// The real parts that --plot shows, in 1/s [default: most of what there is to see]
+    #[arg(long, value_name = "LOW:HIGH", requires = "plot", allow_hyphen_values = true)]
+    ylim: Option<EigenvalueLimits>,
     /// Draws the side views of all to one scale; .svg or .png
     #[arg(long, value_name = "FILE")]
     side_view: Option<Picture>,
@@ -100,8 +103,9 @@ impl Pictures {
     /// If one cannot be drawn, or a file cannot be written.
     pub fn draw(&self, comparison: &Comparison) -> Result<(), Failure> {
         if let Some(file) = &self.plot {
-            let limits = self.xlim.map(|SpeedLimits(low, high)| (low, high));
-            file.write(&picture::draw_overlay(comparison, limits)?)?;
+            let x = self.xlim.map(|SpeedLimits(low, high)| (low, high));
+            let y = self.ylim.map(|EigenvalueLimits(low, high)| (low, high));
+            file.write(&picture::draw_overlay(comparison, x, y)?)?;
         }
         if let Some(file) = &self.side_view {
             let none =

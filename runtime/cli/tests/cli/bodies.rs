@@ -234,3 +234,41 @@ fn mistakes_are_told_at_their_place() {
     let replaced = directory.run(&["show", "--add", "rack.svg", "--plot", "rack.svg"]);
     assert_eq!(replaced.code, Some(2));
 }
+
+/// What is in another unit is told of the body, and not of what it makes of the frame.
+#[test]
+fn bodies_in_other_units_are_told_as_they_were_written() {
+    let directory = Directory::of_this_test();
+    for (body, names, example) in [
+        (
+            "mass=75, at=(300,0,-1100)",
+            "`x`, `z` are too large for a bicycle, and ordinary in mm; write that unit behind each",
+            "300 mm",
+        ),
+        (
+            "mass=5, at=(30,0,-90)",
+            "`x`, `z` are too large for a bicycle, and ordinary in cm; write that unit behind each",
+            "30 cm",
+        ),
+        (
+            "mass=5000, at=(0.3,0,-0.9)",
+            "`mass` is too large for a bicycle, and ordinary in g; write that unit behind it",
+            "5000 g",
+        ),
+        (
+            "mass=5, at=(0.3,0,-0.9), box=(400,200,20)",
+            "`box` is too large for a bicycle, and ordinary in mm; write that unit behind it",
+            "400 mm",
+        ),
+        (
+            "mass=5, at=(0.3,0,-0.9), Ixx=900, Iyy=900, Izz=900",
+            "`Ixx`, `Iyy`, `Izz` are too large for a bicycle, and ordinary in kg*cm^2; write that unit behind each",
+            "900 kg*cm^2",
+        ),
+    ] {
+        let run = directory.run(&["show", "pista", "--add", body]);
+        let mass = body.split(['=', ',']).nth(1).unwrap();
+        let message = format!("warning: pista + {mass} kg: --add '{body}': {names}, as in `{example}`\n");
+        assert_eq!((run.code, run.stderr), (Some(0), message));
+    }
+}

@@ -222,3 +222,19 @@ fn rounding_is_no_difference() {
     let run = directory.run(&["compare", "browser", "browser:w=1.1210000001"]);
     assert!(run.stdout.contains("  w           m"), "{}", run.stdout);
 }
+
+/// The fifth design has dashes, and of a pair one curve, or the dashes of one real part would fill the gaps of the other; and real
+/// parts have the limits that are asked for.
+#[test]
+fn a_pair_of_real_parts_is_drawn_once() {
+    let directory = Directory::of_this_test();
+    let designs = ["benchmark", "pista", "fisher", "silver", "crescendo"];
+    let limits = ["--plot", "a.svg", "--xlim", "6:8", "--ylim=-4:1"];
+    assert_eq!(directory.run(&[&["compare"], &designs[..], &limits].concat()).code, Some(0));
+    let picture = std::fs::read_to_string(directory.0.join("a.svg")).unwrap();
+    // Between 6 and 8 m/s: castering out of sight, capsize and weave, and the frequency of weave; and the line of the legend.
+    assert_eq!(picture.matches("stroke-dasharray").count(), 4);
+    for limit in ["−4.0", "1.0"] {
+        assert!(picture.contains(&format!("aria-label=\"{limit}\"")), "{limit}");
+    }
+}

@@ -101,6 +101,21 @@ pub fn warnings_by(reading: &Reading, info: &ModelInfo, values: &[f64]) -> Vec<S
     warnings
 }
 
+/// The warnings of a body that is joined to a frame: of lengths in m, its mass in kg, and moments of inertia in kg m^2.
+#[cfg(feature = "full")]
+pub fn warnings_of_body(lengths: &[(&'static str, f64)], mass: f64, moments: &[(&'static str, f64)]) -> Vec<String> {
+    let [.., centres, masses, _] = &KINDS;
+    let of = |kind: &'static Kind, name, size: f64| {
+        let unit = likeliest(kind.units, size, kind.ordinary.into()).filter(|_| size.abs() > kind.largest)?;
+        Some(Slip { unit, name, size })
+    };
+    let mut found: Vec<Slip> = lengths.iter().filter_map(|(name, size)| of(centres, name, *size)).collect();
+    found.extend(of(masses, "mass", mass));
+    // As of a frame whose wheel base is 1 m.
+    found.extend(moments.iter().filter_map(|(name, size)| of_moment(name, *size, mass)));
+    told(&found)
+}
+
 #[cfg(feature = "full")]
 impl Slip {
     /// Whether a value in another unit can be the cause, and not what others beside it make large.
@@ -130,13 +145,16 @@ fn slips(info: &ModelInfo, values: &[f64]) -> Vec<Slip> {
     for (names, mass, length) in BODIES {
         let (Some(mass), Some(length)) = (value(mass), value(length)) else { continue };
         let bound = mass * length * length;
-        for &name in names {
-            let Some(size) = value(name).filter(|size| bound > 0.0 && size.abs() > EXCESS * bound) else { continue };
-            let fits = |(_, factor): &&(&str, f64)| (1e-3 * bound..=bound).contains(&(size * factor).abs());
-            found.extend(INERTIAS.iter().find(fits).map(|&(unit, _)| Slip { unit, name, size }));
-        }
+        found.extend(names.iter().filter_map(|name| of_moment(name, value(name)?, bound)));
     }
     found
+}
+
+/// A moment of inertia that is far larger than the mass times the square of a length, and in another unit is not.
+fn of_moment(name: &'static str, size: f64, bound: f64) -> Option<Slip> {
+    let fits = |(_, factor): &&(&str, f64)| (1e-3 * bound..=bound).contains(&(size * factor).abs());
+    let (unit, _) = INERTIAS.iter().find(fits).filter(|_| bound > 0.0 && size.abs() > EXCESS * bound)?;
+    Some(Slip { unit, name, size })
 }
 
 /// The unit in which a size is ordinary: of several the one in which it is nearest to the middle, so that 34 of a radius are cm.

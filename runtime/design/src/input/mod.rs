@@ -44,7 +44,7 @@ use crate::model::{Shipped, WHIPPLE};
 
 pub use self::entries::given_twice;
 #[cfg(feature = "full")]
-pub use self::magnitude::{too_large, warning_of_varied};
+pub use self::magnitude::{too_large, warning_of_varied, warnings_of_body};
 pub use self::matrices::{list, matrix_of_rows};
 pub use self::names::{Expected, Known, known, position};
 #[cfg(feature = "full")]
@@ -79,10 +79,10 @@ impl Changes {
     }
 }
 
-/// What the parameters of a real machine would hardly be.
+/// What the parameters of a real machine would hardly be; how large they are is judged by values of their own.
 #[cfg(feature = "full")]
-pub(crate) fn warnings(info: &carvallo::ModelInfo, values: &[f64]) -> Vec<String> {
-    let mut warnings = magnitude::warnings(info, values);
+pub(crate) fn warnings(info: &carvallo::ModelInfo, sizes: &[f64], values: &[f64]) -> Vec<String> {
+    let mut warnings = magnitude::warnings(info, sizes);
     warnings.extend(plausible::warnings(info, values));
     warnings
 }

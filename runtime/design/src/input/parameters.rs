@@ -17,6 +17,8 @@ use super::{Changes, magnitude, names, neutral, plausible};
 use crate::design::{Design, Given};
 use crate::failure::{Place, Problem};
 use crate::feedback::{self, Law};
+#[cfg(feature = "full")]
+use crate::joined::Body;
 use crate::matrices::{NAME, free};
 use crate::model::{Equations, Shipped, WHIPPLE};
 use crate::number::shortest;
@@ -115,6 +117,8 @@ pub fn resolve(
 
     remarks.notes.extend(neutral::replace_radii(label, model, &mut parameters, zero_radii)?);
     #[cfg(feature = "full")]
+    let alone: Vec<f64> = parameters.iter().map(|parameter| parameter.value).collect();
+    #[cfg(feature = "full")]
     let covariance = {
         let is_set = |position: usize| settings.given.contains_key(&position);
         let carried = reading.as_ref().and_then(|reading| reading.covariance.as_ref());
@@ -146,10 +150,15 @@ pub fn resolve(
     let notes = remarks.all_notes();
     let mut warnings = remarks.warnings;
     #[cfg(feature = "full")]
-    warnings.extend(match &reading {
-        Some(reading) => magnitude::warnings_by(reading, info, &values),
-        None => magnitude::warnings(info, &values),
-    });
+    {
+        let of_bodies: Vec<String> = changes.bodies.iter().flat_map(Body::warnings).collect();
+        let sizes = if of_bodies.is_empty() { &values } else { &alone };
+        warnings.extend(match &reading {
+            Some(reading) => magnitude::warnings_by(reading, info, sizes),
+            None => magnitude::warnings(info, sizes),
+        });
+        warnings.extend(of_bodies);
+    }
     #[cfg(not(feature = "full"))]
     warnings.extend(magnitude::warnings(info, &values));
     warnings.extend(plausible::warnings(info, &values));

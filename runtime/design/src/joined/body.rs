@@ -4,6 +4,7 @@ use carvallo::{ModelInfo, Sources, Uncertain};
 
 use super::inertia::Inertia;
 use crate::failure::Place;
+use crate::input::warnings_of_body;
 
 /// A body that is to be joined to a frame. Each number comes with the standard deviation of its measurement, 0 without one.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,6 +64,25 @@ impl Body {
         };
         let body = body.turned(number(self.tilt));
         if self.on_both_sides { body.on_both_sides(y) } else { body }
+    }
+}
+
+impl Body {
+    /// What of it seems to be in another unit, told where it is; what that makes of the machine is no news then.
+    pub fn warnings(&self) -> Vec<String> {
+        let mut lengths: Vec<_> = ["x", "y", "z"].into_iter().zip(self.at.map(|[value, _]| value)).collect();
+        let longest = |sizes: &[Number]| sizes.iter().map(|[size, _]| *size).fold(0.0, f64::max);
+        let mut moments = Vec::new();
+        match &self.shape {
+            Shape::Given(given) => {
+                moments.extend(["Ixx", "Iyy", "Izz", "Ixz"].into_iter().zip(given.map(|[value, _]| value)));
+            }
+            Shape::Box(sizes) => lengths.push(("box", longest(sizes))),
+            Shape::Cylinder(sizes, _) => lengths.push(("cylinder", longest(sizes))),
+            Shape::Sphere(radius) => lengths.push(("sphere", radius[0])),
+        }
+        let told = warnings_of_body(&lengths, self.mass[0], &moments);
+        told.into_iter().map(|text| format!("{}: {text}", self.place)).collect()
     }
 }
 

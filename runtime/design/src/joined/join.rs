@@ -56,7 +56,9 @@ pub fn join(
 pub fn add(design: Design, bodies: &[String]) -> Result<Design, Failure> {
     let bodies = bodies.iter().map(|text| read(text, text)).collect::<Result<Vec<Body>, Failure>>()?;
     let info = design.model.info;
-    let alone = warnings(info, &design.values());
+    let before = design.values();
+    let alone = warnings(info, &before, &before);
+    let of_bodies: Vec<String> = bodies.iter().flat_map(Body::warnings).collect();
     let Design { mut parameters, mut covariance, warnings: mut told, .. } = design;
     join(&bodies, design.model.info, &mut parameters, &mut covariance).map_err(Failure::Input)?;
     let values: Vec<f64> = parameters.iter().map(|given| given.value).collect();
@@ -64,7 +66,9 @@ pub fn add(design: Design, bodies: &[String]) -> Result<Design, Failure> {
     let (name, kind) = (name(design.name, &bodies), kind(design.kind, &bodies));
     // What was told of the machine alone may hold no more with the bodies.
     told.retain(|warning| !alone.contains(warning));
-    told.extend(warnings(info, &values));
+    let sizes = if of_bodies.is_empty() { &values } else { &before };
+    told.extend(warnings(info, sizes, &values));
+    told.extend(of_bodies);
     Ok(Design { name, kind, parameters, covariance, equations, warnings: told, ..design })
 }
 

@@ -5,7 +5,7 @@ use carvallo_design::Failure;
 
 use super::axes::{EVEN, INK, margin};
 use super::colors::{design, design_line};
-use super::curves::{Curve, samples};
+use super::curves::{Curve, extend, samples};
 use super::font;
 use super::graph::{Graph, Line};
 use super::panels::panels;
@@ -31,16 +31,17 @@ struct Curves {
     imaginary_limit: f64,
 }
 
-/// The eigenvalues between two speeds in m/s, or as far as there is something to see of each.
+/// The eigenvalues between two speeds in m/s, or as far as there is something to see of each; and real parts between two limits
+/// in 1/s, or most of what there is.
 ///
 /// # Errors
 /// If they cannot be computed at one of the speeds.
-pub fn draw_overlay(comparison: &Comparison, limits: Option<(f64, f64)>) -> Result<Scene, Failure> {
+pub fn draw_overlay(comparison: &Comparison, x: Option<(f64, f64)>, y: Option<(f64, f64)>) -> Result<Scene, Failure> {
     let reach = || comparison.designs.iter().map(|compared| compared.analysis.reach).fold(0.0, f64::max);
-    let x = limits.unwrap_or_else(|| (0.0, reach()));
+    let x = x.unwrap_or_else(|| (0.0, reach()));
     let all = comparison.designs.iter().map(|compared| curves(compared, x)).collect::<Result<Vec<_>, _>>()?;
     let most = |limit: fn(&Curves) -> f64| all.iter().map(limit).fold(0.0, f64::max);
-    let real_limits = (-most(|curves| -curves.real_limits.0), most(|curves| curves.real_limits.1));
+    let real_limits = y.unwrap_or_else(|| (-most(|curves| -curves.real_limits.0), most(|curves| curves.real_limits.1)));
     let imaginary_limits = (0.0, most(|curves| curves.imaginary_limit));
     let left = margin(real_limits).max(margin(imaginary_limits));
 
@@ -145,5 +146,41 @@ fn curves(Compared { analysis, .. }: &Compared, x: (f64, f64)) -> Result<Curves,
             .filter_map(|curve| curve.first().map(|(_, value)| vec![(x.0, *value), (x.1, *value)]))
             .collect()
     };
-    Ok(Curves { real: spread(of(false)), imaginary: spread(of(true)), real_limits, imaginary_limit })
+    let [real, imaginary] = [false, true].map(|wanted| once(spread(of(wanted))));
+    Ok(Curves { real, imaginary, real_limits, imaginary_limit })
+}
+
+/// The curves without what others before them have as well, as the real parts of a pair: dashes would fill the gaps of others.
+fn once(curves: Vec<Curve>) -> Vec<Curve> {
+    let mut all: Vec<Curve> = Vec::new();
+    for curve in curves {
+        let mut own = Vec::new();
+        for piece in curve.windows(2) {
+            let is_drawn = all.iter().any(|other| other.windows(2).any(|drawn| drawn == piece));
+            if is_drawn {
+                extend(&mut own, None);
+            } else {
+                if own.last().is_none_or(Vec::is_empty) {
+                    extend(&mut own, Some(piece[0]));
+                }
+                extend(&mut own, Some(piece[1]));
+            }
+        }
+        all.extend(own.into_iter().filter(|curve| !curve.is_empty()));
+    }
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::once;
+
+    /// Two real parts meet, go on as those of a pair, and part.
+    #[test]
+    fn what_two_curves_share_is_drawn_once() {
+        let one = vec![(0.0, 1.0), (1.0, 2.0), (2.0, 2.5), (3.0, 3.0), (4.0, 3.0)];
+        let other = vec![(0.0, 4.0), (1.0, 2.0), (2.0, 2.5), (3.0, 3.0), (4.0, 5.0)];
+        let ends = [vec![(0.0, 4.0), (1.0, 2.0)], vec![(3.0, 3.0), (4.0, 5.0)]];
+        assert_eq!(once(vec![one.clone(), other]), [vec![one], ends.to_vec()].concat());
+    }
 }
