@@ -8,22 +8,31 @@ use core::cmp::Ordering;
 /// here, and few at a time. So there is one for all: it sorts places, and what stands there is then swapped into them. As for
 /// slices, it takes about n log n comparisons.
 pub fn sort_by<T>(values: &mut [T], mut compare: impl FnMut(&T, &T) -> Ordering) {
-    let mut order: Vec<usize> = (0..values.len()).collect();
-    sort_places(&mut order, &mut |a, b| compare(&values[a], &values[b]));
+    // One value, of which most of what is sorted for a picture consists, needs no lists of places.
+    if values.len() < 2 {
+        return;
+    }
+    let order = sorted_places(values.len(), &mut |a, b| compare(&values[a], &values[b]));
+    arrange(&order, &mut |a, b| values.swap(a, b));
+}
+
+/// Swaps what stands at the places of an order into it.
+#[inline(never)]
+fn arrange(order: &[usize], swap: &mut dyn FnMut(usize, usize)) {
     for place in 0..order.len() {
         // What was at a place before this one has been swapped on since.
         let mut from = order[place];
         while from < place {
             from = order[from];
         }
-        values.swap(place, from);
+        swap(place, from);
     }
 }
 
-/// Merges ever longer runs.
+/// The places of so many values in their order. Merges ever longer runs.
 #[inline(never)]
-fn sort_places(order: &mut Vec<usize>, compare: &mut dyn FnMut(usize, usize) -> Ordering) {
-    let count = order.len();
+fn sorted_places(count: usize, compare: &mut dyn FnMut(usize, usize) -> Ordering) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..count).collect();
     let mut merged = vec![0; count];
     let mut run = 1;
     while run < count {
@@ -38,9 +47,10 @@ fn sort_places(order: &mut Vec<usize>, compare: &mut dyn FnMut(usize, usize) -> 
                 *from += 1;
             }
         }
-        core::mem::swap(order, &mut merged);
+        core::mem::swap(&mut order, &mut merged);
         run *= 2;
     }
+    order
 }
 
 #[cfg(test)]

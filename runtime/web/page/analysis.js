@@ -31,15 +31,11 @@ const answer = kept(KEPT, (question) => known(ask(question)));
 
 function known({ reply, numbers }) {
   let place = 0;
-  const pairs = (count) => {
-    const points = new Array(count);
-    for (let index = 0; index < count; index++) points[index] = [numbers[place++], numbers[place++]];
-    return points;
-  };
+  const points = (count) => numbers.subarray(place, (place += 2 * count));
   const panels = reply.panels.map(({ series, ...panel }) => ({
     ...panel,
     series: series.map(({ name, color, border, is_dashed, has_label, lengths }) =>
-      ({ name, color, border, isDashed: is_dashed, hasLabel: has_label, curves: lengths.map(pairs) })),
+      ({ name, color, border, isDashed: is_dashed, hasLabel: has_label, curves: lengths.map(points) })),
   }));
   return { ...reply, panels, locus: locus(reply, numbers.subarray(place), panels) };
 }
@@ -56,9 +52,11 @@ function locus({ locus: [speeds, count], modes, moves }, numbers, panels) {
     for (let row = 0; row < speeds; row++) {
       const speed = numbers[row * width];
       const at = row * width + 1 + 3 * index;
-      const [re, im, mode] = [numbers[at], numbers[at + 1], modes[numbers[at + 2]]];
-      if (strand?.mode !== mode) strands.push((strand = { mode, points: strand ? [strand.points.at(-1)] : [] }));
-      strand.points.push([re, im]);
+      const re = numbers[at];
+      const im = numbers[at + 1];
+      const mode = modes[numbers[at + 2]];
+      if (strand?.mode !== mode) strands.push((strand = { mode, points: strand ? strand.points.slice(-2) : [] }));
+      strand.points.push(re, im);
       if (moves && Number.isInteger(speed)) whole.push([speed, re, im, mode]);
     }
   }

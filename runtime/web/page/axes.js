@@ -49,10 +49,18 @@ export function inside({ left, right, top, bottom }, id, content) {
   return [clip, tag("g", { "clip-path": `url(#${id})` }, content)];
 }
 
-/** The data of a path through values, pair by pair. */
-export function path({ across, upward }, points) {
-  return through(points.map(([x, y]) => [across(x), upward(y)]));
+/** Where on the page points are. */
+export function onPage({ across, upward }, points) {
+  const placed = new Float64Array(points.length);
+  for (let at = 0; at < points.length; at += 2) {
+    placed[at] = across(points[at]);
+    placed[at + 1] = upward(points[at + 1]);
+  }
+  return placed;
 }
+
+/** The data of a path through points. */
+export const path = (of, points) => through(onPage(of, points));
 
 /** Round numbers between two limits, at most so many. */
 export function ticks([low, high], most) {
@@ -70,12 +78,14 @@ export function roundStep(size) {
   return power * [1, 2, 5, 10].find((step) => step * power >= size * (1 - 1e-9));
 }
 
-/** Limits around values with a margin, or around one value. */
-export function around(values) {
+/** Limits around curves with a margin, or around one value: across for the part 0 of each point, upward for 1. */
+export function around(curves, part) {
   let [low, high] = [Infinity, -Infinity];
-  for (const value of values) {
-    low = Math.min(low, value);
-    high = Math.max(high, value);
+  for (const points of curves) {
+    for (let at = part; at < points.length; at += 2) {
+      low = Math.min(low, points[at]);
+      high = Math.max(high, points[at]);
+    }
   }
   if (low > high) return [-1, 1];
   const room = 0.06 * (high - low) || Math.max(0.1 * Math.abs(high), 1e-3);

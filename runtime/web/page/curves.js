@@ -1,6 +1,6 @@
 // Eigenvalues against speed: all modes of the chosen design, and those of the others as thin lines in their colours.
 
-import { axes, frame, grid, inside, path } from "carvallo/axes.js";
+import { axes, frame, grid, inside, onPage, path } from "carvallo/axes.js";
 import { boxOf, names } from "carvallo/labels.js";
 import { legend, others } from "carvallo/legend.js";
 import { tag } from "carvallo/nodes.js";
@@ -42,7 +42,7 @@ function draw(known, panel, index, beside, speed, width, height) {
   const marker = tag("g", { class: "marker" }, line(of.across(speed), of.top, of.across(speed), of.bottom));
   const lines = panel.series.filter(({ hasLabel, curves }) => hasLabel && curves.length > 0).map(({ name, color, curves }) => {
     const longest = curves.reduce((a, b) => (b.length > a.length ? b : a));
-    return [longest.map(([x, y]) => [of.across(x), of.upward(y)]), name, { style: `--c:${color}` }];
+    return [onPage(of, longest), name, { style: `--c:${color}` }];
   });
   const content = [background, inside(of, `curves-${index}`, [thin, critical, thick, marker])];
   const label = `${panel.label} of ${known.title} against speed, from ${known.range[0]} to ${known.range[1]} m/s`;

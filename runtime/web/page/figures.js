@@ -35,10 +35,10 @@ export function draw(known, beside, widths) {
   move(named, thin, widths.motion);
 }
 
-/** Draws a design where nobody sees it. */
-export function drawUnseen(design, known, widths) {
+/** Draws a design where nobody sees it, in an element of its own. */
+export function drawUnseen(element, design, known, widths) {
   const motion = drawMotion(known.title, simulate(design, initial(known)), [], widths.motion);
-  fill(document.createElement("div"), Object.values(drawAll(known, [], widths)), motion);
+  fill(element, Object.values(drawAll(known, [], widths)), motion);
 }
 
 function drawAll(known, beside, widths) {

@@ -20,10 +20,9 @@ export const boxOf = (middle, bottom, name) => {
  */
 export function names(area, lines, others = []) {
   const taken = [...others];
-  const crowd = lines.flatMap(([points]) => points);
+  const crowd = lines.map(([points]) => points);
   const drawn = lines.map(([points, name, attributes]) => {
-    const visible = points.filter(([x, y]) => x >= area.left && x <= area.right && y >= area.top && y <= area.bottom);
-    const box = place(visible, WIDTH * name.length, area, taken, crowd);
+    const box = place(within(points, [area.left, area.top, area.right, area.bottom]), WIDTH * name.length, area, taken, crowd);
     if (!box) return "";
     taken.push(box);
     return text(box[0], box[1] + HEIGHT - 4, name, { class: "name", ...attributes });
@@ -32,13 +31,16 @@ export function names(area, lines, others = []) {
 }
 
 function place(points, width, area, taken, crowd) {
-  if (points.length < 2) return undefined;
+  const count = points.length / 2;
+  if (count < 2) return undefined;
   for (const share of SHARES) {
-    const [x, y] = points[Math.floor(share * (points.length - 1))];
+    const at = 2 * Math.floor(share * (count - 1));
+    const [x, y] = [points[at], points[at + 1]];
     for (const [left, top] of [[x - width / 2, y - HEIGHT - 3], [x - width / 2, y + 4], [x + 6, y - HEIGHT], [x - width - 6, y - HEIGHT]]) {
       const box = [left, top, left + width, top + HEIGHT];
+      const near = [left - 2, top, left + width + 2, top + HEIGHT];
       const fits = left > area.left + 2 && box[2] < area.right - 2 && top > area.top && box[3] < area.bottom;
-      const clear = fits && !taken.some((other) => overlap(box, other)) && !crowd.some((point) => holds(box, point));
+      const clear = fits && !taken.some((other) => overlap(box, other)) && !crowd.some((others) => within(others, near).length > 0);
       if (clear) return box;
     }
   }
@@ -47,4 +49,14 @@ function place(points, width, area, taken, crowd) {
 
 const overlap = (a, b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
 
-const holds = (box, [x, y]) => x > box[0] - 2 && x < box[2] + 2 && y > box[1] && y < box[3];
+/** Those of the points that are in a box. */
+function within(points, [left, top, right, bottom]) {
+  const found = [];
+  for (let at = 0; at < points.length; at += 2) {
+    const x = points[at];
+    if (x < left || x > right) continue;
+    const y = points[at + 1];
+    if (y >= top && y <= bottom) found.push(x, y);
+  }
+  return found;
+}

@@ -38,20 +38,21 @@ function plane(known) {
     const im = Math.max(size, 1.1 * Math.max(...known.at_speed.map((value) => value.im).filter((value) => value <= 2 * size), 0));
     return { x: [real[0], Math.max(real[1] * 0.6, 0.1 * Math.abs(real[0]))], y: [-im, im] };
   }
-  const values = known.locus.strands.flatMap(({ points }) => points);
-  return { x: around([0, ...values.map(([re]) => re)]), y: around([0, ...values.map(([, im]) => im)]) };
+  const curves = [[0, 0], ...known.locus.strands.map(({ points }) => points)];
+  return { x: around(curves, 0), y: around(curves, 1) };
 }
 
 function joined(of, points) {
   const [wide, high] = [APART * (of.x[1] - of.x[0]), APART * (of.y[1] - of.y[0])];
   const pieces = [[]];
-  points.forEach((point, index) => {
-    const before = points[index - 1];
-    const jumps = before && Math.abs(point[0] - before[0]) > wide && Math.abs(point[1] - before[1]) > high;
+  for (let at = 0; at < points.length; at += 2) {
+    const re = points[at];
+    const im = points[at + 1];
+    const jumps = Math.abs(re - points[at - 2]) > wide && Math.abs(im - points[at - 1]) > high;
     if (jumps) pieces.push([]);
-    pieces.at(-1).push(point);
-  });
-  return pieces.filter((piece) => piece.length > 1).map((piece) => path(of, piece)).join("");
+    pieces.at(-1).push(re, im);
+  }
+  return pieces.filter((piece) => piece.length > 2).map((piece) => path(of, piece)).join("");
 }
 
 function mark(of, re, im, color, value) {

@@ -1,7 +1,7 @@
 // A motion in time: lean and steer, or whatever a model has, and below it the path on the ground.
 
 import { ask } from "carvallo/engine.js";
-import { around, axes, frame, grid, inside, path } from "carvallo/axes.js";
+import { around, axes, frame, grid, inside, onPage, path } from "carvallo/axes.js";
 import { kept } from "carvallo/kept.js";
 import { names } from "carvallo/labels.js";
 import { legend } from "carvallo/legend.js";
@@ -68,39 +68,42 @@ const hasPath = ({ quantities }) => ["x", "y", "delta"].every((name) => quantiti
 const named = ({ name, label }) => (name === label ? name : `${label} ${symbol(name)}`);
 const symbol = (name) => ({ phi: "φ", delta: "δ", psi: "ψ", theta: "θ" })[name] ?? name;
 
-/** A quantity over the time, point by point; none of one that the motion has not. */
-function column({ quantities, rows, numbers }, name, scale) {
-  const place = 1 + quantities.findIndex((quantity) => quantity.name === name);
+const placeOf = ({ quantities }, name) => 1 + quantities.findIndex((quantity) => quantity.name === name);
+
+/** A quantity over another, of both of which there is a place in each row, point by point; none where the motion has it not. */
+function over({ quantities, rows, numbers }, [x, y], scale) {
   const width = 1 + quantities.length;
-  const points = [];
-  for (let row = 0; place > 0 && row < rows; row++) points.push([numbers[row * width], scale * numbers[row * width + place]]);
+  const points = new Float64Array(y > 0 ? 2 * rows : 0);
+  for (let at = 0, row = 0; at < points.length; at += 2, row += width) {
+    points[at] = numbers[row + x];
+    points[at + 1] = scale * numbers[row + y];
+  }
   return points;
 }
 
+/** A quantity over the time. */
+const history = (motion, name, scale) => over(motion, [0, placeOf(motion, name)], scale);
+
 function graph(title, motion, beside, shown, unit, width, index) {
   const scale = unit === "rad" ? 180 / Math.PI : 1;
-  const curves = shown.map((quantity) => column(motion, quantity.name, scale));
-  const values = curves.flat().map(([, value]) => value);
+  const curves = shown.map((quantity) => history(motion, quantity.name, scale));
   const label = LABELS[unit] ?? "positions";
-  const of = axes({ width, height: 220, x: [0, state.duration], y: around([0, ...values]), labels: ["time t (s)", label] });
+  const of = axes({ width, height: 220, x: [0, state.duration], y: around([[0, 0], ...curves], 1), labels: ["time t (s)", label] });
   const thin = beside.flatMap(({ motion: other, place }) =>
-    shown.map(({ name }) => tag("path", { class: `curve beside design-${place}`, d: path(of, column(other, name, scale)) })));
+    shown.map(({ name }) => tag("path", { class: `curve beside design-${place}`, d: path(of, history(other, name, scale)) })));
   const attributes = (quantity) => ({ style: `--c:${quantity.color}` });
   const thick = curves.map((curve, which) => tag("path", { class: "curve", ...attributes(shown[which]), d: path(of, curve) }));
   const lines = curves.map((curve, which) =>
-    [curve.map(([x, y]) => [of.across(x), of.upward(y)]), named(shown[which]), attributes(shown[which])]);
+    [onPage(of, curve), named(shown[which]), attributes(shown[which])]);
   const content = [grid(of), inside(of, `motion-${index}`, [thin, thick]), frame(of), names(of, lines)];
   return picture(width, 220, `${label} of ${title} against time`, content);
 }
 
 /** Where the rear wheel touches the ground, seen from above: to the right is up to the page's bottom, as y is to the right. */
 function track(title, motion, beside, width) {
-  const points = (of) => {
-    const [x, y] = [column(of, "x", 1), column(of, "y", 1)];
-    return x.map(([, value], index) => [value, -y[index][1]]);
-  };
+  const points = (of) => over(of, [placeOf(of, "x"), placeOf(of, "y")], -1);
   const own = points(motion);
-  const of = axes({ width, height: 160, x: around(own.map(([x]) => x)), y: around(own.map(([, y]) => y)), labels: ["x, forward (m)", "to the left (m)"] });
+  const of = axes({ width, height: 160, x: around([own], 0), y: around([own], 1), labels: ["x, forward (m)", "to the left (m)"] });
   const thin = beside.filter(({ motion: other }) => hasPath(other)).map(({ motion: other, place }) =>
     tag("path", { class: `curve beside design-${place}`, d: path(of, points(other)) }));
   const thick = tag("path", { class: "curve", style: `--c:${COLORS[5]}`, d: path(of, own) });

@@ -52,19 +52,19 @@ function update() {
 }
 
 /** Takes steps of a slider where nobody waits for them or sees them: in the first ones a browser compiles what it needs. */
-function rehearse(steps) {
+function rehearse(steps, unseen = document.createElement("div")) {
   if (steps === 0 || !globalThis.requestIdleCallback) return;
   requestIdleCallback(() => {
     try {
       const known = analyze(active());
       const [{ name }] = parametersOf(known);
       const step = { ...active(), changes: { ...active().changes, [name]: String(known.values[0] * (1 + 1e-3 * steps)) } };
-      drawUnseen(step, { ...analyze(step), at_speed: eigenvalues(step, state.speed) }, measure());
+      drawUnseen(unseen, step, { ...analyze(step), at_speed: eigenvalues(step, state.speed) }, measure());
     } catch (error) {
       // What is wrong with a design was told when it was shown.
       if (!(error instanceof Mistake)) throw error;
     }
-    rehearse(steps - 1);
+    rehearse(steps - 1, unseen);
   });
 }
 
@@ -264,7 +264,7 @@ try {
   listen();
   open();
   document.body.dataset.ready = "";
-  rehearse(6);
+  rehearse(12);
 } catch (error) {
   fail(`The page cannot start: ${error.message}`);
   throw error;

@@ -70,8 +70,8 @@ function outline({ base, rear, front, axis, length, fork }, { place, factor }) {
   const [rearHub, frontHub] = [place([0, rear]), place([base, front])];
   const bars = [rearHub, place(axis(fork + 1.3 * front)), place(axis(fork)), frontHub];
   const wheel = ([x, y], radius) => tag("circle", { class: "wheel", cx: x, cy: y, r: radius * factor });
-  const steer = tag("path", { class: "steer", d: through([place(axis(0)), place(axis(length))]) });
-  return [tag("path", { class: "bars", d: through(bars) }), wheel(rearHub, rear), wheel(frontHub, front), steer];
+  const steer = tag("path", { class: "steer", d: through([...place(axis(0)), ...place(axis(length))]) });
+  return [tag("path", { class: "bars", d: through(bars.flat()) }), wheel(rearHub, rear), wheel(frontHub, front), steer];
 }
 
 /** Wheel base and trail, each on a line of its own below the ground, and the head angle at the axis. */

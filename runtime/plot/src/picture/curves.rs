@@ -66,48 +66,53 @@ pub fn pairs(rows: &[ModeRow]) -> Vec<Pair> {
     let (castering, capsize, weave) = (Mode::Castering, Mode::Capsize, Mode::Weave);
     let alone = [(weave, weave), (Mode::Oscillatory, Mode::Oscillatory)];
     let kinds = [(castering, capsize), (castering, weave), (capsize, weave)].into_iter().chain(alone);
-    let of = |row: &ModeRow, modes: (Mode, Mode)| -> Vec<Complex<f64>> {
-        let upper = (0..4).filter(|&index| row.values[index].value.im > 0.0);
-        let is_one = |&index: &usize| {
-            let mode = row.values[index].mode;
-            partner(row, index).is_some_and(|other| (mode.min(other), mode.max(other)) == modes)
-        };
-        upper.filter(is_one).map(|index| row.values[index].value).collect()
-    };
+    let upper: Vec<Vec<Oscillation>> = rows.iter().map(oscillations).collect();
     let pair = |modes| {
-        let parts = |part: fn(&Complex<f64>) -> f64| ranked(rows, |row| of(row, modes).iter().map(part).collect());
+        let of = |row: usize| upper[row].iter().filter(move |one| one.modes == modes).map(|one| one.value);
+        let parts = |part: fn(Complex<f64>) -> f64| ranked(rows, |row| of(row).map(part).collect());
         let mut imaginary = parts(|value| value.im);
         for curve in &mut imaginary {
-            reach_axis(curve, rows, |row| !of(row, modes).is_empty());
+            let ends_between = |inside: usize, outside: usize| {
+                of(outside).next().is_none() && upper[outside].len() < upper[inside].len()
+            };
+            reach_axis(curve, rows, ends_between);
         }
         Pair { modes, real: parts(|value| value.re), imaginary }
     };
     kinds.map(pair).filter(|pair| !pair.real.is_empty()).collect()
 }
 
-/// Where a pair begins or ends, and the eigenvalues are real beyond, its curve reaches the axis.
-fn reach_axis(curve: &mut Curve, rows: &[ModeRow], is_there: impl Fn(&ModeRow) -> bool) {
-    let oscillating = |row: &ModeRow| row.values.iter().filter(|mode| mode.value.im > 0.0).count();
+/// An eigenvalue above the real axis, and the modes of its pair, the first in order first.
+struct Oscillation {
+    value: Complex<f64>,
+    modes: (Mode, Mode),
+}
+
+fn oscillations(row: &ModeRow) -> Vec<Oscillation> {
+    let upper = (0..4).filter(|&index| row.values[index].value.im > 0.0);
+    let paired = upper.filter_map(|index| {
+        let (mode, other) = (row.values[index].mode, partner(row, index)?);
+        Some(Oscillation { value: row.values[index].value, modes: (mode.min(other), mode.max(other)) })
+    });
+    paired.collect()
+}
+
+/// Where a pair begins or ends between two rows, and the eigenvalues are real beyond, its curve reaches the axis.
+fn reach_axis(curve: &mut Curve, rows: &[ModeRow], ends_between: impl Fn(usize, usize) -> bool) {
     let (Some(&(from, _)), Some(&(to, _))) = (curve.first(), curve.last()) else { return };
     let (first, behind) = (rows.partition_point(|row| row.speed < from), rows.partition_point(|row| row.speed <= to));
-    let ends_between = |inside: &ModeRow, outside: &ModeRow| {
-        (!is_there(outside) && oscillating(outside) < oscillating(inside)).then_some((outside.speed, 0.0))
-    };
-    if let [.., outside] = &rows[..first]
-        && let Some(point) = ends_between(&rows[first], outside)
-    {
-        curve.insert(0, point);
+    if first > 0 && ends_between(first, first - 1) {
+        curve.insert(0, (rows[first - 1].speed, 0.0));
     }
-    if let [outside, ..] = &rows[behind..]
-        && let Some(point) = ends_between(&rows[behind - 1], outside)
-    {
-        curve.push(point);
+    if behind < rows.len() && ends_between(behind - 1, behind) {
+        curve.push((rows[behind].speed, 0.0));
     }
 }
 
 /// The real parts of a mode where it is not in a pair with another mode.
 pub fn alone(rows: &[ModeRow], mode: Mode) -> Vec<Curve> {
     ranked(rows, |row| {
+        let row = &rows[row];
         let is_alone = |&index: &usize| {
             row.values[index].mode == mode && partner(row, index).is_none_or(|partner| partner == mode)
         };
@@ -117,11 +122,11 @@ pub fn alone(rows: &[ModeRow], mode: Mode) -> Vec<Curve> {
 
 /// Curves of any number of values at each speed. The k-th largest is continuous as long as the same eigenvalues are meant;
 /// where names end and others begin, all curves begin anew.
-fn ranked(rows: &[ModeRow], values: impl Fn(&ModeRow) -> Vec<f64>) -> Vec<Curve> {
+fn ranked(rows: &[ModeRow], values: impl Fn(usize) -> Vec<f64>) -> Vec<Curve> {
     let mut ranks = vec![Vec::new(); 4];
     let mut before = None;
-    for row in rows {
-        let mut values = values(row);
+    for (place, row) in rows.iter().enumerate() {
+        let mut values = values(place);
         sort_by(&mut values, f64::total_cmp);
         let names = (row.values.map(|value| value.mode), values.len());
         let goes_on = before.replace(names) == Some(names);
