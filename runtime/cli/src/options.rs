@@ -8,7 +8,7 @@ use carvallo_design::units::Units;
 use carvallo_design::{Design, DisplayUnit, Failure, Place, Problem, speeds};
 use carvallo_plot::picture::Scene;
 use clap::builder::{PathBufValueParser, PossibleValue, TypedValueParser as _, ValueParser, ValueParserFactory};
-use clap::{Args, ValueEnum};
+use clap::{ArgMatches, Args, ValueEnum};
 
 use crate::output::typeset::Language;
 use crate::picture;
@@ -78,32 +78,35 @@ pub fn load(request: &Request) -> Result<Design, Failure> {
 #[derive(Args, Clone, Debug, Default)]
 pub struct UnitOptions {
     /// Units in the place of those of the SI, such as mm,deg,km/h,lb; imperial is in,lb,deg,mph,lb*in,lb*in^2,ft/s^2
-    #[arg(long, value_name = "UNITS")]
-    units: Option<String>,
+    #[arg(long, value_name = "UNITS", value_parser = units)]
+    units: Option<Units>,
+}
+
+fn units(text: &str) -> Result<Units, Problem> {
+    Units::parse(text).map_err(|failure| match failure {
+        Failure::Input(mut problems) if problems.len() == 1 => problems.remove(0),
+        failure => problem(failure.to_string()),
+    })
 }
 
 impl UnitOptions {
-    /// # Errors
-    /// What is no unit.
-    pub fn units(&self) -> Result<Units, Failure> {
-        self.units.as_ref().map_or_else(|| Ok(Units::default()), |text| Units::parse(text))
+    /// What is asked for.
+    pub fn units(&self) -> Units {
+        self.units.clone().unwrap_or_default()
     }
 
     /// What quantities are shown in, by the units that they are declared in.
-    ///
-    /// # Errors
-    /// What is no unit.
-    pub fn shown(&self) -> Result<impl Fn(&str) -> DisplayUnit, Failure> {
-        let units = self.units()?;
-        Ok(move |declared: &str| units.of(declared))
+    pub fn shown(&self) -> impl Fn(&str) -> DisplayUnit + use<> {
+        let units = self.units();
+        move |declared: &str| units.of(declared)
     }
 
     /// Those of what has units in its tables alone.
     ///
     /// # Errors
-    /// What is no unit; and that JSON and CSV have those of the SI.
+    /// That JSON and CSV have those of the SI.
     pub fn in_tables(&self, format: Format) -> Result<Units, Failure> {
-        let units = self.units()?;
+        let units = self.units();
         if !units.is_si() && !format.is_read() {
             let place = Place::Option("--units".to_owned());
             return Err(Failure::at(place, "JSON and CSV of this command are in units of the SI"));
@@ -112,11 +115,18 @@ impl UnitOptions {
     }
 
     /// What speeds are shown in.
-    ///
-    /// # Errors
-    /// What is no unit.
-    pub fn of_speeds(&self) -> Result<DisplayUnit, Failure> {
-        Ok(self.units()?.of("m/s"))
+    pub fn of_speeds(&self) -> DisplayUnit {
+        self.units().of("m/s")
+    }
+}
+
+/// Tells which units were asked for while nothing was shown in them.
+pub fn tell_unused(matches: &ArgMatches) {
+    let Some((_, matches)) = matches.subcommand() else { return };
+    let units = matches.try_get_one::<Units>("units").ok().flatten();
+    let unused: Vec<String> = units.iter().flat_map(|units| units.unused()).map(|unit| format!("`{unit}`")).collect();
+    if !unused.is_empty() {
+        note(WARNING, "note", &format!("--units: nothing here is in {}", unused.join(", ")));
     }
 }
 

@@ -1,15 +1,32 @@
 //! Units in which results are shown, other than those of the SI.
 
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use crate::display::DisplayUnit;
 use crate::failure::{Failure, Place};
-use crate::quantity::scale;
+use crate::quantity::{Scale, scale};
 
 /// The units that `imperial` stands for.
 const IMPERIAL: [&str; 7] = ["in", "lb", "deg", "mph", "lb*in", "lb*in^2", "ft/s^2"];
 
+/// The unit of a rate of what is in a unit, or with `power` 2 of an acceleration.
+pub fn by_time(unit: &str, power: u32) -> String {
+    let unit = if unit.is_empty() { "1" } else { unit };
+    if power == 1 { format!("{unit}/s") } else { format!("{unit}/s^{power}") }
+}
+
 /// What quantities are shown in; those that have no unit among them are in that of the SI.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Units(Vec<String>);
+#[derive(Clone, Debug, Default)]
+pub struct Units(Vec<Asked>);
+
+/// A unit that is asked for.
+#[derive(Clone, Debug)]
+struct Asked {
+    unit: String,
+    /// What it was asked for by, and whether a quantity has been shown in anything of that.
+    by: Arc<(String, AtomicBool)>,
+}
 
 impl Units {
     /// From units that stand behind commas, such as `mm,deg,km/h`; `imperial` is `in,lb,deg,mph,lb*in,lb*in^2,ft/s^2`, and `si` none.
@@ -18,26 +35,40 @@ impl Units {
     /// What is no unit; and two of one quantity.
     pub fn parse(text: &str) -> Result<Self, Failure> {
         let fail = |message: String| Failure::at(Place::Option(format!("--units {text}")), message);
-        let mut units: Vec<String> = Vec::new();
+        let mut units: Vec<Asked> = Vec::new();
         for part in text.split(',').map(str::trim) {
-            match part.to_lowercase().as_str() {
-                "imperial" => units.extend(IMPERIAL.map(str::to_owned)),
-                "si" => {}
+            let own = match part.to_lowercase().as_str() {
+                "imperial" => &IMPERIAL[..],
+                "si" => &[],
                 "" => return Err(fail("expected units such as mm,deg,km/h, or imperial".to_owned())),
                 _ if scale(part, part).is_none() => {
                     return Err(fail(format!(
                         "`{part}` is no unit; expected such as mm, in, deg, kg, lb, km/h, mph or kg*cm^2"
                     )));
                 }
-                _ => units.push(part.to_owned()),
-            }
+                _ => &[part],
+            };
+            let by = Arc::new((part.to_owned(), AtomicBool::new(false)));
+            units.extend(own.iter().map(|unit| Asked { unit: (*unit).to_owned(), by: by.clone() }));
         }
-        for (at, unit) in units.iter().enumerate() {
-            if let Some(first) = units[..at].iter().find(|first| scale(first, unit).is_some()) {
-                return Err(fail(format!("`{first}` and `{unit}` are units of the same quantity")));
+        for (at, Asked { unit, .. }) in units.iter().enumerate() {
+            if let Some(first) = units[..at].iter().find(|first| scale(&first.unit, unit).is_some()) {
+                return Err(fail(format!("`{}` and `{unit}` are units of the same quantity", first.unit)));
             }
         }
         Ok(Self(units))
+    }
+
+    /// What was asked for while nothing has been shown in it, by this and by its clones.
+    pub fn unused(&self) -> Vec<&str> {
+        let mut names: Vec<&str> = self
+            .0
+            .iter()
+            .filter(|asked| !asked.by.1.load(Ordering::Relaxed))
+            .map(|asked| asked.by.0.as_str())
+            .collect();
+        names.dedup();
+        names
     }
 
     /// Whether everything is in units of the SI.
@@ -52,13 +83,31 @@ impl Units {
 
     /// The same, in another unit where none is asked for.
     pub fn or(&self, declared: &str, usual: Option<&str>) -> DisplayUnit {
-        let mut units = self.0.iter().map(String::as_str).chain(usual);
-        let found = units.find_map(|unit| Some((unit, scale(declared, unit)?)));
-        match found {
+        match self.asked(declared).or_else(|| usual.and_then(|unit| Some((unit, scale(declared, unit)?)))) {
             Some((unit, scale)) if !scale.is_one() => DisplayUnit::new(unit, scale),
             None => self.of_time(declared, usual).unwrap_or_else(|| DisplayUnit::declared(declared)),
             Some(_) => DisplayUnit::declared(declared),
         }
+    }
+
+    /// What the rate is shown in of what is declared in a unit, or with `power` 2 the acceleration: if nothing is asked for, in the
+    /// unit of the position by time.
+    pub fn by_time(&self, declared: &str, power: u32, usual: Option<&str>) -> DisplayUnit {
+        let rate = by_time(declared, power);
+        if self.asked(&rate).is_some() {
+            return self.of(&rate);
+        }
+        let position = self.or(declared, usual);
+        let unit = by_time(&position.written, power);
+        let scale = scale(&rate, &unit).filter(|_| !position.is_declared());
+        scale.map_or_else(|| DisplayUnit::declared(&rate), |scale| DisplayUnit::new(&unit, scale))
+    }
+
+    /// The unit that is asked for of a quantity, which is shown in it then.
+    fn asked(&self, declared: &str) -> Option<(&str, Scale)> {
+        let (asked, scale) = self.0.iter().find_map(|asked| Some((asked, scale(declared, &asked.unit)?)))?;
+        asked.by.1.store(true, Ordering::Relaxed);
+        Some((&asked.unit, scale))
     }
 
     /// Rates and accelerations of angles in the unit of angles, where they have none of their own.

@@ -127,7 +127,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         check_phasors(picture, options)?;
     }
     let mut analysis = Analysis::new(options.design.load()?)?;
-    analysis.unit = options.units.of_speeds()?;
+    analysis.unit = options.units.of_speeds();
     let model = analysis.design.model;
     if !model.depends_on_speed() {
         let nothing = format!("nothing in the model {} depends on the speed", model.info.name);
@@ -201,7 +201,7 @@ fn run_along(options: &Options, along: &Along) -> Result<(), Failure> {
     if options.eigenvectors {
         return Err(Failure::at(Place::Option("--eigenvectors".to_owned()), "there are none with --along"));
     }
-    let units = options.units.units()?;
+    let units = options.units.units();
     if let Some(picture) = &options.plot {
         picture.check(&options.design)?;
     }

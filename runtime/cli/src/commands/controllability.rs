@@ -63,7 +63,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let design = options.design.load()?;
     let (inputs, outputs) = options.names.ports(&design, Ports::coordinates)?;
     let mut analysis = Analysis::new(design)?;
-    analysis.unit = options.units.of_speeds()?;
+    analysis.unit = options.units.of_speeds();
     let speeds = match &options.speeds {
         Some(Speeds(speeds)) => speeds.clone(),
         None => reach::speeds(analysis.reach, options.format.is_read()),

@@ -101,7 +101,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     };
     let place = || Place::Option(format!("--to {to}"));
     let convention = Convention::called(to).map_err(|failure| Failure::at(place(), failure.to_string()))?;
-    let units = options.units.units()?;
+    let units = options.units.units();
     let usual = if convention.name == "jbike6" { Format::Matlab } else { Format::Toml };
     let format = match &options.output {
         Some(output) => {

@@ -28,7 +28,7 @@ pub struct BicycleOptions {
 }
 
 pub fn bicycles(options: &BicycleOptions) -> Result<(), Failure> {
-    let unit = options.units.of_speeds()?;
+    let unit = options.units.of_speeds();
     let analyses = BICYCLES.iter().map(|bicycle| {
         let request = Request { parameters: Some(bicycle.name.to_owned()), ..Request::default() };
         input::load(&request).and_then(Analysis::new)

@@ -54,7 +54,7 @@ enum Format {
 
 pub fn run(options: &Options) -> Result<(), Failure> {
     let Some(file) = &options.file else { return print(carvallo_measure::EXAMPLE) };
-    let units = options.units.units()?;
+    let units = options.units.units();
     let design = carvallo_measure::load(file)?;
     for text in &design.notes {
         note(WARNING, "note", text);

@@ -29,8 +29,9 @@ use std::process::ExitCode;
 use carvallo_design::{Failure, Place, Problem};
 use clap::builder::{Styles, styling::AnsiColor};
 use clap::error::{ContextKind, ContextValue};
-use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
+use clap::{ArgMatches, CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 
+use crate::options::tell_unused;
 use crate::terminal::{ERROR, note};
 use crate::{destination, simulate, sweep};
 
@@ -113,7 +114,12 @@ enum Command {
 
 /// Runs the program with the arguments of the process.
 pub fn main() -> ExitCode {
-    match parse(std::env::args_os()).and_then(run) {
+    let done = parse(std::env::args_os()).and_then(|(arguments, matches)| {
+        let code = run(arguments)?;
+        tell_unused(&matches);
+        Ok(code)
+    });
+    match done {
         Ok(code) => code,
         Err(failure) => {
             note(ERROR, "error", &failure.to_string());
@@ -154,7 +160,7 @@ fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
 ///
 /// # Errors
 /// What is wrong with the value of an option; and if a file that is to be written cannot be.
-fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Arguments, Failure> {
+fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<(Arguments, ArgMatches), Failure> {
     let mut command = groups::grouped(Arguments::command());
     let matches = command.try_get_matches_from_mut(arguments);
     let parsed = matches.and_then(|matches| Ok((Arguments::from_arg_matches(&matches)?, matches)));
@@ -163,7 +169,7 @@ fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Arguments, Fai
         told.unwrap_or_else(|| error.format(&mut command).exit())
     })?;
     destination::check(&matches)?;
-    Ok(arguments)
+    Ok((arguments, matches))
 }
 
 /// A problem that is told as those in files are: by the option as it was given.

@@ -82,7 +82,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     }
     let rows = if options.format.is_read() { COARSE } else { FINE };
     let moments = times(&options.duration, None, rows).map_err(Failure::Input)?;
-    let shown = options.ports.units.shown()?;
+    let shown = options.ports.units.shown();
     let (design, space) = options.ports.load(Ports::coordinates)?;
     let excitation = excitation(options, &design, &space)?.in_units(&space, &shown);
     let space = space.in_units(&shown);

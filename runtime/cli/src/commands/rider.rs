@@ -39,7 +39,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     match &options.file {
         None => print(EXAMPLE),
         Some(file) => {
-            let units = options.units.shown()?;
+            let units = options.units.shown();
             print(&Rider::load(file)?.to_toml(&units))
         }
     }

@@ -31,7 +31,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     if let Some(picture) = &options.plot {
         picture.check(&options.design)?;
     }
-    let units = options.units.units()?;
+    let units = options.units.units();
     let design = options.design.load()?;
     if let Some(picture) = &options.plot {
         let no_view = || Failure::Run(format!("the model {} has no side view", design.info().name));

@@ -82,7 +82,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     if let Some(file) = file.filter(|file| options.ports.design.request().reads(file)) {
         return Err(Failure::at(file.place(), "the parameters are read from this file"));
     }
-    let shown = options.ports.units.shown()?;
+    let shown = options.ports.units.shown();
     let (design, space) = options.ports.load(Ports::states)?;
     let space = space.in_units(&shown);
     let path = file.map(|file| &**file);

@@ -73,7 +73,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     for (option, picture) in pictures {
         picture.iter().try_for_each(|picture| picture.check_request(option, &options.ports.design.request()))?;
     }
-    let shown = options.ports.units.shown()?;
+    let shown = options.ports.units.shown();
     let (design, space) = options.ports.load(Ports::coordinates)?;
     let space = space.in_units(&shown);
     let transfers =

@@ -64,7 +64,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let steer = Quantity::new("steer", "steer", "rad");
     let doubts = options.steer.iter().flat_map(|text| text.split(',')).filter_map(|text| doubt(text, &steer));
     doubts.for_each(|text| note(WARNING, "note", &text));
-    let (units, shown) = (options.units.units()?, options.units.shown()?);
+    let (units, shown) = (options.units.units(), options.units.shown());
     let design = options.design.load()?;
     let families = Families::new(&design, steers.as_deref())?;
     if let Some(picture) = &options.plot {

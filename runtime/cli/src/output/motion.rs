@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use carvallo_design::DisplayUnit;
-use carvallo_design::number::{self, fixed, shortest};
+use carvallo_design::number::{fixed, shortest};
 use carvallo_design::units::Units;
 use carvallo_plot::analysis::simulation::{Motion, Quantity, Row};
 
@@ -77,10 +77,8 @@ pub fn columns(motion: &Motion, units: &Units) -> Vec<Column> {
     }
     if !has_speed {
         for quantity in &motion.quantities {
-            let place = place(motion, quantity);
-            let shown = shown(quantity, units);
-            let unit = by_time(quantity, &shown, 1);
-            columns.push(column(format!("{}' ({unit})", quantity.name), &|row| {
+            let (place, shown) = (place(motion, quantity), by_time(quantity, units, 1));
+            columns.push(column(format!("{}'{}", quantity.name, unit(&shown)), &|row| {
                 four_decimals(shown.value(row.rates[place]))
             }));
         }
@@ -89,8 +87,8 @@ pub fn columns(motion: &Motion, units: &Units) -> Vec<Column> {
     let is_state = matches!(motion.rows[..], [Row { t: 0.0, .. }]);
     if is_state {
         for quantity in motion.quantities.iter().filter(told) {
-            let (place, shown) = (place(motion, quantity), shown(quantity, units));
-            columns.push(column(format!("{}'' ({})", quantity.name, by_time(quantity, &shown, 2)), &|row| {
+            let (place, shown) = (place(motion, quantity), by_time(quantity, units, 2));
+            columns.push(column(format!("{}''{}", quantity.name, unit(&shown)), &|row| {
                 four_decimals(shown.value(row.accelerations[place]))
             }));
         }
@@ -102,23 +100,25 @@ fn place(motion: &Motion, quantity: &Quantity) -> usize {
     motion.position(quantity.name).unwrap_or(0)
 }
 
-/// The unit of a rate, or with the order 2 of an acceleration.
-fn by_time(quantity: &Quantity, shown: &DisplayUnit, order: u32) -> String {
-    let times = if order == 1 { "/s" } else { "/s²" };
-    match (quantity.unit, shown.written.as_str()) {
-        ("rad", "deg") => format!("°{times}"),
-        _ if shown.is_declared() => number::unit(&quantity.unit_per_time(order)),
-        _ => format!("{}{times}", shown.unit()),
-    }
+/// What a rate is shown in, or with the order 2 an acceleration.
+fn by_time(quantity: &Quantity, units: &Units, order: u32) -> DisplayUnit {
+    units.by_time(quantity.unit, order, usual(quantity))
 }
 
 fn shown(quantity: &Quantity, units: &Units) -> DisplayUnit {
-    units.or(quantity.unit, (quantity.unit == "rad").then_some("deg"))
+    units.or(quantity.unit, usual(quantity))
+}
+
+/// Angles are in degrees.
+fn usual(quantity: &Quantity) -> Option<&'static str> {
+    (quantity.unit == "rad").then_some("deg")
 }
 
 fn unit(shown: &DisplayUnit) -> String {
     match shown.written.as_str() {
         "deg" => " (°)".to_owned(),
+        "deg/s" => " (°/s)".to_owned(),
+        "deg/s^2" => " (°/s²)".to_owned(),
         "1" | "" => String::new(),
         _ => format!(" ({})", shown.unit()),
     }

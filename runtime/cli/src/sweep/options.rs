@@ -108,7 +108,7 @@ impl Options {
     pub fn request(&self) -> Result<Request, Failure> {
         let Self { base, vary, random, samples, seed, designs, eigenvalues, units, output, restart, map } =
             self.clone();
-        let (base, units) = (base.request(), units.units()?);
+        let (base, units) = (base.request(), units.units());
         let map = map.map(|Destination(path)| path);
         Ok(Request { base, vary, random, samples, seed, designs, eigenvalues, units, output, restart, map })
     }

@@ -128,8 +128,12 @@ fn control_is_in_other_units() {
         assert!((found - expected).abs() <= 1e-13 * expected.abs(), "{found} is not {expected}");
     };
     let units = ["--units", "km/h,deg,mm"];
-    let both = |arguments: &[&str]| {
-        [&[][..], &units].map(|units| directory.run(&[arguments, units, &["--format", "json"]].concat()).json())
+    let both = |arguments: &[&str]| -> [serde_json::Value; 2] {
+        [&[][..], &units].map(|units| {
+            // Some have nothing in mm, which a note tells.
+            let run = directory.run(&[arguments, units, &["--format", "json"]].concat());
+            serde_json::from_str(&run.stdout).unwrap_or_else(|error| panic!("{error}: {}", run.stderr))
+        })
     };
     let [plain, shown] = both(&["statespace", "--speed", "5", "--inputs", "Tdelta", "--outputs", "phi,delta_rate,y"]);
     assert_eq!((number(&shown["speed"]), shown["speed_unit"].as_str()), (18.0, Some("km/h")));
@@ -186,8 +190,12 @@ fn motions_and_turns_are_in_other_units() {
         assert!((found - expected).abs() <= 1e-13 * expected.abs(), "{found} is not {expected}");
     };
     let units = ["--units", "km/h,deg,mm"];
-    let both = |arguments: &[&str]| {
-        [&[][..], &units].map(|units| directory.run(&[arguments, units, &["--format", "json"]].concat()).json())
+    let both = |arguments: &[&str]| -> [serde_json::Value; 2] {
+        [&[][..], &units].map(|units| {
+            // Some have nothing in mm, which a note tells.
+            let run = directory.run(&[arguments, units, &["--format", "json"]].concat());
+            serde_json::from_str(&run.stdout).unwrap_or_else(|error| panic!("{error}: {}", run.stderr))
+        })
     };
     let ride = ["simulate", "--speed", "4.6", "--initial", "phi_rate=0.5", "--duration", "1"];
     let [plain, shown] = both(&ride);
@@ -195,7 +203,7 @@ fn motions_and_turns_are_in_other_units() {
     assert_eq!((&shown["units"]["x"], &shown["units"]["phi"]), (&"mm".into(), &"deg".into()));
     for (member, name, factor) in [
         ("positions", "x", 1e3),
-        ("rates", "x", 1e3),
+        ("rates", "x", 3.6),
         ("positions", "phi", 1.0 / degree),
         ("accelerations", "delta", 1.0 / degree),
     ] {
@@ -430,4 +438,48 @@ fn conversions_make_no_digits() {
     let speeds: Vec<&str> = shown.lines().skip(1).filter_map(|line| line.split(',').next()).collect();
     let expected: Vec<String> = (0..=18).map(|k| format!("{:.1}", f64::from(11 * k) / 10.0)).collect();
     assert_eq!(speeds, expected);
+}
+
+/// A unit that is asked for has effect, or is told to have none; of `imperial` it is enough if one has.
+#[test]
+fn units_without_effect_are_told() {
+    let directory = Directory::of_this_test();
+    for (arguments, unused) in [
+        (&["simulate", "--speed", "5", "--duration", "1", "--units", "deg/s,km/h"][..], "`deg/s`"),
+        (&["analyze", "--units", "mm,km/h,kg"], "`mm`, `kg`"),
+        (&["convert", "--to", "moore", "--units", "deg,mm"], "`deg`"),
+        (&["statespace", "--speed", "5", "--units", "deg,kg"], "`kg`"),
+        (&["analyze", "--along", "mB=60:100", "--speed", "5", "--units", "km/h,lb,in"], "`in`"),
+    ] {
+        let run = directory.run(arguments);
+        let message = format!("note: --units: nothing here is in {unused}\n");
+        assert!(run.code == Some(0) && run.stderr.ends_with(&message), "{arguments:?}: {}", run.stderr);
+    }
+    directory.run(&["analyze", "--units", "imperial"]).ok();
+}
+
+/// Rates of a motion have their own units, and without these those of positions by time.
+#[test]
+fn rates_and_forces_of_motions_have_units() {
+    let directory = Directory::of_this_test();
+    let simulate = ["simulate", "--speed", "5", "--duration", "0", "--initial", "phi_rate=0.5", "--format"];
+    let run = |more: &[&str]| directory.run(&[&simulate[..], more].concat());
+    let csv = run(&["csv", "--units", "mm,km/h,deg/s,lbf"]).ok();
+    let [header, row] = csv.lines().collect::<Vec<_>>()[..] else { panic!("two lines: {csv}") };
+    let of = |name: &str| row.split(',').nth(header.split(',').position(|own| own == name).unwrap()).unwrap();
+    // 5 m/s, and 0.5 rad/s.
+    assert_eq!((of("x_rate (km/h)"), of("phi_rate (deg/s)")), ("18.0", "28.64788975654116"));
+    assert!(header.contains(",phi (rad),") && header.contains(",x_acceleration (mm/s^2),"), "{header}");
+    let newton: f64 = {
+        let csv = run(&["csv"]).ok();
+        let place = csv.lines().next().unwrap().split(',').position(|own| own == "force_R_z (N)").unwrap();
+        csv.lines().nth(1).unwrap().split(',').nth(place).unwrap().parse().unwrap()
+    };
+    let pounds: f64 = of("force_R_z (lbf)").parse().unwrap();
+    // A pound-force is 4.4482216152605 N.
+    assert!((pounds * 4.448_221_615_260_5 - newton).abs() < 1e-12 * newton.abs(), "{pounds} lbf and {newton} N");
+    let json = run(&["json", "--units", "km/h"]).json();
+    assert_eq!((json["rate_units"]["x"].as_str(), json["rows"][0]["rates"]["x"].as_f64()), (Some("km/h"), Some(18.0)));
+    let json = run(&["json", "--units", "mm"]).json();
+    assert!(json["rate_units"].is_null() && json["rows"][0]["rates"]["x"].as_f64() == Some(5000.0), "{json}");
 }

@@ -3,6 +3,7 @@
 use carvallo::sort_by;
 use carvallo_design::Design;
 use carvallo_design::feedback::forces;
+use carvallo_design::units::by_time;
 
 use super::watch::Happened;
 
@@ -38,8 +39,7 @@ impl Quantity {
 
     /// The unit of its rate, or with `power` 2 of its acceleration.
     pub fn unit_per_time(&self, power: u32) -> String {
-        let unit = if self.unit.is_empty() { "1" } else { self.unit };
-        if power == 1 { format!("{unit}/s") } else { format!("{unit}/s^{power}") }
+        by_time(self.unit, power)
     }
 }
 
