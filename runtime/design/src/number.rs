@@ -34,6 +34,12 @@ pub fn with_unit(value: f64, declared: &str) -> String {
     }
 }
 
+/// The unit of a rate of what is in a unit, or with `power` 2 of an acceleration.
+pub fn by_time(unit: &str, power: u32) -> String {
+    let unit = if unit.is_empty() { "1" } else { unit };
+    if power == 1 { format!("{unit}/s") } else { format!("{unit}/s^{power}") }
+}
+
 #[cfg(test)]
 mod tests {
     use super::{fixed, shortest};

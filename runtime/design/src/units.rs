@@ -5,16 +5,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::display::DisplayUnit;
 use crate::failure::{Failure, Place};
+use crate::number::by_time;
 use crate::quantity::{Scale, scale};
 
 /// The units that `imperial` stands for.
 const IMPERIAL: [&str; 7] = ["in", "lb", "deg", "mph", "lb*in", "lb*in^2", "ft/s^2"];
-
-/// The unit of a rate of what is in a unit, or with `power` 2 of an acceleration.
-pub fn by_time(unit: &str, power: u32) -> String {
-    let unit = if unit.is_empty() { "1" } else { unit };
-    if power == 1 { format!("{unit}/s") } else { format!("{unit}/s^{power}") }
-}
 
 /// What quantities are shown in; those that have no unit among them are in that of the SI.
 #[derive(Clone, Debug, Default)]

@@ -34,10 +34,7 @@ pub fn write(analysis: &Analysis, kind: &str, asked: Option<&Asked>) -> Result<W
             })?
         }
         "motion csv" => {
-            let shown = &data::motion::declared;
-            move_by(&analysis.design, asked()?, None, &mut |motion| {
-                text(|to| data::motion::write_csv(motion, shown, to))
-            })?
+            move_by(&analysis.design, asked()?, None, &mut |motion| text(|to| data::motion::write_csv(motion, to)))?
         }
         _ => return Err(Failure::usage(format!("there is no file `{kind}`"))),
     };

@@ -3,6 +3,7 @@
 mod options;
 mod progress;
 pub mod times;
+mod units;
 
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -87,6 +88,7 @@ impl Asked<'_> {
         let speed = required_speed(solver, design, speed)?;
         let units = options.units.units();
         let motion = solved(solver, design, &given, speed, &times)?;
+        let motion = if format.is_read() { motion } else { units::in_units(motion, &units) };
         tell(&motion, &units, format, options.delivery.path())?;
         motion.notes.iter().chain(&motion.end).for_each(|text| note(WARNING, "note", text));
         if let Some(picture) = &options.plot {
@@ -138,15 +140,11 @@ fn beside<'a>(
 }
 
 fn tell(motion: &Motion, units: &Units, format: Format, path: Option<&Path>) -> Result<(), Failure> {
-    let shown = |unit: &str, power| match power {
-        0 => units.of(unit),
-        _ => units.by_time(unit, power, None),
-    };
     deliver(path, |output| match format {
         Format::Table => output.write_all(output::motion::render_table(motion, units).as_bytes()),
         Format::Document(language) => output.write_all(documents::of_motion(motion, units).write(language).as_bytes()),
-        Format::Json => data::motion::write_json(motion, &shown, output),
-        Format::Csv => data::motion::write_csv(motion, &shown, output),
+        Format::Json => data::motion::write_json(motion, output),
+        Format::Csv => data::motion::write_csv(motion, output),
     })
 }
 

@@ -178,7 +178,7 @@ impl<'a> File<'a> {
 }
 
 /// What an entry is in the convention that its name is of: what manufacturers print, or else the only one that has it.
-fn meaning(entry: &Entry, problems: &mut Vec<Problem>) -> Option<(&'static Convention, Entry, &'static Name)> {
+pub fn meaning(entry: &Entry, problems: &mut Vec<Problem>) -> Option<(&'static Convention, Entry, &'static Name)> {
     let mut of = |convention: &'static Convention| {
         let (mut own, mut found) = (vec![entry.clone()], Vec::new());
         (convention.prepare)(&mut own, &mut found);

@@ -29,6 +29,7 @@ mod name;
 mod naming;
 mod once;
 mod principal;
+mod printed;
 mod pydy;
 mod quantity;
 mod read;

@@ -1,6 +1,8 @@
 //! A file in some convention that says something in two ways, of which one is used: both must say the same.
 
 use super::Convention;
+use super::dual::Dual;
+use super::geometry::GEOMETRY;
 use super::name::{Name, Values};
 use super::read::list;
 use super::source::{Source, parameter};
@@ -61,10 +63,10 @@ impl Source<'_> {
         let Some((name, value)) = given.iter().find(|(own, _)| own.name == told) else { return };
         let Some(entry) = entry(self.convention, self.own, told) else { return };
         let unused: Vec<&str> = match other {
-            [name] if *name == told => vec![&entry.name],
+            [name] if *name == told => vec![entry.called()],
             _ => other.to_vec(),
         };
-        self.tell((entry, name), value, &found, &unused, document);
+        self.tell((entry, name.unit, Some(name)), value, &found, &unused, document);
         if let [name] = other {
             given.retain(|(own, _)| own.name != *name);
         }
@@ -75,29 +77,31 @@ impl Source<'_> {
         match validate(entry, &parameter(name), &|name: &str| self.scope.value(name)) {
             Ok(given) => {
                 let told = Told::by_name(first.0, first.1);
-                self.tell((entry, name), &given, &told, &[&entry.name], document);
+                // `fork_offset` beside PyDy's `forkoffset` is what manufacturers print.
+                let name = GEOMETRY.parameter(entry.called()).unwrap_or(name);
+                self.tell((entry, name.unit, Some(name)), &given, &told, &[entry.called()], document);
             }
             Err(problems) => document.problems.extend(problems),
         }
     }
 
-    /// Tells whether a value is the one that follows.
-    fn tell(
+    /// Tells whether a value is the one that follows, in a unit and by a name, if it has one of a convention.
+    pub fn tell(
         &self,
-        (entry, name): (&Entry, &Name),
+        (entry, unit, name): (&Entry, &str, Option<&Name>),
         value: &Given,
         found: &Told,
         unused: &[&str],
         document: &mut Document,
     ) {
-        match found.agreement(value, Some(name)) {
-            Agreement::Same => document.notes.push(format!("{}: {}", self.label, found.is_same(&entry.name))),
+        match found.agreement(value, name) {
+            Agreement::Same => document.notes.push(format!("{}: {}", self.label, found.is_same(entry.called()))),
             Agreement::Near => {
-                let near = found.is_near(&entry.name, value, unused);
+                let near = found.is_near(entry.called(), value, unused);
                 document.notes.push(format!("{}: {near}", self.label));
             }
             Agreement::Other => {
-                let message = found.contradicts(&entry.name, value, name.unit);
+                let message = found.contradicts(entry.called(), value, unit);
                 document.problems.push(Problem { place: entry.place.clone(), message });
             }
         }
@@ -106,10 +110,19 @@ impl Source<'_> {
     /// What follows of a name from all else that is given.
     fn told(&self, name: &str, given: &Named) -> Option<Told> {
         let others = given.iter().filter(|(own, _)| own.name != name);
-        let others: Vec<(&str, Given)> = others.map(|(name, given)| (name.name, given.clone())).collect();
-        Told::new(&others, &|values: &Values| {
+        let others: Vec<(&'static str, Given)> = others.map(|(name, given)| (name.name, given.clone())).collect();
+        self.follows(&others, &|values: &Values| {
             self.convention.tell(name, &(self.convention.to_paper)(values).ok()?, values)
         })
+    }
+
+    /// What follows from values of the convention, which are called as they are written.
+    pub fn follows(&self, given: &[(&'static str, Given)], formula: &dyn Fn(&Values) -> Option<Dual>) -> Option<Told> {
+        let written = |name: &str| {
+            let of = |entries| entry(self.convention, entries, name);
+            of(self.settings).or_else(|| of(self.own)).map(|entry| entry.called().to_owned())
+        };
+        Told::new(given, formula).map(|told| told.called(&written))
     }
 }
 

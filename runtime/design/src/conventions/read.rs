@@ -11,7 +11,6 @@ use super::held::Ranks;
 use super::name::Values;
 use super::recognise::{only, recognise};
 use super::source::{Paper, Source, parameter};
-use super::twice::{Agreement, Told};
 use super::{Convention, PAPER};
 use crate::design::Given;
 use crate::failure::{Place, Problem};
@@ -88,7 +87,8 @@ pub fn read(
     document.notes.extend(settle(convention, &mut own, &mine, label));
     let problems = document.problems.len();
     let called = mine.iter().chain(&own).filter_map(|entry| Some((convention.parameter(&entry.name)?.name, entry)));
-    let called = called.filter(|(name, entry)| *name != entry.name).map(|(name, entry)| (name, entry.name.clone()));
+    let called = called.filter(|(name, entry)| *name != entry.called());
+    let called = called.map(|(name, entry)| (name, entry.called().to_owned()));
     let called = called.collect();
     let scope = Scope::new(own.iter().chain(&others), HashMap::new(), crate::model::WHIPPLE.info);
     let source = Source { convention, label, own: &own, settings: &mine, scope: &scope };
@@ -115,13 +115,14 @@ pub fn read(
             list(&assumed)
         ));
     }
-    check_others(&others, (&scope, label), (convention, &written), info, document);
+    let told = check_others(&others, &source, &written, info, document);
     // What the model has beside the parameters of the paper stays; what others are computed from is used, and is no parameter.
     let is_left = |entry: &Entry| match position(&entry.name, info) {
         Some(at) => crate::model::WHIPPLE.info.position(info.parameters[at].name).is_none(),
         None => !scope.is_used(entry),
     };
-    let left: Vec<Entry> = others.iter().filter(|entry| is_left(entry)).cloned().collect();
+    let left = others.iter().zip(told).filter(|(entry, is_told)| !is_told && is_left(entry));
+    let left: Vec<Entry> = left.map(|(entry, _)| entry.clone()).collect();
     document.entries = paper.into_iter().chain(left).collect();
     if !is_paper && in_another(settings, info) {
         document.parameterization = Some((Place::Nowhere, PAPER.name.to_owned()));
@@ -214,27 +215,26 @@ pub fn list(names: &[&str]) -> String {
     names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }
 
-/// Parameters of the paper that stand beside those they follow from must be what follows.
+/// Parameters of the paper that stand beside those they follow from must be what follows, and so must what manufacturers print;
+/// whether each is told of.
 fn check_others(
     others: &[Entry],
-    (scope, label): (&Scope, &str),
-    (convention, written): (&Convention, &[(&'static str, Given)]),
+    source: &Source,
+    written: &[(&'static str, Given)],
     info: &'static ModelInfo,
     document: &mut Document,
-) {
-    for entry in others {
-        let Some(parameter) = position(&entry.name, info).map(|at| &info.parameters[at]) else { continue };
-        let follows = |values: &Values| (convention.to_paper)(values).ok()?.get(parameter.name);
-        let Some(told) = Told::new(written, &follows) else { continue };
-        match validate(entry, parameter, &|name: &str| scope.value(name)) {
-            Ok(given) if told.agreement(&given, None) == Agreement::Same => {
-                document.notes.push(format!("{label}: {}", told.is_same(&entry.name)));
+) -> Vec<bool> {
+    let others = others.iter().map(|entry| match position(&entry.name, info).map(|at| &info.parameters[at]) {
+        Some(parameter) => {
+            let follows = |values: &Values| (source.convention.to_paper)(values).ok()?.get(parameter.name);
+            let Some(told) = source.follows(written, &follows) else { return false };
+            match validate(entry, parameter, &|name: &str| source.scope.value(name)) {
+                Ok(given) => source.tell((entry, parameter.unit, None), &given, &told, &[entry.called()], document),
+                Err(problems) => document.problems.extend(problems),
             }
-            Ok(given) => {
-                let message = told.contradicts(&entry.name, &given, parameter.unit);
-                document.problems.push(Problem { place: entry.place.clone(), message });
-            }
-            Err(problems) => document.problems.extend(problems),
+            true
         }
-    }
+        None => !source.scope.is_used(entry) && source.tells_printed(entry, written, document),
+    });
+    others.collect()
 }

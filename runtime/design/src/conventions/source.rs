@@ -148,10 +148,10 @@ impl Source<'_> {
                 let Some(name) = convention.parameter(&entry.name) else { continue };
                 if let Some((_, first)) = seen.iter().find(|(own, _)| std::ptr::eq(*own, name)) {
                     let value = given.iter().find(|(own, _)| std::ptr::eq(*own, name)).map(|(_, value)| value);
-                    match value.filter(|_| from == 1 && is_alias(&first.name, &entry.name)) {
-                        Some(value) => self.judge_alias((entry, name), (&first.name, value), document),
+                    match value.filter(|_| from == 1 && is_alias(first.called(), entry.called())) {
+                        Some(value) => self.judge_alias((entry, name), (first.called(), value), document),
                         None => {
-                            let message = given_twice(&entry.name, &first.name, &first.place);
+                            let message = given_twice(entry.called(), first.called(), &first.place);
                             document.problems.push(Problem { place: entry.place.clone(), message });
                         }
                     }

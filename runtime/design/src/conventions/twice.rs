@@ -57,6 +57,16 @@ impl Told {
         Some(told)
     }
 
+    /// The same, with what it follows from as that is called where it is written.
+    pub fn called(mut self, written: &dyn Fn(&str) -> Option<String>) -> Self {
+        for name in &mut self.by {
+            if let Some(written) = written(name) {
+                *name = written;
+            }
+        }
+        self
+    }
+
     fn names(&self) -> String {
         list(&self.by.iter().map(String::as_str).collect::<Vec<_>>())
     }
@@ -98,10 +108,9 @@ impl Told {
     }
 }
 
-/// Whether two names of a parameter are different ones, and not halves of a symmetric tensor.
+/// Whether two names of a parameter are written as different ones, and are not halves of a symmetric tensor.
 pub fn is_alias(first: &str, other: &str) -> bool {
-    let [first, other] = [first, other].map(spelled);
-    first != other && ![&first, &other].iter().any(|name| name.ends_with("zx"))
+    without_owner(first) != without_owner(other) && ![first, other].iter().any(|name| spelled(name).ends_with("zx"))
 }
 
 /// A name without what does not count in it.

@@ -52,7 +52,7 @@ pub fn measure(entries: &mut Vec<Entry>, problems: &mut Vec<Problem>) {
         }
         // Any size will do where what is wrong is told.
         entry.value = Written::Text(format!("{} mm", crate::number::shortest(found.unwrap_or(700.0))));
-        entry.name = (*diameter).to_owned();
+        entry.renamed = Some(std::mem::replace(&mut entry.name, (*diameter).to_owned()));
     }
 }
 

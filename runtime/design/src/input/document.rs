@@ -43,6 +43,9 @@ pub struct Entry {
     pub value: Written,
     /// Its standard deviation, in formats that keep it apart from the value.
     pub deviation: Option<Written>,
+    /// The name that it was written with, where it is read by another one.
+    #[cfg(feature = "full")]
+    pub renamed: Option<String>,
 }
 
 /// A value as it was written.
@@ -55,9 +58,27 @@ pub enum Written {
 }
 
 impl Entry {
+    /// An entry by the name that it is written with.
+    pub fn new(name: String, place: Place, value: Written, deviation: Option<Written>) -> Self {
+        Self {
+            name,
+            place,
+            value,
+            deviation,
+            #[cfg(feature = "full")]
+            renamed: None,
+        }
+    }
+
+    /// What it is called where it is written.
+    #[cfg(feature = "full")]
+    pub fn called(&self) -> &str {
+        self.renamed.as_ref().unwrap_or(&self.name)
+    }
+
     /// An entry of a format that keeps value and deviation in one text: `1.02 +/- 0.01`.
     pub fn from_text(name: &str, place: Place, text: &str) -> Self {
-        Self { name: name.to_owned(), place, value: Written::Text(text.trim().to_owned()), deviation: None }
+        Self::new(name.to_owned(), place, Written::Text(text.trim().to_owned()), None)
     }
 }
 

@@ -47,7 +47,7 @@ impl Document {
         if !matches!(value, Written::Other(found) if found == without) {
             problems.into_iter().for_each(|message| self.problem(place.clone(), message));
         }
-        Entry { name, place, value, deviation }
+        Entry::new(name, place, value, deviation)
     }
 }
 

@@ -147,7 +147,7 @@ impl Document {
                 let members = members.into_iter().map(|member| (member.name, member.node.value.written(words)));
                 self.entry_of_members(name, place, members, words.table_without_value)
             }
-            value => Entry { name, place, value: value.written(words), deviation: None },
+            value => Entry::new(name, place, value.written(words), None),
         }
     }
 }

@@ -21,13 +21,13 @@ fn what_is_said_twice_is_judged_alike_everywhere() {
     let directory = Directory::of_this_test();
     let printed = |line: &str| file(&directory, &format!("{PRINTED}{line}\n"), &["w", "c", "lam", "rR", "rF", "g"]);
     let paper = |line: &str| file(&directory, &format!("{line}\n"), &[]);
-    let follows = "follows from `head_angle`, `fork_offset`, `front_wheel_diameter`";
-    let of_offset = "`head_angle`, `fork_offset`, `front_wheel_diameter` say";
+    let follows = "follows from `head_angle`, `fork_offset`, `front_wheel`";
+    let of_offset = "`head_angle`, `fork_offset`, `front_wheel` say";
     for (run, note) in [
         (printed("trail = 59.7 mm"), format!("`trail` says what {of_offset}, too")),
         (printed("c = 0.0597"), format!("`c` says what {of_offset}, too")),
         (printed("lam = 17.5 deg"), "`lam` says what `head_angle` says, too".to_owned()),
-        (printed("rR = 339 mm"), "`rR` says what `rear_wheel_diameter` says, too".to_owned()),
+        (printed("rR = 339 mm"), "`rR` says what `rear_wheel` says, too".to_owned()),
         (printed("rake = 45 mm"), "`rake` says what `fork_offset` says, too".to_owned()),
         (
             printed("trail = 60.5 mm"),
@@ -63,7 +63,7 @@ fn what_is_said_twice_is_judged_alike_everywhere() {
             6,
             "`lam` is 0.3316125578789226 rad, but 0.305433 rad follows from `head_angle`".to_owned(),
         ),
-        (printed("rF = 0.35"), 6, "`rF` is 0.35 m, but 0.339 m follows from `front_wheel_diameter`".to_owned()),
+        (printed("rF = 0.35"), 6, "`rF` is 0.35 m, but 0.339 m follows from `front_wheel`".to_owned()),
         (printed("rake = 55 mm"), 6, "`rake` is 0.055 m, but 0.045 m follows from `fork_offset`".to_owned()),
         (paper("trail = 70 mm"), 1, "`trail` is 0.07 m, but 0.08 m follows from `c`".to_owned()),
         (
@@ -175,4 +175,48 @@ fn settings_that_are_of_several_conventions_say_so() {
     let show = |settings: &[&str]| directory.run(&[&["show"], settings].concat()).stdout;
     let own = show(&["--set", "ls=0.3"]);
     assert!(own.contains("lam = ") && own == show(&["--set", "ls=0.3", "--set", "lr=0.9534570696121847"]), "{own}");
+}
+
+/// What manufacturers print, beside the names of others: of the benchmark the trail is 0.08 m, the head angle 72 degrees, the fork offset
+/// rF sin λ - c cos λ = 0.0320714 m, and a tyre of 28-622 is 0.678 m high.
+#[test]
+fn printed_names_are_held_against_those_of_others() {
+    let directory = Directory::of_this_test();
+    for (convention, radius) in [("moore", "rr"), ("pydy", "WRrad"), ("gyrostats", "rr"), ("principal", "rR")] {
+        let written = directory.run(&["convert", "benchmark", "--to", convention, "--format", "text"]).stdout;
+        let with = |line: &str| directory.write("a.txt", format!("{written}{line}\n")).run(&["analyze", "a.txt"]);
+        for line in [
+            "trail = 80 mm",
+            "head_angle = 72 deg",
+            "fork_offset = 0.0320714",
+            "wheelbase = 1.02",
+            "rear_wheel_diameter = 0.6",
+        ] {
+            let (run, name) = (with(line), line.split(' ').next().unwrap());
+            assert!(
+                run.code == Some(0) && run.stderr.contains(&format!("note: a.txt: `{name}` says what ")),
+                "{}",
+                run.stderr
+            );
+            assert!(!run.stderr.contains("not used"), "{}", run.stderr);
+        }
+        let near = with("fork_offset = 35 mm");
+        let note = "`fork_offset` is 0.035 m, but 0.0320714 m follows from ";
+        assert!(near.code == Some(0) && near.stderr.contains(note), "{}", near.stderr);
+        let line = written.lines().count() + 1;
+        let size = format!("`rear_wheel` is 0.678 m, but 0.6 m follows from `{radius}`");
+        with("rear_wheel = 28-622").fails(2, &format!("error: a.txt:{line}: {size}; leave one of them out\n"));
+        let other = with("trail = 70 mm");
+        let message = format!("error: a.txt:{line}: `trail` is 0.07 m, but 0.08 m follows from ");
+        assert!(other.code == Some(2) && other.stderr.starts_with(&message), "{}", other.stderr);
+    }
+}
+
+/// A tyre beside a diameter is told as it stands in the file.
+#[test]
+fn sizes_of_tyres_are_called_as_they_are_written() {
+    let directory = Directory::of_this_test();
+    let lines = format!("{PRINTED}rear_wheel_diameter = 700 mm\n");
+    let message = "`rear_wheel_diameter` is 0.7 m, but 0.678 m follows from `rear_wheel`; leave one of them out";
+    file(&directory, &lines, &["w", "c", "lam", "rR", "rF", "g"]).fails(2, &format!("error: g.txt:6: {message}\n"));
 }

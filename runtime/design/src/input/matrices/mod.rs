@@ -60,7 +60,7 @@ impl Document {
             parts.into_iter().partition(|part| part.name == COORDINATES);
         if lists.is_empty() && !is_named && !self.has_only_numbers_for_matrices() {
             for Named { name, node } in coordinates {
-                self.entries.push(Entry { name, place: node.place, value: node.value.written(words), deviation: None });
+                self.entries.push(Entry::new(name, node.place, node.value.written(words), None));
             }
             return;
         }

@@ -3,7 +3,7 @@
 use carvallo::sort_by;
 use carvallo_design::Design;
 use carvallo_design::feedback::forces;
-use carvallo_design::units::by_time;
+use carvallo_design::number::by_time;
 
 use super::watch::Happened;
 
@@ -29,16 +29,29 @@ pub struct Quantity {
     pub label: &'static str,
     /// Of its position.
     pub unit: &'static str,
+    /// Of its rate and its acceleration, where these are not in that of its position by time.
+    #[cfg(feature = "units")]
+    pub by_time: [Option<&'static str>; 2],
 }
 
 impl Quantity {
     /// A quantity by its symbol, what it is, and the unit of its position.
     pub const fn new(name: &'static str, label: &'static str, unit: &'static str) -> Self {
-        Self { name, label, unit }
+        Self {
+            name,
+            label,
+            unit,
+            #[cfg(feature = "units")]
+            by_time: [None; 2],
+        }
     }
 
     /// The unit of its rate, or with `power` 2 of its acceleration.
     pub fn unit_per_time(&self, power: u32) -> String {
+        #[cfg(feature = "units")]
+        if let Some(unit) = self.by_time[usize::from(power > 1)] {
+            return unit.to_owned();
+        }
         by_time(self.unit, power)
     }
 }

@@ -2,10 +2,10 @@
 
 use std::io::{Result, Write};
 
-use carvallo_design::DisplayUnit;
 use serde::Serialize;
 
-use super::{Shown, units_of};
+#[cfg(feature = "units")]
+use crate::analysis::simulation::Quantity;
 use crate::analysis::simulation::{Motion, Row};
 use crate::data::head::Head;
 use crate::data::layout::{Line, Members, write_document};
@@ -16,12 +16,13 @@ struct Document<'a> {
     head: Head<'a>,
     parameters: Members<Line<f64>>,
     equations: &'static str,
-    /// Of positions, where they are not all those of the SI.
+    /// Of positions, where they are not all those of the SI; of rates and accelerations these by time, unless others are told.
     #[serde(skip_serializing_if = "Option::is_none")]
-    units: Option<Line<Members<String>>>,
-    /// The same of rates and accelerations, where they are not these by time.
+    units: Option<Line<Members<&'static str>>>,
+    #[cfg(feature = "units")]
     #[serde(skip_serializing_if = "Option::is_none")]
     rate_units: Option<Line<Members<String>>>,
+    #[cfg(feature = "units")]
     #[serde(skip_serializing_if = "Option::is_none")]
     acceleration_units: Option<Line<Members<String>>>,
     /// Why the motion ended before its time, if it did.
@@ -52,46 +53,47 @@ struct Energy {
 
 /// # Errors
 /// If it cannot be written.
-pub fn write_json(motion: &Motion, shown: Shown, output: &mut dyn Write) -> Result<()> {
-    let units = units_of(motion, shown);
-    let [positions, rates, accelerations] = &units;
-    let told = |own: &[DisplayUnit], is_told: bool| {
-        let names = motion.quantities.iter().map(|quantity| quantity.name);
-        is_told.then(|| Line(Members(names.zip(own.iter().map(|unit| unit.written.clone())).collect())))
-    };
-    let differ = |own: &[DisplayUnit], time: &str| {
-        let is_own = |(unit, of): (&DisplayUnit, &DisplayUnit)| {
-            let position = if of.written.is_empty() { "1" } else { &of.written };
-            unit.written != format!("{position}{time}")
-        };
-        own.iter().zip(positions).any(is_own)
-    };
+pub fn write_json(motion: &Motion, output: &mut dyn Write) -> Result<()> {
     let parameters = motion.design.info().parameters.iter().zip(&motion.design.parameters);
     let document = Document {
         head: Head::of(motion.design),
         parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
         equations: if motion.is_linear { "linear" } else { "nonlinear" },
-        units: told(positions, positions.iter().any(|unit| !unit.is_declared())),
-        rate_units: told(rates, differ(rates, "/s")),
-        acceleration_units: told(accelerations, differ(accelerations, "/s^2")),
+        units: units(motion),
+        #[cfg(feature = "units")]
+        rate_units: units_by_time(motion, 1),
+        #[cfg(feature = "units")]
+        acceleration_units: units_by_time(motion, 2),
         end: motion.end.as_deref(),
-        rows: motion.rows.iter().map(|row| Line(at_time(motion, &units, row))).collect(),
+        rows: motion.rows.iter().map(|row| Line(at_time(motion, row))).collect(),
     };
     write_document(&document, output)
 }
 
-fn at_time(motion: &Motion, [positions, rates, accelerations]: &[Vec<DisplayUnit>; 3], row: &Row) -> AtTime {
-    let named = |values: &[f64], units: &[DisplayUnit]| {
+fn units(motion: &Motion) -> Option<Line<Members<&'static str>>> {
+    let is_other = motion.quantities.iter().any(|quantity| !matches!(quantity.unit, "rad" | "m" | "1" | ""));
+    is_other.then(|| Line(Members(motion.quantities.iter().map(|quantity| (quantity.name, quantity.unit)).collect())))
+}
+
+#[cfg(feature = "units")]
+fn units_by_time(motion: &Motion, power: u32) -> Option<Line<Members<String>>> {
+    let is_other = motion.quantities.iter().any(|quantity| quantity.by_time[power as usize - 1].is_some());
+    let unit = |quantity: &Quantity| (quantity.name, quantity.unit_per_time(power));
+    is_other.then(|| Line(Members(motion.quantities.iter().map(unit).collect())))
+}
+
+fn at_time(motion: &Motion, row: &Row) -> AtTime {
+    let named = |values: &[f64]| {
         let names = motion.quantities.iter().map(|quantity| quantity.name);
         // Adding zero turns -0 into 0.
-        Members(names.zip(values.iter().zip(units).map(|(value, unit)| unit.value(*value) + 0.0)).collect())
+        Members(names.zip(values.iter().map(|value| value + 0.0)).collect())
     };
     let forces = motion.wheels.iter().copied().zip(row.contact_forces.iter().copied());
     AtTime {
         t: row.t,
-        positions: named(&row.positions, positions),
-        rates: named(&row.rates, rates),
-        accelerations: named(&row.accelerations, accelerations),
+        positions: named(&row.positions),
+        rates: named(&row.rates),
+        accelerations: named(&row.accelerations),
         energy: row.energy.map(|[kinetic, potential]| Energy { kinetic, potential }),
         feedback_forces: (!row.feedback.is_empty()).then(|| {
             let names = motion.feedback().into_iter().map(|(name, _)| name);
