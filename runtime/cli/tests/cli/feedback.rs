@@ -393,3 +393,31 @@ fn motors_on_wheels_are_forces_on_all_that_they_move() {
          `TL` moves them changes with parameters; expected forces on the coordinates\n",
     );
 }
+
+/// Gains as a table of `lqr` has them in ounces and degrees are read again: with them the loop has the eigenvalues that it tells. Where
+/// pounds make no torque as masses, they are forces.
+#[test]
+fn gains_of_a_table_are_read_in_its_units() {
+    let directory = Directory::of_this_test();
+    let table =
+        directory.run(&["lqr", "--speeds", "5", "--inputs", "Tdelta", "--units", "oz*in,deg", "--format", "csv"]).ok();
+    let [header, row] = [0, 1].map(|line| table.lines().nth(line).unwrap().split(',').collect::<Vec<_>>());
+    let terms = header.iter().zip(&row).filter_map(|(name, value)| {
+        let (motion, unit) = name.strip_prefix("Tdelta by ")?.strip_suffix(')')?.split_once(" (")?;
+        Some(format!("{value} {unit}*{motion}"))
+    });
+    let law = format!("Tdelta = -({})", terms.collect::<Vec<_>>().join(" + "));
+    assert!(law.contains("oz*in*s/deg*phi_rate"), "{law}");
+    let closed = directory.run(&["analyze", "--speeds", "5", "--feedback", &law, "--format", "json"]).json();
+    let mut found: Vec<f64> = Vec::new();
+    numbers(&closed["eigenvalues"][0]["values"], &mut found);
+    let told = header.iter().zip(&row).filter(|(name, _)| name.starts_with("eigenvalue"));
+    let told: Vec<f64> = told.map(|(_, value)| value.parse().unwrap()).collect();
+    assert_eq!(told.len(), 8);
+    for value in told {
+        assert!(found.iter().any(|own| (own - value).abs() < 1e-9), "{value}: {found:?}");
+    }
+    let analyze = |law| directory.run(&["analyze", "--feedback", law, "--format", "json"]).json();
+    let [mass, force] = ["Tdelta = 10 lb*in*s*phi_rate", "Tdelta = 10 lbf*in*s*phi_rate"].map(analyze);
+    assert_eq!(mass["critical_speeds"], force["critical_speeds"]);
+}

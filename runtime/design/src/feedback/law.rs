@@ -30,10 +30,17 @@ impl Law {
         let example = example(info);
         let (force, law) = text.split_once('=').ok_or_else(|| format!("expected FORCE = LAW, such as {example}"))?;
         let input = Input::called(force.trim(), info)?;
-        let sum =
-            parse(law, &|name| symbol(name, info)).map_err(|problem| format!("{problem}; for example {example}"))?;
-        let gains = sum.iter().filter(|term| term.value != 0.0 || term.motion.is_none());
-        let gains: Vec<Gain> = gains.map(|term| gain(term, input, info)).collect::<Result<_, _>>()?;
+        let read = |of_force| -> Result<Vec<Gain>, String> {
+            let sum = parse(law, of_force, &|name| symbol(name, info));
+            let sum = sum.map_err(|problem| format!("{problem}; for example {example}"))?;
+            let gains = sum.iter().filter(|term| term.value != 0.0 || term.motion.is_none());
+            gains.map(|term| gain(term, input, info)).collect()
+        };
+        // People write `lb*in` for torques. The page, which is small, takes no such forces.
+        let gains = match read(false) {
+            Err(problem) if cfg!(feature = "full") => read(true).map_err(|_| problem)?,
+            gains => gains?,
+        };
         if gains.is_empty() {
             return Err("the force is always 0; expected one that follows from the motion".to_owned());
         }
@@ -128,7 +135,7 @@ fn check_unit(
     // Of given matrices nothing is known.
     let Some(force) = input.unit(info) else { return Ok(()) };
     let (Some(written), true, "rad" | "m") = (term.unit, term.has_unit, motion) else { return Ok(()) };
-    let powers = |text: &str| units::in_si(text).map_or([0; 3], |(powers, _)| powers);
+    let powers = |text: &str| units::in_si(text, false).map_or([0; 3], |(powers, _)| powers);
     let ([force_powers, motion_powers], rate) = ([force, motion].map(powers), i32::from(is_rate));
     let required = [0, 1, 2].map(|index| {
         let speed = [0, 1, -1][index] * term.power;

@@ -27,12 +27,14 @@ pub enum Symbol {
 /// What a name stands for, or why it stands for nothing.
 pub type Names<'a> = dyn Fn(&str) -> Result<Symbol, String> + 'a;
 
+/// Pounds and ounces are of mass, or of force.
+///
 /// # Errors
 /// What is wrong.
-pub fn parse(text: &str, names: &Names) -> Result<Sum, String> {
+pub fn parse(text: &str, of_force: bool, names: &Names) -> Result<Sum, String> {
     // Typeset texts have a minus sign of their own.
     let text = text.replace('−', "-");
-    let mut parser = Parser { rest: text.trim_start(), depth: 0, names };
+    let mut parser = Parser { rest: text.trim_start(), depth: 0, of_force, names };
     let sum = parser.sum()?;
     match parser.rest.chars().next() {
         None => Ok(sum),
@@ -48,6 +50,7 @@ pub fn parse(text: &str, names: &Names) -> Result<Sum, String> {
 struct Parser<'a, 'n> {
     rest: &'a str,
     depth: usize,
+    of_force: bool,
     names: &'n Names<'n>,
 }
 
@@ -194,7 +197,7 @@ impl<'a> Parser<'a, '_> {
     fn with_unit(&mut self, value: f64) -> Result<Sum, String> {
         self.skip_space();
         if let Some((inner, rest)) = self.rest.strip_prefix('[').and_then(|rest| rest.split_once(']')) {
-            let (unit, scale) = units::in_si(inner).ok_or_else(|| format!("`{inner}` is no unit"))?;
+            let (unit, scale) = units::in_si(inner, self.of_force).ok_or_else(|| format!("`{inner}` is no unit"))?;
             self.rest = rest.trim_start();
             return Ok(vec![Term::quantity(scale.apply(value), unit)]);
         }
@@ -209,7 +212,7 @@ impl<'a> Parser<'a, '_> {
                 break;
             }
             end += exponent(&self.rest[end..]);
-            let Some(unit) = units::in_si(&self.rest[..end]) else { break };
+            let Some(unit) = units::in_si(&self.rest[..end], self.of_force) else { break };
             found = Some((unit, end));
             end += length(&self.rest[end..], |c| c == ' ');
             let sign = self.rest[end..].chars().next().filter(|sign| "*/·⋅".contains(*sign));

@@ -53,9 +53,10 @@ pub fn scale(written: &str, other: &str) -> Option<Scale> {
     })
 }
 
-/// A unit as powers of kilogram, metre and second, with what numbers in it are multiplied with to be in SI units.
-pub fn in_si(written: &str) -> Option<([i32; 3], Scale)> {
-    Unit::parse(written, false).map(|unit| (unit.powers, unit.scale))
+/// A unit as powers of kilogram, metre and second, with what numbers in it are multiplied with to be in SI units. Pounds and ounces
+/// are of mass, or of force.
+pub fn in_si(written: &str, of_force: bool) -> Option<([i32; 3], Scale)> {
+    Unit::parse(written, of_force).map(|unit| (unit.powers, unit.scale))
 }
 
 /// Names that stand for a mass, or for its weight.

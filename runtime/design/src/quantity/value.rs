@@ -59,7 +59,7 @@ pub fn evaluate_in<T: Arithmetic>(text: &str, unit: &str, names: &Lookup<T>) -> 
 /// A number and its unit where that begins with degrees and goes on, as `30 deg/s`: within expressions degrees stand alone.
 fn per_degree(text: &str) -> Option<(&str, &str)> {
     let (number, rest) = text.split_at(text.find("deg").or_else(|| text.find('°'))?);
-    let is_unit = rest.contains('/') && units::in_si(rest).is_some();
+    let is_unit = rest.contains('/') && units::in_si(rest, false).is_some();
     is_unit.then_some((number.trim_end().trim_end_matches('*'), rest))
 }
 
