@@ -1,4 +1,4 @@
-//! Periods that no pendulum of a bicycle has, as where times are in other units than it is said.
+//! Periods that no pendulum of a bicycle has, as where times are in other units than it is said, and wheels that are too small.
 
 use carvallo_design::number::shortest;
 
@@ -10,7 +10,10 @@ const USUAL: [f64; 2] = [0.05, 60.0];
 /// Periods of one part on one wire differ by no more than this factor: its moments of inertia by its square.
 const FARTHEST: f64 = 8.0;
 
-/// What is to be said of periods among measurements, in s by their names.
+/// In m: no wheel is smaller.
+const SMALLEST: f64 = 0.05;
+
+/// What is to be said of measurements, in SI units by their names.
 pub fn doubts(measurements: &[(&str, f64)]) -> Vec<String> {
     let is_period = |name: &str| known(name).is_some_and(|info| info.unit == "s");
     let periods: Vec<(&str, f64)> = measurements.iter().copied().filter(|(name, _)| is_period(name)).collect();
@@ -38,6 +41,18 @@ pub fn doubts(measurements: &[(&str, f64)]) -> Vec<String> {
                 shown(short.1),
                 long.0,
                 shown(long.1)
+            ));
+        }
+    }
+    for wheel in ["R", "F"] {
+        let value = |letter: &str| measurements.iter().find(|(name, _)| *name == format!("{letter}{wheel}"));
+        let (Some((_, distance)), Some((_, turns))) = (value("d"), value("n")) else { continue };
+        let radius = distance / (std::f64::consts::TAU * turns);
+        if radius < SMALLEST {
+            found.push(format!(
+                "the radius `r{wheel}` is {} m by `d{wheel}` and `n{wheel}`, too small for a bicycle; is `d{wheel}` the distance of \
+                 all turns?",
+                shown(radius)
             ));
         }
     }

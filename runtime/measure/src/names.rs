@@ -1,6 +1,7 @@
 //! What is measured on a bicycle, under the names that BicycleParameters has for it.
 
 use carvallo::{Bound, Domain, ParameterInfo};
+use carvallo_design::nearest;
 
 /// So many orientations of a part are read; three determine everything.
 pub const MOST: usize = 9;
@@ -77,6 +78,29 @@ static COMPOUND: [ParameterInfo; 4] = [period("TcB1"), period("TcH1"), period("T
 /// What is known of a measurement of this name.
 pub fn known(name: &str) -> Option<&'static ParameterInfo> {
     all().find(|info| info.name == name)
+}
+
+/// What others call measurements, with the names that are known.
+const USUAL: [(&[&str], &str); 6] = [
+    (&["wheelbase", "wheel_base"], "w"),
+    (&["head_angle", "head_tube_angle", "hta"], "gamma"),
+    (&["lam", "lambda", "caster_angle"], "gamma"),
+    (&["fork_offset", "offset", "rake", "fork_rake"], "f"),
+    (&["trail", "c"], "f"),
+    (&["gravity"], "g"),
+];
+
+/// What is said of a name that is not known: what was probably meant.
+pub fn hint(name: &str) -> Option<String> {
+    let is_called = |(names, _): &&(&[&str], &str)| names.iter().any(|own| own.eq_ignore_ascii_case(name));
+    match USUAL.iter().find(is_called) {
+        Some((["lam", ..], _)) => {
+            Some("; the tilt of the steer axis follows from the head angle `gamma`, 90 deg minus it".to_owned())
+        }
+        Some((["trail", ..], _)) => Some("; the trail follows from the fork offset `f`".to_owned()),
+        Some((_, own)) => Some(format!("; it is measured as `{own}`")),
+        None => nearest(name, all().map(|info| info.name)).map(|name| format!("; did you mean `{name}`?")),
+    }
 }
 
 /// All that there are.

@@ -7,10 +7,10 @@ use carvallo::{ParameterInfo, Sources, Uncertain};
 use carvallo_design::input::{Named, Node, Raw, Value, computed, too_large};
 use carvallo_design::number::shortest;
 use carvallo_design::quantity::{Context, Measured, measured, no_names};
-use carvallo_design::{Deviation, Failure, Given, Place, Problem, WHIPPLE, nearest};
+use carvallo_design::{Deviation, Failure, Given, Place, Problem, WHIPPLE};
 
 use crate::doubts::doubts;
-use crate::names::{OTHERS, all, known};
+use crate::names::{OTHERS, hint, known};
 use crate::origins::{impossible, large};
 use crate::oscillation::{Oscillation, Recording};
 
@@ -69,8 +69,7 @@ impl<'a> Table<'a> {
                 (name, _) if OTHERS.contains(&name) => table.unused.push(format!("`{name}`")),
                 (name, _) => {
                     let Some(info) = known(name) else {
-                        let hint = nearest(name, all().map(|info| info.name));
-                        let hint = hint.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default();
+                        let hint = hint(name).unwrap_or_default();
                         let message = format!("`{name}` is no measurement that is known{hint}");
                         table.problems.get_mut().push(Problem { place: member.node.place, message });
                         continue;
@@ -161,8 +160,8 @@ impl<'a> Table<'a> {
             let deviation = deviation.map(|deviation| format!("+/-{}", shortest(deviation))).unwrap_or_default();
             (name.to_owned(), format!("{}{deviation}", shortest(number.value())))
         };
-        let periods: Vec<(&str, f64)> = self.numbers.iter().map(|(name, number)| (*name, number.value())).collect();
-        let doubts = doubts(&periods);
+        let measured: Vec<(&str, f64)> = self.numbers.iter().map(|(name, number)| (*name, number.value())).collect();
+        let doubts = doubts(&measured);
         let impossible: Vec<String> =
             parameters.iter().filter_map(|(name, number)| impossible(name, number.value())).collect();
         if !impossible.is_empty() {

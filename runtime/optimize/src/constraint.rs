@@ -2,6 +2,7 @@
 
 use carvallo::ModelInfo;
 use carvallo_design::conventions::Convention;
+use carvallo_design::parameter::find;
 use carvallo_design::quantity::{self, Context, Mistake, Reason};
 use carvallo_design::{Dual, Failure, Place};
 
@@ -52,11 +53,12 @@ impl Constraint {
             // Any value does for a speed that the design may not have.
             let names = |name: &str| {
                 let own = |at: usize| Dual::constant(values[at]);
-                Some(match Measure::find(name, info, beside)? {
-                    Measure::Parameter(quantity) => {
+                Some(match Measure::find(name, info, beside) {
+                    Some(Measure::Parameter(quantity)) => {
                         quantity.value(info, &own).map(|it| it.value).ok_or_else(|| untold(name))
                     }
-                    _ => Ok(1.0),
+                    Some(_) => Ok(1.0),
+                    None => Err(find(name, info).err()?),
                 })
             };
             evaluate(side, unit, &names).map_err(|message| fail(format!("`{side}` is no value: {message}")))?;

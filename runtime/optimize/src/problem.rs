@@ -2,7 +2,7 @@
 
 use carvallo_design::conventions::Varied;
 use carvallo_design::input::warning_of_varied;
-use carvallo_design::number::shortest;
+use carvallo_design::number::{shortest, with_unit};
 use carvallo_design::{Design, Dual, Failure, Place};
 
 use crate::bodies;
@@ -142,6 +142,21 @@ impl<'a> Problem<'a> {
     /// What varies by other names than those of the model, what is kept with it, and what follows.
     pub fn note(&self) -> Option<String> {
         self.varied.note()
+    }
+
+    /// That the design lies outside of ranges, so that the search begins elsewhere.
+    pub fn outside(&self) -> Option<String> {
+        let outside = |(at, range): (usize, &Range)| {
+            let before = self.before(at).filter(|before| !(range.low..=range.high).contains(before))?;
+            let [before, end] =
+                [before, range.at(range.share(before))].map(|value| with_unit(value, range.parameter.unit));
+            Some(format!(
+                "`{}` is {before}, beyond its range, of which the search begins at {end}",
+                range.parameter.name
+            ))
+        };
+        let found: Vec<String> = self.ranges.iter().enumerate().filter_map(outside).collect();
+        (!found.is_empty()).then(|| found.join("; "))
     }
 
     /// Ranges whose ends seem to be in another unit than that of their parameter, of each once.

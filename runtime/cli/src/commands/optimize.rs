@@ -100,8 +100,8 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     for text in problem.warnings() {
         note(WARNING, "warning", &text);
     }
-    if let Some(kept) = problem.note() {
-        note(WARNING, "note", &format!("{}: {kept}", design.name));
+    for text in problem.note().into_iter().chain(problem.outside()) {
+        note(WARNING, "note", &format!("{}: {text}", design.name));
     }
     let bar = Bar::new();
     let optimum = optimize(&problem, &|progress| {

@@ -226,3 +226,48 @@ fn options_of_others_are_hinted_at() {
         run.fails(2, &format!("error: --output {file}: for source text write --emit {language}, too\n"));
     }
 }
+
+/// Capitals count in names, and what differs in them alone was probably meant.
+#[test]
+fn capitals_are_told() {
+    let directory = Directory::of_this_test();
+    directory.write("a.toml", format!("{}\nMb = 85\n", crate::BENCHMARK));
+    let run = directory.run(&["analyze", "a.toml"]);
+    let note = "note: a.toml: no parameters of Whipple, and not used: `Mb` (did you mean `mB`?)\n";
+    assert_eq!((run.code, run.stderr.as_str()), (Some(0), note));
+    let keep = ["optimize", "--vary", "c=0:0.1", "--minimize", "weave-speed", "--keep", "Mb <= 3"];
+    let message = "error: --keep 'Mb <= 3': `Mb` is no value: `Mb` is not a parameter of Whipple; did you mean `mB`?\n";
+    directory.run(&keep).fails(2, message);
+}
+
+/// Also with few columns, if there are numbers below.
+#[test]
+fn tables_of_designs_are_for_sweeps() {
+    let directory = Directory::of_this_test();
+    let message = "this is a table with a design in each row, which `carvallo sweep --designs` reads";
+    for table in ["w,c\n1.0,0.08\n1.1,0.08\n", "w;c;lam\n1.0;0.08;0.3\n", "mB\tc\n80\t0.08\n"] {
+        directory.write("many.csv", table);
+        directory.run(&["analyze", "many.csv"]).fails(2, &format!("error: many.csv:1: {message}\n"));
+    }
+}
+
+/// As PowerShell writes it with `>`, and as older editors do.
+#[test]
+fn texts_in_utf_16_and_latin_1_are_read() {
+    let directory = Directory::of_this_test();
+    let text = crate::BENCHMARK.replace('\n', "\r\n");
+    let expected = directory.write("a.toml", &text).run(&["analyze", "a.toml"]).ok();
+    let little = text.encode_utf16().flat_map(u16::to_le_bytes);
+    directory.write("a.toml", [0xff, 0xfe].into_iter().chain(little).collect::<Vec<u8>>());
+    assert_eq!(directory.run(&["analyze", "a.toml"]).ok(), expected);
+    let big = text.encode_utf16().flat_map(u16::to_be_bytes);
+    directory.write("a.toml", [0xfe, 0xff].into_iter().chain(big).collect::<Vec<u8>>());
+    assert_eq!(directory.run(&["analyze", "a.toml"]).ok(), expected);
+    // A degree sign and a plus-minus sign of one byte each.
+    let angle = |text: &str| directory.run(&["show", text]).ok();
+    directory.write("utf.txt", crate::BENCHMARK.replace("lam = \"pi/10\"", "lam = \"18° ± 1°\""));
+    let latin = std::fs::read_to_string(directory.0.join("utf.txt")).unwrap();
+    let latin: Vec<u8> = latin.chars().map(|sign| u8::try_from(u32::from(sign)).unwrap_or(b'?')).collect();
+    directory.write("latin.txt", latin);
+    assert_eq!(angle("latin.txt"), angle("utf.txt"));
+}

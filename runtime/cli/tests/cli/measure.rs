@@ -126,3 +126,29 @@ fn mistakes_are_told_at_their_place() {
     let absent = directory.run(&["measure", "absent.txt"]);
     assert_eq!((absent.code, absent.stderr.as_str()), (Some(2), "error: there is no file absent.txt\n"));
 }
+
+/// Names that manufacturers have for what is measured, and a distance of one turn beside thirteen turns.
+#[test]
+fn usual_mistakes_have_hints() {
+    let directory = Directory::of_this_test();
+    let example = directory.run(&["measure", "--example"]).ok();
+    let with = |old: &str, new: &str| {
+        directory.write("a.toml", example.replacen(old, new, 1));
+        directory.run(&["measure", "a.toml"])
+    };
+    for (old, new, hint) in [
+        ("\nw = ", "\nwheelbase = ", "`wheelbase` is no measurement that is known; it is measured as `w`"),
+        ("\ngamma = ", "\nhead_angle = ", "`head_angle` is no measurement that is known; it is measured as `gamma`"),
+        ("\nf = ", "\nrake = ", "`rake` is no measurement that is known; it is measured as `f`"),
+        ("\nf = ", "\ntrail = ", "`trail` is no measurement that is known; the trail follows from the fork offset `f`"),
+        ("\nnR = ", "\nnr = ", "`nr` is no measurement that is known; did you mean `nR`?"),
+    ] {
+        let run = with(old, new);
+        assert!(run.code == Some(2) && run.stderr.contains(hint), "{hint}: {}", run.stderr);
+    }
+    // 27.85 m/13 = 2.1423 m.
+    let run = with("\ndR = \"27.85", "\ndR = \"2.1423");
+    let warning =
+        "the radius `rR` is 0.02623 m by `dR` and `nR`, too small for a bicycle; is `dR` the distance of all turns?";
+    assert!(run.code == Some(0) && run.stderr.contains(warning), "{}", run.stderr);
+}

@@ -274,7 +274,7 @@ fn mistakes_are_told() {
     fails(
         &[&["--vary", "w=0.9:1", "--keep", "xQ >= 1"], &goal[..]].concat(),
         2,
-        "error: --keep 'xQ >= 1': `xQ` is no value: `xQ` is not known\n",
+        "error: --keep 'xQ >= 1': `xQ` is no value: `xQ` is not a parameter of Whipple\n",
     );
     fails(
         &[&["--vary", "w=0.9:1", "--keep", "xB >= 1 kg"], &goal[..]].concat(),
@@ -300,4 +300,13 @@ fn mistakes_are_told() {
         "error: --maximize range: `range` is not a parameter of Whipple; expected a parameter, or one of stable-range, \
          weave-speed, capsize-speed, divergence-speed, flutter-speed, wobble-speed\n",
     );
+}
+
+/// A search that cannot begin at the design begins at the nearest end of the range, and says so.
+#[test]
+fn a_start_beyond_the_range_is_told() {
+    let directory = Directory::of_this_test();
+    let run = directory.run(&["optimize", "--vary", "c=100 mm:200 mm", "--minimize", "c", "--starts", "1"]);
+    let note = "note: benchmark: `c` is 0.08 m, beyond its range, of which the search begins at 0.1 m\n";
+    assert_eq!((run.code, run.stderr.as_str()), (Some(0), note));
 }

@@ -11,13 +11,18 @@ pub fn is_heading(line: &str) -> bool {
     cells.len() > 1 && cells[..2] == COLUMNS[..2]
 }
 
-/// Whether a line names the columns of a table that has a design in each row.
-pub fn is_heading_of_designs(line: &str) -> bool {
+/// Whether a line names the columns of a table that has a design in each row: four or more, or as many as the next line has numbers.
+pub fn is_heading_of_designs(line: &str, next: Option<&str>) -> bool {
     const LEAST: usize = 4;
+    let separator = separator(line);
     let is_name =
         |cell: &String| !cell.contains(['=', ':']) && (cell.is_empty() || cell.starts_with(char::is_alphabetic));
-    let cells = cells(line, separator(line));
-    cells.len() >= LEAST && cells.iter().all(is_name)
+    let names = cells(line, separator);
+    let has_numbers = |next: &str| {
+        let next = cells(next, separator);
+        next.len() == names.len() && next.iter().all(|cell| cell.parse::<f64>().is_ok())
+    };
+    names.iter().all(is_name) && (names.len() >= LEAST || names.len() > 1 && next.is_some_and(has_numbers))
 }
 
 /// That a table has a design in each row.

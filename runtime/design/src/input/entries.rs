@@ -121,11 +121,24 @@ impl<'a> Entries<'a> {
             }
         }
         if let [first, ..] = unused[..] {
-            let names: Vec<String> = unused.iter().map(|entry| format!("`{}`", entry.name)).collect();
+            let names: Vec<String> =
+                unused.iter().map(|entry| format!("`{}`{}", entry.name, meant(entry, info))).collect();
             let (file, name) = (first.place.file(), info.name);
             remarks.notes.push(format!("{file}: no parameters of {name}, and not used: {}", names.join(", ")));
         }
     }
+}
+
+/// The parameter that is called so but for capitals, which count, in parentheses.
+#[cfg(feature = "full")]
+fn meant(entry: &Entry, info: &ModelInfo) -> String {
+    let meant = crate::conventions::folded(&entry.name, info);
+    meant.map(|name| format!(" (did you mean `{name}`?)")).unwrap_or_default()
+}
+
+#[cfg(not(feature = "full"))]
+fn meant(_: &Entry, _: &ModelInfo) -> &'static str {
+    ""
 }
 
 /// The parameters that are not given.

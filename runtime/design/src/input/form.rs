@@ -5,6 +5,8 @@ use std::path::Path;
 #[cfg(feature = "full")]
 use super::cells;
 use super::document::{Document, File};
+#[cfg(feature = "full")]
+use super::encodings;
 use super::{json, lines, texts, toml};
 use crate::failure::{Failure, Place};
 
@@ -28,14 +30,13 @@ pub(super) fn parse(label: &str, bytes: Vec<u8>) -> Result<Document, Failure> {
 
 /// The contents of a file as text.
 pub(super) fn decode(label: &str, bytes: Vec<u8>) -> Result<String, Failure> {
-    let mut text = match String::from_utf8(bytes) {
-        Ok(text) => text,
-        Err(error) => latin_script(label, error.as_bytes()).ok_or_else(|| {
-            let before = error.as_bytes().iter().take(error.utf8_error().valid_up_to());
-            let line = 1 + before.filter(|&&byte| byte == b'\n').count();
-            Failure::at(Place::Line(label.to_owned(), line), "this is not UTF-8 text")
-        })?,
-    };
+    #[cfg(feature = "full")]
+    let bytes = encodings::in_utf8(bytes);
+    let mut text = String::from_utf8(bytes).map_err(|error| {
+        let before = error.as_bytes().iter().take(error.utf8_error().valid_up_to());
+        let line = 1 + before.filter(|&&byte| byte == b'\n').count();
+        Failure::at(Place::Line(label.to_owned(), line), "this is not UTF-8 text")
+    })?;
     // Some editors begin a file with a byte order mark.
     if text.starts_with('\u{feff}') {
         text.remove(0);
@@ -89,7 +90,7 @@ impl Form {
             return Self::Cells;
         }
         #[cfg(feature = "full")]
-        if cells::is_heading_of_designs(first) {
+        if cells::is_heading_of_designs(first, lines.clone().next()) {
             return Self::Designs;
         }
         if first.starts_with('{') {
@@ -113,16 +114,6 @@ fn without_comments(text: &str) -> &str {
     let rest = text.strip_prefix("//").map(|rest| rest.split_once('\n').map_or("", |(_, rest)| rest));
     let rest = rest.or_else(|| text.strip_prefix("/*").map(|rest| rest.split_once("*/").map_or("", |(_, rest)| rest)));
     rest.map_or(text, without_comments)
-}
-
-/// A script of MATLAB in Latin-1, as older programs write them, for the sake of comments such as `% ©`.
-fn latin_script(label: &str, bytes: &[u8]) -> Option<String> {
-    if !cfg!(feature = "full") {
-        return None;
-    }
-    let text: String = bytes.iter().map(|&byte| char::from(byte)).collect();
-    let is_text = !text.contains(|sign: char| sign.is_control() && !sign.is_whitespace());
-    (is_text && lines::is_matlab(File { label, text: &text })).then_some(text)
 }
 
 /// Whether there is an assignment to a name in some line.

@@ -5,6 +5,8 @@ mod cells;
 #[cfg(feature = "full")]
 mod correlations;
 mod document;
+#[cfg(feature = "full")]
+mod encodings;
 mod entries;
 mod form;
 mod json;
