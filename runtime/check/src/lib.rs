@@ -2,6 +2,7 @@
 
 mod behind;
 pub mod conventions;
+mod critical;
 pub mod explain;
 mod form;
 pub mod given;
@@ -21,7 +22,7 @@ use carvallo_design::units::Units;
 pub use self::given::Given;
 pub use self::report::{Behind, Comparison, Explanation, Group, Part, Report, Suspects, words};
 
-use self::explain::{Cause, Explained, Found, Search};
+use self::explain::{Cause, Explained, Found, Search, Which};
 use self::machine::Machine;
 use self::predict::Predictor;
 
@@ -126,15 +127,32 @@ fn in_other_coordinates<'a>(given: &Given, own: &Predictor, machine: &Machine) -
     all.map(|(_, told)| Found { causes: vec![Cause::Written(told)], world: world.clone() }).collect()
 }
 
-/// Of state matrices that are transposed or negative as a whole: that, and what explains them beside it.
+/// Of state matrices that are transposed or negative as a whole: that, and what explains them beside it, as rounded or as cut off.
 fn check_mended(given: &Given, mended: &Given, told: Vec<String>, machine: &Machine) -> Report {
     let own = Predictor::new(given, machine);
-    let meant = Predictor::new(mended, machine);
-    let here = meant.predict(&machine.world());
-    let mut found = match meant.agreeing(&here) == here.len() {
-        true => vec![Found { causes: Vec::new(), world: machine.world() }],
-        false => explain::explain(mended, machine).found,
+    let world = machine.world();
+    let is_whole = |given: &Given| {
+        let own = Predictor::new(given, machine);
+        let here = own.predict(&world);
+        own.agreeing(&here) == here.len()
     };
+    let nothing = || Found { causes: Vec::new(), world: machine.world() };
+    let Explained { mut found, cut } = match is_whole(mended) {
+        true => Explained { found: vec![nothing()], cut: None },
+        false => explain::explain(mended, machine),
+    };
+    if let Some(cut) = &cut {
+        let is_cut = is_whole(cut);
+        if is_cut {
+            // What explains the numbers as rounded, too, goes behind.
+            found.insert(0, nothing());
+        }
+        let all = mended.cut_off(&mut |_| true);
+        let which = if *cut == all || is_whole(&all) { Which::All } else { Which::Some };
+        let count = if is_cut { 1 } else { found.len() };
+        found.iter_mut().take(count).for_each(|own| own.causes.push(Cause::CutOff(0, which)));
+    }
+    let meant = Predictor::new(cut.as_ref().unwrap_or(mended), machine);
     let suspects = found.is_empty().then(|| Suspects::new(machine, &meant, &told));
     let causes: Vec<Cause> = told.into_iter().map(Cause::Written).collect();
     found.iter_mut().for_each(|own| own.causes = [&causes[..], &own.causes[..]].concat());

@@ -11,6 +11,7 @@ use carvallo_design::matrices::{self, Coordinate, Form};
 use carvallo_design::{Equations, Shipped};
 
 use self::meant::Exact;
+use crate::critical::{Critical, criticals};
 use crate::form::order;
 use crate::given::{Accelerations, Eigenvalues, Given, Quantity, Reading, StateMatrix, SystemMatrix};
 use crate::machine::{Machine, entries_of};
@@ -40,6 +41,8 @@ pub struct Predictor<'a> {
     relations: Vec<Relation>,
     /// The eigenvalues that are given as zeros of a determinant, what is the farthest off as it is here first.
     zeros: Vec<Zero>,
+    /// The critical speeds that are given as zeros of determinants.
+    criticals: Vec<Critical>,
 }
 
 /// Matrices of the open loop, all eight row by row, the gravitational field strength in N/kg, and what closes the loop.
@@ -61,6 +64,9 @@ pub struct World {
 /// programs add in another order, and solve by other ways.
 const ROUNDING: [f64; 3] = [1e-12, 1e-9, 1e-9];
 
+/// So many digits tell a million pairs of causes apart.
+const DIGITS: f64 = 6.0;
+
 impl<'a> Predictor<'a> {
     /// For the numbers that were given of a machine.
     pub fn new(given: &'a Given, machine: &'a Machine) -> Self {
@@ -73,9 +79,21 @@ impl<'a> Predictor<'a> {
         let closing = machine.gains().map(|gain| entries_of(gain, info, &machine.parameters));
         let (closing, system) = (closing.collect(), matrices::model(&form));
         let (nonlinear, feedback) = (Vec::new(), &machine.feedback[..]);
-        let (tolerances, relations, zeros) = (Vec::new(), Vec::new(), Vec::new());
-        let mut made =
-            Self { given, numbers, tolerances, info, system, orders, closing, nonlinear, feedback, relations, zeros };
+        let (tolerances, relations, zeros, criticals) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let mut made = Self {
+            given,
+            numbers,
+            tolerances,
+            info,
+            system,
+            orders,
+            closing,
+            nonlinear,
+            feedback,
+            relations,
+            zeros,
+            criticals,
+        };
         made.nonlinear = made.meant(machine);
         let world = machine.world();
         made.tolerances = self::tolerances(&made.numbers, &made.predict(&world));
@@ -92,6 +110,8 @@ impl<'a> Predictor<'a> {
         };
         made.zeros = self::zeros(&made, info, &matrices);
         made.zeros.sort_by(|a, b| far(b).total_cmp(&far(a)));
+        made.criticals = self::criticals(&made, info, &matrices);
+        made.criticals.sort_by_key(|own| own.holds(&entries, world.gravity));
         made
     }
 
@@ -132,13 +152,18 @@ impl<'a> Predictor<'a> {
         &self.tolerances
     }
 
+    /// Whether all numbers have so few significant digits together that some two of all causes make them by chance.
+    pub fn has_few_digits(&self) -> bool {
+        // Of each how many times its tolerance it is, as a power of ten.
+        let each = self.numbers.iter().zip(&self.tolerances);
+        let digits = each.map(|((_, reading), tolerance)| (reading.value.abs() / tolerance).log10().max(0.0));
+        digits.sum::<f64>() < DIGITS
+    }
+
     /// Whether all numbers agree.
     pub fn fits(&self, world: &World) -> bool {
-        // These cost nothing, and hardly anything passes them.
-        let entries = self.closed_entries(world);
-        let holds = self.relations.iter().all(|own| own.holds(&entries, world.gravity))
-            && self.zeros.iter().all(|own| own.holds(&entries, world.gravity));
-        if !holds {
+        // This costs nothing, and hardly anything passes it.
+        if !self.may_fit(world) {
             return false;
         }
         let has_others = self.numbers.iter().any(|(quantity, _)| !matches!(quantity, Quantity::Entry(..)));
@@ -150,6 +175,37 @@ impl<'a> Predictor<'a> {
             });
             agree
         }
+    }
+
+    /// Numbers of which one at least does not agree, told by what costs little: others may not either.
+    pub fn disagreeing(&self, world: &World) -> Vec<Vec<usize>> {
+        let entries = self.closed_entries(world);
+        let zeros = self.zeros.iter().filter(|own| !own.holds(&entries, world.gravity));
+        let criticals = self.criticals.iter().filter(|own| !own.holds(&entries, world.gravity));
+        zeros.map(|own| vec![own.number, own.number + 1]).chain(criticals.map(|own| vec![own.number])).collect()
+    }
+
+    /// The same while any trials are left of what is costly.
+    pub fn fits_while(&self, world: &World, left: &mut usize) -> bool {
+        if !self.is_costly() {
+            return self.fits(world);
+        }
+        let is_tried = *left > 0 && self.may_fit(world);
+        *left -= usize::from(is_tried);
+        is_tried && self.fits(world)
+    }
+
+    /// Whether critical speeds of more than two coordinates are given.
+    pub fn is_costly(&self) -> bool {
+        !self.given.critical_speeds.is_empty() && self.info.coordinates.len() > 2
+    }
+
+    /// Whether all numbers may agree, as far as that costs little.
+    pub fn may_fit(&self, world: &World) -> bool {
+        let entries = self.closed_entries(world);
+        self.relations.iter().all(|own| own.holds(&entries, world.gravity))
+            && self.zeros.iter().all(|own| own.holds(&entries, world.gravity))
+            && self.criticals.iter().all(|own| own.holds(&entries, world.gravity))
     }
 
     /// All numbers; NaN where there is none.
@@ -198,6 +254,11 @@ impl<'a> Predictor<'a> {
     /// The eigenvalues that are given as zeros of a determinant, what is the farthest off here first.
     pub fn zeros(&self) -> &[Zero] {
         &self.zeros
+    }
+
+    /// The critical speeds that are given as zeros of determinants, what is wrong here first.
+    pub fn criticals(&self) -> &[Critical] {
+        &self.criticals
     }
 
     /// The relations of the entries of the open loop, which this closes.

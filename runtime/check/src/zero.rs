@@ -18,6 +18,8 @@ pub type Square = Vec<Complex<f64>>;
 /// An eigenvalue that was given, at its speed.
 #[derive(Clone, Debug)]
 pub struct Zero {
+    /// Which number its real part is; the imaginary one comes next.
+    pub number: usize,
     /// Of each matrix whether its factor in the sum is 1, s or s^2, and what it is multiplied by besides.
     parts: Vec<(MatrixName, usize, f64)>,
     /// The eigenvalue, and what is as far away on either side as may be.
@@ -48,7 +50,7 @@ pub fn zeros(predictor: &Predictor, info: &ModelInfo, matrices: &[MatrixName]) -
         let points = [0.0, tolerance, -tolerance].map(|away| eigenvalue + away);
         let is_finite = parts.iter().all(|(.., factor)| factor.is_finite()) && eigenvalue.is_finite();
         if is_finite && im.value >= 0.0 && tolerance <= LARGEST * eigenvalue.norm() {
-            zeros.push(Zero { parts, points, count: info.coordinates.len() });
+            zeros.push(Zero { number: at, parts, points, count: info.coordinates.len() });
         }
     }
     zeros

@@ -36,3 +36,36 @@ fn rounded_numbers_are_not_told_to_be_cut_off() {
     assert!(causes(&report).iter().any(|own| own == "ITxx is without \"IRxx\""), "{report}");
     assert!(causes(&report).iter().all(|own| !own.contains("cut off")), "{report}");
 }
+
+/// The numbers that are printed, transposed and of the other sign, and cut off to one decimal and to three; rounded ones tell nothing of it.
+#[test]
+fn a_matrix_in_another_form_is_told_to_be_cut_off() {
+    let right = numbers(SPEED, |_, _, _| {});
+    for decimals in [1, 3] {
+        let unit = 10f64.powi(decimals as i32);
+        let cut = |entry: f64| format!("{:.decimals$}", (entry * unit).trunc() / unit);
+        let transposed = [0, 1, 2, 3].map(|row| [0, 1, 2, 3].map(|column| right[column][row]));
+        let negative = right.map(|row| row.map(|entry| -entry));
+        for (rows, form) in
+            [(transposed, "A was filled row by column: it is transposed"), (negative, "A has the other sign")]
+        {
+            let report = checked(&format!("speed = {SPEED}\nA = {}", written(rows, &cut)));
+            let expected = format!("{form}, and all numbers are cut off, not rounded");
+            assert_eq!(causes(&report), [expected], "{report}");
+        }
+        let report = checked(&format!("speed = {SPEED}\nA = {}", written(negative, &|entry| format!("{entry:.4}"))));
+        assert_eq!(causes(&report), ["A has the other sign"], "{report}");
+    }
+}
+
+/// C1_21 has the other sign, and the matrix is transposed and cut off.
+#[test]
+fn a_slip_in_a_matrix_in_another_form_is_told_with_the_cutting_off() {
+    let rows = numbers(SPEED, |_, c, _| c[1][0] = -c[1][0]);
+    let rows = [0, 1, 2, 3].map(|row| [0, 1, 2, 3].map(|column| rows[column][row]));
+    let cut = |entry: f64| format!("{:.3}", (entry * 1e3).trunc() / 1e3);
+    let report = checked(&format!("speed = {SPEED}\nA = {}", written(rows, &cut)));
+    let expected = "A was filled row by column: it is transposed, and C1_21 has the other sign, \
+                    and all numbers are cut off, not rounded";
+    assert_eq!(causes(&report).first().map(String::as_str), Some(expected), "{report}");
+}

@@ -88,10 +88,19 @@ pub enum Cause<'a> {
     Speed(f64),
     /// The loop is closed, by feedback that was not declared.
     Feedback(Undeclared),
-    /// All numbers are cut off, and not rounded; so likely by what else shows it.
-    CutOff(u32),
+    /// Numbers are cut off, and not rounded; so unlikely by what else shows it.
+    CutOff(u32, Which),
     /// A number itself was written wrongly, whatever it comes from: in words.
     Written(String),
+}
+
+/// Of numbers.
+#[derive(Clone, Copy, Debug)]
+pub enum Which {
+    /// All of them.
+    All,
+    /// Some of them.
+    Some,
 }
 
 impl Cause<'_> {
@@ -143,7 +152,17 @@ impl<'a, 'b> Search<'a, 'b> {
         // Speeds in another unit are told with it.
         let has_unit = found.iter().any(|own| own.has_other_speeds());
         let solved = self.solved(predictor, self.parameters());
+        let has_others = !found.is_empty();
         found.extend(solved.into_iter().filter(|own| !(has_unit && own.has_other_speeds())));
+        // One number of several that was written wrongly is likelier than a value that nobody would write.
+        if !has_others && !found.is_empty() {
+            let written = self.written(predictor, 1);
+            let is_likelier =
+                |own: &Found| written.iter().all(|other| own.rank(self.machine) > other.rank(self.machine));
+            if found.iter().all(is_likelier) {
+                found.extend(written);
+            }
+        }
         if found.iter().any(Found::is_plain) {
             found.retain(Found::is_plain);
         }

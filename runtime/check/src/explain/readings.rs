@@ -1,6 +1,6 @@
 //! Numbers that may be rounded or cut off: what explains them in either way.
 
-use super::{Cause, Found, Search};
+use super::{Cause, Found, Search, Which};
 use crate::given::Given;
 use crate::machine::Machine;
 use crate::predict::Predictor;
@@ -50,7 +50,7 @@ pub fn explain<'a>(given: &Given, machine: &'a Machine) -> Explained<'a> {
         (one_rank, Some(cut_rank)) => {
             let unlikely = if shown > 0 { 0 } else { UNLIKELY };
             if shown > 0 || one_rank.is_none_or(|rank| cut_rank + unlikely < rank) {
-                of_cut.iter_mut().for_each(|own| own.causes.push(Cause::CutOff(unlikely)));
+                of_cut.iter_mut().for_each(|own| own.causes.push(Cause::CutOff(unlikely, Which::All)));
                 one.extend(of_cut);
             }
             return Explained { found: one, cut: None };

@@ -15,11 +15,12 @@ pub fn solve(predictor: &Predictor, value: f64, world: &dyn Fn(f64) -> Option<Wo
     let scale = if value == 0.0 { 1.0 } else { value };
     let near = value + 1e-3 * scale;
     let by_relations = Told::of_relations(predictor, &world(value)?, &world(near)?)?;
-    let told = match by_relations {
+    let told = match by_relations.or_else(|| Told::of_criticals(predictor, &world(value)?)) {
         Some(told) => told,
         None => Told::of_numbers(predictor, &predict(value)?, &predict(near)?)?,
     };
     let difference = |x: f64| world(x).map_or(f64::NAN, |world| told.difference(predictor, &world));
+    let may_fit = |x: f64| !predictor.is_costly() || world(x).is_some_and(|world| predictor.may_fit(&world));
     let fits = |x: f64| world(x).is_some_and(|world| predictor.fits(&world));
     let mut tried: Vec<f64> = Vec::new();
     for start in STARTS {
@@ -27,7 +28,8 @@ pub fn solve(predictor: &Predictor, value: f64, world: &dyn Fn(f64) -> Option<Wo
         if tried.iter().any(|known| (known - x).abs() <= 1e-6 * x.abs()) {
             continue;
         }
-        if let Some(x) = middle(predictor, x, scale, &predict)
+        if may_fit(x)
+            && let Some(x) = middle(predictor, x, scale, &predict)
             && let Some(x) = simplest(x, scale, &fits)
         {
             return Some(x);
@@ -41,6 +43,8 @@ pub fn solve(predictor: &Predictor, value: f64, world: &dyn Fn(f64) -> Option<Wo
 enum Told {
     /// A relation of the entries, which costs little.
     Relation(usize),
+    /// What is zero at a critical speed that is given, which costs little.
+    Critical(usize),
     /// A number.
     Number(usize),
 }
@@ -68,6 +72,18 @@ impl Told {
         Some(told)
     }
 
+    /// The first critical speed that the matrices do not have, where these alone are given.
+    fn of_criticals(predictor: &Predictor, here: &World) -> Option<Self> {
+        let criticals = predictor.criticals();
+        let entries = predictor.closed_entries(here);
+        let is_told = |at: &usize| {
+            let own = &criticals[*at];
+            !own.holds(&entries, here.gravity) && own.off(&entries, here.gravity).is_some()
+        };
+        let told = (0..criticals.len()).find(is_told).filter(|_| criticals.len() == predictor.numbers().len());
+        told.map(Self::Critical)
+    }
+
     fn of_numbers(predictor: &Predictor, here: &[f64], near: &[f64]) -> Option<Self> {
         let effect = |at: usize| (near[at] - here[at]).abs() / predictor.tolerances()[at].max(f64::MIN_POSITIVE);
         let wrong: Vec<usize> = (0..here.len()).filter(|&at| !predictor.agrees(at, here[at])).collect();
@@ -83,6 +99,10 @@ impl Told {
             Self::Relation(at) => {
                 let [off, _] = predictor.relations()[at].off(&predictor.closed_entries(world), world.gravity);
                 off
+            }
+            Self::Critical(at) => {
+                let off = predictor.criticals()[at].off(&predictor.closed_entries(world), world.gravity);
+                off.unwrap_or(f64::NAN)
             }
             Self::Number(at) => predictor.number(at, world) - predictor.numbers()[at].1.value,
         }

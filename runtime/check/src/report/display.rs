@@ -141,13 +141,16 @@ fn explanations(groups: &[Group], count: usize, f: &mut fmt::Formatter<'_>) -> f
 
 impl fmt::Display for Suspects {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { contradictions, beside, wrong, formulas, parts, behind, feedback } = self;
+        let Self { contradictions, beside, wrong, has_few_digits, formulas, parts, behind, feedback } = self;
         let is_closed = feedback.as_ref().is_some_and(|own| !own.laws.is_empty());
         let what = match (self.are_explained_one_by_one(), is_closed) {
             (true, _) => {
                 "There are several mistakes: nothing that was tried explains all numbers at once, but each by itself is."
             }
             (_, true) => "No slip and no convention explains all numbers, but a feedback that is not declared does.",
+            _ if *has_few_digits => {
+                "No single slip and no convention explains all numbers. They have too few digits to tell of two together, which were not tried."
+            }
             _ => {
                 "Nothing that was tried explains all numbers: no single slip, no convention and no two of them together."
             }

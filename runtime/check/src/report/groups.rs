@@ -121,7 +121,7 @@ pub fn rank(machine: &Machine, cause: &Cause) -> u32 {
         },
         Cause::Definition(..) => 8,
         Cause::Speed(_) => 3,
-        Cause::CutOff(rank) => *rank,
+        Cause::CutOff(rank, _) => *rank,
         Cause::Written(_) | Cause::Feedback(_) => 4,
     }
 }
@@ -197,7 +197,7 @@ fn world(other: &Machine, machine: &Machine, found: &Found) -> Option<World> {
                 slips.push((double.formulas.clone(), machine.formulas.parse(double.formulas[0], &text)?));
             }
             // No matrices change with it.
-            Cause::CutOff(_) => {}
+            Cause::CutOff(..) => {}
             Cause::Parameter(..) | Cause::Definition(..) | Cause::Speed(_) | Cause::Feedback(_) | Cause::Written(_) => {
                 return None;
             }

@@ -19,6 +19,8 @@ pub struct Suspects {
     pub beside: Vec<String>,
     /// What is wrong.
     pub wrong: Vec<String>,
+    /// Whether all numbers together have too few digits for two causes to be searched, some of which would make them by chance.
+    pub has_few_digits: bool,
     /// The formulas, and terms of the feedback, on which every wrong entry depends, and no right one; empty where no entries of
     /// matrices were given.
     pub formulas: Vec<String>,
@@ -75,7 +77,8 @@ impl Suspects {
         }
         let feedback = undeclared(machine, predictor);
         let contradictions = contradictions(predictor.given(), machine.info);
-        Self { contradictions, beside: beside.to_vec(), wrong: names, formulas, parts, behind, feedback }
+        let (beside, has_few_digits) = (beside.to_vec(), predictor.has_few_digits());
+        Self { contradictions, beside, wrong: names, has_few_digits, formulas, parts, behind, feedback }
     }
 }
 
@@ -153,6 +156,12 @@ fn parts(
     let mut left = wrong.clone();
     let mut candidates: Vec<(Vec<usize>, u32, Cause)> = Vec::new();
     machine.singles(&mut |cause, world| {
+        let disagreeing = predictor.disagreeing(world);
+        let is_right = |own: &Vec<usize>| own.iter().all(|at| !wrong.contains(at));
+        let is_told = |at: &usize| disagreeing.iter().any(|own| own[..] == [*at]);
+        if disagreeing.iter().any(is_right) || wrong.iter().all(is_told) {
+            return;
+        }
         let values = predictor.predict(world);
         let agrees = |at: usize| predictor.agrees(at, values[at]);
         if (0..values.len()).all(|at| wrong.contains(&at) || agrees(at)) {

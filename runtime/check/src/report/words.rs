@@ -4,7 +4,7 @@ use carvallo_design::number::{shortest, with_unit};
 use carvallo_slips::{double_words, slip_words};
 
 use crate::conventions::{BEFORE_CLOSING, Effect};
-use crate::explain::{Cause, Undeclared, relation};
+use crate::explain::{Cause, Undeclared, Which, relation};
 use crate::machine::Machine;
 
 /// What is otherwise, as the end of a sentence.
@@ -49,7 +49,8 @@ pub fn words(machine: &Machine, cause: &Cause) -> String {
             format!("{name} is {} in the place of {} = {text}", shortest(*value), shortest(rounded(old)))
         }
         Cause::Written(what) => what.clone(),
-        Cause::CutOff(_) => "all numbers are cut off, not rounded".to_owned(),
+        Cause::CutOff(_, Which::All) => "all numbers are cut off, not rounded".to_owned(),
+        Cause::CutOff(_, Which::Some) => "some numbers are cut off, not rounded".to_owned(),
         Cause::Feedback(own) => {
             let (forces, further) = (own.forces.join(" and "), further(own));
             let at = own.speed.map(|speed| format!(" ({})", at_one_speed(speed))).unwrap_or_default();
