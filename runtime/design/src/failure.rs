@@ -23,6 +23,9 @@ impl Failure {
     }
 }
 
+/// So many problems are told; who has more has another kind of file, or one mistake many times.
+const MOST: usize = if cfg!(feature = "full") { 50 } else { usize::MAX };
+
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -31,7 +34,11 @@ impl fmt::Display for Failure {
                 [problem] => problem.fmt(f),
                 problems => {
                     write!(f, "{} problems", problems.len())?;
-                    problems.iter().try_for_each(|problem| write!(f, "\n{problem}"))
+                    problems.iter().take(MOST).try_for_each(|problem| write!(f, "\n{problem}"))?;
+                    match problems.len().saturating_sub(MOST) {
+                        0 => Ok(()),
+                        others => write!(f, "\n… and {others} more"),
+                    }
                 }
             },
         }

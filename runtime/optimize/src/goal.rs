@@ -4,6 +4,7 @@ use std::fmt;
 
 use carvallo::ModelInfo;
 use carvallo_design::conventions::{Convention, Quantity};
+use carvallo_design::nearest;
 use carvallo_design::parameter::find;
 
 /// A measure that is minimized or maximized.
@@ -62,7 +63,9 @@ impl Measure {
         Self::find(name, info, None).ok_or_else(|| {
             let names: Vec<&str> = NAMES.iter().map(|(name, _)| *name).collect();
             let message = find(name, info).err().unwrap_or_else(|| format!("`{name}` is not known"));
-            format!("{message}; expected a parameter, or one of {}", names.join(", "))
+            let meant = if message.contains("did you mean") { None } else { nearest(name, names.iter().copied()) };
+            let meant = meant.map(|meant| format!("; did you mean `{meant}`?")).unwrap_or_default();
+            format!("{message}{meant}; expected a parameter, or one of {}", names.join(", "))
         })
     }
 

@@ -17,6 +17,17 @@ pub fn hint(error: &clap::Error, command: &Command) -> Option<Failure> {
         ErrorKind::UnknownArgument => {
             let option = text(ContextKind::InvalidArg)?;
             let message = match option {
+                // What stands behind the design that was given.
+                design if !design.starts_with('-') => {
+                    let usage = error.get(ContextKind::Usage)?.to_string();
+                    return usage.contains("[DESIGN|FILE]").then(|| {
+                        let one = "this command takes one design; `carvallo compare` takes several";
+                        Failure::usage(format!("unexpected `{design}`: {one}, and lists have commas without spaces"))
+                    });
+                }
+                "--format" => {
+                    "this command writes TOML; `carvallo convert --to paper --format json` writes designs in other forms".to_owned()
+                }
                 "--output" => {
                     "the result of this command goes to the standard output: write `> FILE` behind it".to_owned()
                 }

@@ -271,3 +271,45 @@ fn texts_in_utf_16_and_latin_1_are_read() {
     directory.write("latin.txt", latin);
     assert_eq!(angle("latin.txt"), angle("utf.txt"));
 }
+
+/// A recording, or text that is no file of parameters, is not told line by line to the end.
+#[test]
+fn long_files_of_something_else_are_told_in_short() {
+    let directory = Directory::of_this_test();
+    directory.write("rec.txt", "0.01 0.2\n".repeat(1000));
+    let run = directory.run(&["analyze", "rec.txt"]);
+    assert!(
+        run.stderr.starts_with("error: 1000 problems\nrec.txt") && run.stderr.ends_with("\n… and 950 more\n"),
+        "{}",
+        run.stderr
+    );
+    directory.write("line.txt", "x".repeat(100_000));
+    let run = directory.run(&["analyze", "line.txt"]);
+    assert!(run.code == Some(2) && run.stderr.len() < 1000, "{} bytes", run.stderr.len());
+    let names: String = (0..4000).map(|index| format!("x{index} = {index}\n")).collect();
+    let message = "error: names.txt: it has 4000 names, and no machine has so many parameters\n";
+    directory.write("names.txt", names).run(&["analyze", "names.txt"]).fails(2, message);
+}
+
+/// A second design, a form of a command that has one, and a measure by half of its name.
+#[test]
+fn what_was_meant_is_said() {
+    let directory = Directory::of_this_test();
+    for (arguments, message) in [
+        (
+            &["analyze", "pista", "browser"][..],
+            "unexpected `browser`: this command takes one design; `carvallo compare` takes several, and lists have commas without spaces",
+        ),
+        (
+            &["show", "--format", "json"],
+            "--format: this command writes TOML; `carvallo convert --to paper --format json` writes designs in other forms",
+        ),
+        (
+            &["optimize", "--vary", "c=0:0.1", "--minimize", "weave"],
+            "--minimize weave: `weave` is not a parameter of Whipple; did you mean `weave-speed`?; expected a parameter, or one of \
+             stable-range, weave-speed, capsize-speed, divergence-speed, flutter-speed, wobble-speed",
+        ),
+    ] {
+        directory.run(arguments).fails(2, &format!("error: {message}\n"));
+    }
+}

@@ -1,6 +1,7 @@
 //! Parameter files of one parameter a line, with its value, standard deviation and unit in columns: `name,value,std,unit`.
 
 use super::document::{Document, Entry, File, Written};
+use super::lines::beginning;
 
 /// What the columns are called; the first two are the first, and the others may be missing.
 const COLUMNS: [&str; 4] = ["name", "value", "std", "unit"];
@@ -54,7 +55,7 @@ pub fn read(file: File) -> Document {
             cells.get(at).map(String::as_str).filter(|cell| !cell.is_empty())
         };
         let (Some(name), Some(value)) = (cell("name"), cell("value")) else {
-            document.problem(place, format!("`{line}` is not of the form `name,value`"));
+            document.problem(place, format!("`{}` is not of the form `name,value`", beginning(line)));
             continue;
         };
         if cells.len() > columns.len() {

@@ -17,7 +17,7 @@ use crate::failure::{Failure, Place};
 pub(super) fn parse(label: &str, bytes: Vec<u8>) -> Result<Document, Failure> {
     let text = decode(label, bytes)?;
     let file = File { label, text: &text };
-    Ok(match Form::of(file) {
+    let document = match Form::of(file) {
         Form::Toml => toml::read(file),
         Form::Json => json::read(file),
         Form::Lines(separator) => lines::read(file, separator),
@@ -25,8 +25,19 @@ pub(super) fn parse(label: &str, bytes: Vec<u8>) -> Result<Document, Failure> {
         Form::Cells => cells::read(file),
         #[cfg(feature = "full")]
         Form::Designs => cells::refuse_designs(file),
-    })
+    };
+    // Names may stand in each other's values, which takes long of so many.
+    #[cfg(feature = "full")]
+    if document.entries.len() > MOST {
+        let message = format!("it has {} names, and no machine has so many parameters", document.entries.len());
+        return Err(Failure::at(Place::File(label.to_owned()), message));
+    }
+    Ok(document)
 }
+
+/// Of matrices of twelve coordinates there are about half as many.
+#[cfg(feature = "full")]
+const MOST: usize = 3000;
 
 /// The contents of a file as text.
 pub(super) fn decode(label: &str, bytes: Vec<u8>) -> Result<String, Failure> {

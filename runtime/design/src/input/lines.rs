@@ -69,6 +69,7 @@ pub fn read(file: File, separator: char) -> Document {
             let Some((name, value)) = assigned else {
                 if separator == ':' || !(is_statement(content) || is_text(content)) {
                     let form = if separator == ':' { "name: value" } else { "name = value" };
+                    let content = beginning(content);
                     document.problem(place.clone(), format!("`{content}` is not of the form `{form}`"));
                 }
                 continue;
@@ -201,4 +202,19 @@ fn is_text(content: &str) -> bool {
     let text = without_prefix(content);
     let inner = unquoted(text);
     inner != text && !inner.contains(['"', '\''])
+}
+
+/// As much of a line as a message has room for.
+#[cfg(feature = "full")]
+pub fn beginning(line: &str) -> String {
+    const MOST: usize = 80;
+    match line.char_indices().nth(MOST) {
+        Some((end, _)) => format!("{}…", &line[..end]),
+        None => line.to_owned(),
+    }
+}
+
+#[cfg(not(feature = "full"))]
+fn beginning(line: &str) -> &str {
+    line
 }
