@@ -168,3 +168,18 @@ fn texts_of_yaml_are_not_read_as_values() {
         assert_eq!(values(&found), values(&plain), "{text}");
     }
 }
+
+/// Columns as spreadsheets write them where decimals stand after a comma; beside points, commas may be of thousands.
+#[test]
+fn columns_between_semicolons_may_have_decimal_commas() {
+    let directory = Directory::of_this_test();
+    let csv = directory.run(&["convert", "pista", "--to", "paper", "--format", "csv"]).stdout;
+    directory.write("a.csv", &csv);
+    directory.write("b.csv", csv.replace(',', ";").replace('.', ","));
+    let json = |file: &str| directory.run(&["convert", file, "--to", "paper", "--format", "json"]).stdout;
+    let parameters = |file: &str| -> serde_json::Value { serde_json::from_str(&json(file)).unwrap() };
+    assert_eq!(parameters("b.csv")["parameters"], parameters("a.csv")["parameters"]);
+    directory.write("c.csv", "name;value\nw;1,020\nc;0.08\n");
+    let run = directory.run(&["analyze", "c.csv"]);
+    assert!(run.code == Some(2) && run.stderr.contains("`w` is `1,020`; expected a number"), "{}", run.stderr);
+}

@@ -39,6 +39,11 @@ pub fn read(file: File) -> Document {
     let mut columns = Vec::new();
     let first = file.text.lines().find(|line| !is_empty(line)).unwrap_or_default();
     let separator = separator(first);
+    // Beside points, commas may be of thousands.
+    let is_number = |cell: &String| cell.starts_with(|sign: char| sign.is_ascii_digit() || "+-.".contains(sign));
+    let has_points =
+        |line: &str| cells(line, separator).iter().skip(1).any(|cell| is_number(cell) && cell.contains('.'));
+    let has_commas = separator == ';' && !file.text.lines().any(has_points);
     for (index, line) in file.text.lines().enumerate().filter(|(_, line)| !is_empty(line)) {
         let place = file.line(index + 1);
         let cells = cells(line, separator);
@@ -69,7 +74,7 @@ pub fn read(file: File) -> Document {
             document.parameterization = Some((place, value.to_owned()));
             continue;
         }
-        let text = |text: &str| Written::Text(text.to_owned());
+        let text = |text: &str| Written::Text(if has_commas { with_points(text) } else { text.to_owned() });
         let members =
             [("value", value), ("std", cell("std").unwrap_or_default()), ("unit", cell("unit").unwrap_or_default())];
         let members = members.into_iter().filter(|(_, cell)| !cell.is_empty());
@@ -87,6 +92,20 @@ fn is_empty(line: &str) -> bool {
 /// Programs in languages with decimal commas write semicolons.
 fn separator(line: &str) -> char {
     [';', '\t'].into_iter().find(|&sign| line.contains(sign)).unwrap_or(',')
+}
+
+/// With points in the place of decimal commas, which have digits on both sides; those of functions are none.
+fn with_points(text: &str) -> String {
+    if text.contains('(') {
+        return text.to_owned();
+    }
+    let signs: Vec<char> = text.chars().collect();
+    let is_digit = |at: Option<usize>| at.and_then(|at| signs.get(at)).is_some_and(char::is_ascii_digit);
+    let point = |(at, &sign): (usize, &char)| match sign {
+        ',' if is_digit(at.checked_sub(1)) && is_digit(Some(at + 1)) => '.',
+        sign => sign,
+    };
+    signs.iter().enumerate().map(point).collect()
 }
 
 fn cells(line: &str, separator: char) -> Vec<String> {
