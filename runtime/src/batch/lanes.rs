@@ -23,9 +23,9 @@ pub trait InLanes: Scalar + SimdFloatElement + Send + Sync {
     #[doc(hidden)]
     fn sin_cos_of_lanes<S: Simd>(angle: Lanes<S, Self>) -> (Lanes<S, Self>, Lanes<S, Self>);
 
-    /// The first to the fourth of four numbers of designs, each of as many designs as there are lanes.
+    /// The first to the eighth of eight numbers of designs, each of as many designs as there are lanes.
     #[doc(hidden)]
-    fn side_by_side<S: Simd>(simd: S, four: impl Fn(usize) -> [Self; 4] + Copy) -> [Lanes<S, Self>; 4];
+    fn side_by_side<S: Simd>(simd: S, four: impl Fn(usize, usize) -> [Self; 4] + Copy) -> [Lanes<S, Self>; 8];
 
     /// Rows to columns, within each four lanes of four registers.
     #[doc(hidden)]
@@ -41,7 +41,7 @@ impl InLanes for f64 {
     }
 
     #[inline(always)]
-    fn side_by_side<S: Simd>(simd: S, four: impl Fn(usize) -> [f64; 4] + Copy) -> [Lanes<S>; 4] {
+    fn side_by_side<S: Simd>(simd: S, four: impl Fn(usize, usize) -> [f64; 4] + Copy) -> [Lanes<S>; 8] {
         transpose::side_by_side_f64(simd, four)
     }
 
@@ -60,7 +60,7 @@ impl InLanes for f32 {
     }
 
     #[inline(always)]
-    fn side_by_side<S: Simd>(simd: S, four: impl Fn(usize) -> [f32; 4] + Copy) -> [Lanes<S, f32>; 4] {
+    fn side_by_side<S: Simd>(simd: S, four: impl Fn(usize, usize) -> [f32; 4] + Copy) -> [Lanes<S, f32>; 8] {
         transpose::side_by_side_f32(simd, four)
     }
 

@@ -15,6 +15,8 @@ mod lanes;
 mod matrices;
 #[cfg(feature = "std")]
 mod motion;
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+mod sixteen;
 #[cfg(feature = "std")]
 mod stability;
 mod structs;

@@ -1,9 +1,13 @@
 //! Slices of designs, which are brought into lanes and back in registers.
 
+use core::any::Any;
+use core::hint::black_box;
 use core::marker::PhantomData;
 
 use fearless_simd::Simd;
 
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+use super::sixteen;
 use super::transpose::{GROUP, transpose_group};
 use super::{InLanes, Lanes};
 use crate::model::{Evaluator, Model};
@@ -21,12 +25,23 @@ pub fn structs<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
 ) {
     let lanes = Lanes::<S, M::Scalar>::COUNT;
     let whole = designs.len() - designs.len() % lanes;
+    let zeros = zeros(simd);
     for (designs, coefficients) in designs.chunks_exact(lanes).zip(coefficients.chunks_exact_mut(lanes)) {
-        write::<S, N, M>(parameters::<S, N, M>(simd, designs).rows(), coefficients);
+        write::<S, N, M>(parameters::<S, N, M>(simd, designs).rows(), &zeros, coefficients);
     }
     for (design, coefficients) in designs[whole..].iter().zip(&mut coefficients[whole..]) {
         *coefficients = design.coefficients();
     }
+}
+
+/// Zeros, for matrices that are not there.
+///
+/// In registers of eight `f32` the compiler is not to know that they are: it would write two of these matrices at once, across lines of
+/// the cache, which takes two cycles a design longer.
+#[inline(always)]
+fn zeros<S: Simd, T: InLanes>(simd: S) -> Lanes<S, T> {
+    let zeros = Lanes::splat(simd, T::from_f64(0.0));
+    if 2 * Lanes::<S, T>::COUNT == super::side::<T>() && size_of::<T>() == 4 { black_box(zeros) + zeros } else { zeros }
 }
 
 /// The designs in lanes: groups of numbers are transposed, the last of which may have zeros behind it.
@@ -36,24 +51,26 @@ fn parameters<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
     designs: &[M],
 ) -> M::Over<Lanes<S, M::Scalar>> {
     let zero = M::Scalar::from_f64(0.0);
-    let mut columns = [Lanes::splat(simd, zero); GROUP];
+    let mut columns = [Lanes::splat(simd, zero); 2 * GROUP];
     M::Over::<Lanes<S, M::Scalar>>::from_parameters(
         #[inline(always)]
         |position| {
             // They are asked for in order.
-            if position % GROUP == 0 {
+            if position % (2 * GROUP) == 0 {
                 columns = M::Scalar::side_by_side(
                     simd,
                     #[inline(always)]
-                    |design| {
-                        let end = (position + GROUP).min(const { M::INFO.parameters.len() });
+                    |design, group| {
+                        let count = const { M::INFO.parameters.len() };
+                        let begin = (position + group * GROUP).min(count);
+                        let end = (begin + GROUP).min(count);
                         let mut four = [zero; GROUP];
-                        four[..end - position].copy_from_slice(&designs[design].parameters().as_ref()[position..end]);
+                        four[..end - begin].copy_from_slice(&designs[design].parameters().as_ref()[begin..end]);
                         four
                     },
                 );
             }
-            columns[position % GROUP]
+            columns[position % (2 * GROUP)]
         },
     )
 }
@@ -62,8 +79,22 @@ fn parameters<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
 #[inline(always)]
 fn write<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
     mut matrices: [Rows<Lanes<S, M::Scalar>, N>; 8],
+    zeros: &Lanes<S, M::Scalar>,
     coefficients: &mut [Coefficients<M::Scalar, N>],
 ) {
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    if let Some(matrices) = (&matrices as &dyn Any).downcast_ref()
+        && let Some(coefficients) = coefficients.first_chunk_mut::<16>()
+        && let Some(coefficients) = (coefficients as &mut dyn Any).downcast_mut()
+    {
+        sixteen::write(
+            matrices,
+            Matrices::<N, M>::ARE_THERE,
+            [0, 1].map(|coordinate| M::INFO.coordinates[coordinate].states),
+            coefficients,
+        );
+        return;
+    }
     let lanes = Lanes::<S, M::Scalar>::COUNT;
     let group = lanes.min(GROUP);
     for (matrix, is_there) in matrices.iter_mut().zip(Matrices::<N, M>::ARE_THERE) {
@@ -82,13 +113,13 @@ fn write<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
         }
     }
     // One after the other, not in a loop: what is in a lane is only known where the lane is.
-    write_four::<S, N, M>(&matrices, coefficients, 0);
+    write_four::<S, N, M>(&matrices, zeros, coefficients, 0);
     if lanes > GROUP {
-        write_four::<S, N, M>(&matrices, coefficients, 1);
+        write_four::<S, N, M>(&matrices, zeros, coefficients, 1);
     }
     if lanes > 2 * GROUP {
-        write_four::<S, N, M>(&matrices, coefficients, 2);
-        write_four::<S, N, M>(&matrices, coefficients, 3);
+        write_four::<S, N, M>(&matrices, zeros, coefficients, 2);
+        write_four::<S, N, M>(&matrices, zeros, coefficients, 3);
     }
 }
 
@@ -96,6 +127,7 @@ fn write<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
 #[inline(always)]
 fn write_four<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
     matrices: &[Rows<Lanes<S, M::Scalar>, N>; 8],
+    zeros: &Lanes<S, M::Scalar>,
     coefficients: &mut [Coefficients<M::Scalar, N>],
     four: usize,
 ) {
@@ -107,7 +139,9 @@ fn write_four<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
             [m, cm1, c0, c1, kc, k0, k1, k2].into_iter().zip(matrices).zip(Matrices::<N, M>::ARE_THERE)
         {
             if !is_there {
-                matrix.as_mut_slice().fill(M::Scalar::from_f64(0.0));
+                let mut places = matrix.as_mut_slice().chunks_exact_mut(group);
+                places.by_ref().for_each(|places| places.copy_from_slice(&zeros.numbers()[..group]));
+                places.into_remainder().fill(M::Scalar::from_f64(0.0));
                 continue;
             }
             let groups = columns.as_flattened().chunks_exact(group);

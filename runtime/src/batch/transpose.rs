@@ -6,6 +6,8 @@ use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+use super::sixteen;
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 use super::wide::{self, same};
 use super::{InLanes, Lanes};
 
@@ -61,8 +63,8 @@ fn unzip<S: Simd, T: InLanes>(a: Lanes<S, T>, b: Lanes<S, T>) -> [Lanes<S, T>; 2
 /// takes twice as many instructions as within each four lanes.
 #[inline(always)]
 fn of_four_lanes<S: Simd, T: InLanes>([a, b, c, d]: [Lanes<S, T>; 4]) -> [Lanes<S, T>; 4] {
-    let ([a, b], [c, d]) = (zip(a, c), zip(b, d));
-    let ([a, b], [c, d]) = (zip(a, c), zip(b, d));
+    let ([a, b], [c, d]) = (unzip(a, b), unzip(c, d));
+    let ([a, c], [b, d]) = (unzip(a, c), unzip(b, d));
     [a, b, c, d]
 }
 
@@ -102,13 +104,49 @@ pub fn transpose_f64<S: Simd>(rows: [Lanes<S>; 4]) -> [Lanes<S>; 4] {
     if let Some(columns) = columns { columns } else { of_four_lanes(rows) }
 }
 
+// Not in debug builds: once for each parameter, it would take more stack than a thread has.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub fn side_by_side_f32<S: Simd>(simd: S, four: impl Fn(usize, usize) -> [f32; 4] + Copy) -> [Lanes<S, f32>; 8] {
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    if let Level::Avx512(avx512) = simd.level()
+        && let Some(columns) = same(sixteen::side_by_side(avx512, four))
+    {
+        return columns;
+    }
+    let [a, b, c, d] = four_f32(
+        simd,
+        #[inline(always)]
+        |design| four(design, 0),
+    );
+    let [e, f, g, h] = four_f32(
+        simd,
+        #[inline(always)]
+        |design| four(design, 1),
+    );
+    [a, b, c, d, e, f, g, h]
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub fn side_by_side_f64<S: Simd>(simd: S, four: impl Fn(usize, usize) -> [f64; 4] + Copy) -> [Lanes<S>; 8] {
+    let [a, b, c, d] = four_f64(
+        simd,
+        #[inline(always)]
+        |design| four(design, 0),
+    );
+    let [e, f, g, h] = four_f64(
+        simd,
+        #[inline(always)]
+        |design| four(design, 1),
+    );
+    [a, b, c, d, e, f, g, h]
+}
+
 #[inline(always)]
-pub fn side_by_side_f32<S: Simd>(simd: S, four: impl Fn(usize) -> [f32; 4] + Copy) -> [Lanes<S, f32>; 4] {
+fn four_f32<S: Simd>(simd: S, four: impl Fn(usize) -> [f32; 4] + Copy) -> [Lanes<S, f32>; 4] {
     let columns = match simd.level() {
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
         Level::Avx2(avx2) => same(wide::side_by_side_eight_f32(avx2, four)),
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        Level::Avx512(avx512) => same(wide::side_by_side_sixteen_f32(avx512, four)),
         _ => None,
     };
     if let Some(columns) = columns {
@@ -135,7 +173,7 @@ fn of_twos<S: Simd>(simd: S, a: u64, b: u64) -> Lanes<S, f32> {
 }
 
 #[inline(always)]
-pub fn side_by_side_f64<S: Simd>(simd: S, four: impl Fn(usize) -> [f64; 4] + Copy) -> [Lanes<S>; 4] {
+fn four_f64<S: Simd>(simd: S, four: impl Fn(usize) -> [f64; 4] + Copy) -> [Lanes<S>; 4] {
     let columns = match simd.level() {
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
         Level::Avx2(avx2) => same(wide::side_by_side_four_f64(avx2, four)),

@@ -24,10 +24,14 @@ kernel!(
     pub fn transpose_eight_f32(avx2: Avx2, rows: [Lanes<Avx2, f32>; 4]) -> [Lanes<Avx2, f32>; 4] {
         let [a, b, c, d] = rows;
         let (a, b, c, d): (__m256, __m256, __m256, __m256) = (a.0.into(), b.0.into(), c.0.into(), d.0.into());
-        let (e, f) = (_mm256_unpacklo_ps(a, c), _mm256_unpackhi_ps(a, c));
-        let (g, h) = (_mm256_unpacklo_ps(b, d), _mm256_unpackhi_ps(b, d));
-        let [e, f, g, h] =
-            [_mm256_unpacklo_ps(e, g), _mm256_unpackhi_ps(e, g), _mm256_unpacklo_ps(f, h), _mm256_unpackhi_ps(f, h)];
+        let (e, f) = (_mm256_shuffle_ps::<0x88>(a, b), _mm256_shuffle_ps::<0xdd>(a, b));
+        let (g, h) = (_mm256_shuffle_ps::<0x88>(c, d), _mm256_shuffle_ps::<0xdd>(c, d));
+        let [e, f, g, h] = [
+            _mm256_shuffle_ps::<0x88>(e, g),
+            _mm256_shuffle_ps::<0x88>(f, h),
+            _mm256_shuffle_ps::<0xdd>(e, g),
+            _mm256_shuffle_ps::<0xdd>(f, h),
+        ];
         [Lanes(e.simd_into(avx2)), Lanes(f.simd_into(avx2)), Lanes(g.simd_into(avx2)), Lanes(h.simd_into(avx2))]
     }
 );
@@ -97,19 +101,6 @@ pub fn side_by_side_eight_f32(avx2: Avx2, four: impl Fn(usize) -> [f32; 4] + Cop
             Lanes(beside_f32(avx2, four(1), four(5))),
             Lanes(beside_f32(avx2, four(2), four(6))),
             Lanes(beside_f32(avx2, four(3), four(7))),
-        ],
-    )
-}
-
-#[inline(always)]
-pub fn side_by_side_sixteen_f32(avx512: Avx512, four: impl Fn(usize) -> [f32; 4] + Copy) -> [Lanes<Avx512, f32>; 4] {
-    transpose_sixteen_f32(
-        avx512,
-        [
-            Lanes(beside_f32(avx512, four(0), four(4)).combine(beside_f32(avx512, four(8), four(12)))),
-            Lanes(beside_f32(avx512, four(1), four(5)).combine(beside_f32(avx512, four(9), four(13)))),
-            Lanes(beside_f32(avx512, four(2), four(6)).combine(beside_f32(avx512, four(10), four(14)))),
-            Lanes(beside_f32(avx512, four(3), four(7)).combine(beside_f32(avx512, four(11), four(15)))),
         ],
     )
 }
