@@ -1,6 +1,5 @@
 //! Slices of designs, which are brought into lanes and back in registers.
 
-use core::any::Any;
 use core::hint::black_box;
 use core::marker::PhantomData;
 
@@ -83,9 +82,9 @@ fn write<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
     coefficients: &mut [Coefficients<M::Scalar, N>],
 ) {
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    if let Some(matrices) = (&matrices as &dyn Any).downcast_ref()
+    if let Some(matrices) = (&matrices as &dyn core::any::Any).downcast_ref()
         && let Some(coefficients) = coefficients.first_chunk_mut::<16>()
-        && let Some(coefficients) = (coefficients as &mut dyn Any).downcast_mut()
+        && let Some(coefficients) = (coefficients as &mut dyn core::any::Any).downcast_mut()
     {
         sixteen::write(
             matrices,

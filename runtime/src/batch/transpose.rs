@@ -146,7 +146,6 @@ fn four_f32<S: Simd>(simd: S, four: impl Fn(usize) -> [f32; 4] + Copy) -> [Lanes
     let columns = match simd.level() {
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
         Level::Avx2(avx2) => same(wide::side_by_side_eight_f32(avx2, four)),
-        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
         _ => None,
     };
     if let Some(columns) = columns {
