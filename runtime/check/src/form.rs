@@ -60,11 +60,11 @@ pub fn mended(given: &Given, info: &ModelInfo) -> Option<(Given, Vec<String>)> {
     let is_one = forms.windows(2).all(|both| both[0] == both[1]);
     let mut own = given.clone();
     let mut told = Vec::new();
-    for (matrix, form) in own.state_matrices.iter_mut().zip(forms) {
+    for (at, (matrix, form)) in own.state_matrices.iter_mut().zip(forms).enumerate() {
         if form != Form::default() {
             matrix.rows = form.mend(&matrix.rows);
-            let of = if is_one { String::new() } else { format!(" at {} m/s", matrix.speed) };
-            told.push(format!("A{of} {}", form.words()));
+            let name = if is_one { "A".to_owned() } else { given.state_name(at) };
+            told.push(format!("{name} {}", form.words()));
         }
     }
     told.dedup();

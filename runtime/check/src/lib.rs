@@ -93,10 +93,13 @@ fn compare(given: &Given, machine: &Machine) -> Report {
     if own.agreeing(&here) == here.len() {
         return Report::new(machine, &own, &own, Vec::new(), None);
     }
+    let mended = form::mended(given, machine.info);
     if !given::contradictions(given, machine.info).is_empty() {
-        return Report::new(machine, &own, &own, Vec::new(), Some(Suspects::new(machine, &own, &[])));
+        let (meant, told) = mended.as_ref().map_or((given, &[][..]), |(meant, told)| (meant, told));
+        let suspects = Suspects::new(machine, &Predictor::new(meant, machine), told);
+        return Report::new(machine, &own, &own, Vec::new(), Some(suspects));
     }
-    if let Some((mended, told)) = form::mended(given, machine.info) {
+    if let Some((mended, told)) = mended {
         return check_mended(given, &mended, told, machine);
     }
     let others = in_other_coordinates(given, &own, machine);

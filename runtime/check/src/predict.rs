@@ -15,7 +15,7 @@ use crate::critical::{Critical, criticals};
 use crate::form::order;
 use crate::given::{Accelerations, Eigenvalues, Given, Quantity, Reading, StateMatrix, SystemMatrix};
 use crate::machine::{Machine, entries_of};
-use crate::relation::{Relation, relations};
+use crate::relation::{Relation, of_accelerations, relations};
 use crate::states::states;
 use crate::zero::{Zero, zeros};
 use carvallo_slips::index;
@@ -41,6 +41,8 @@ pub struct Predictor<'a> {
     relations: Vec<Relation>,
     /// The eigenvalues that are given as zeros of a determinant, what is the farthest off as it is here first.
     zeros: Vec<Zero>,
+    /// The linear equations of motion in the states of which accelerations are given.
+    motions: Vec<Relation>,
     /// The critical speeds that are given as zeros of determinants.
     criticals: Vec<Critical>,
 }
@@ -79,7 +81,8 @@ impl<'a> Predictor<'a> {
         let closing = machine.gains().map(|gain| entries_of(gain, info, &machine.parameters));
         let (closing, system) = (closing.collect(), matrices::model(&form));
         let (nonlinear, feedback) = (Vec::new(), &machine.feedback[..]);
-        let (tolerances, relations, zeros, criticals) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let (tolerances, relations, motions) = (Vec::new(), Vec::new(), Vec::new());
+        let (zeros, criticals) = (Vec::new(), Vec::new());
         let mut made = Self {
             given,
             numbers,
@@ -92,6 +95,7 @@ impl<'a> Predictor<'a> {
             feedback,
             relations,
             zeros,
+            motions,
             criticals,
         };
         made.nonlinear = made.meant(machine);
@@ -110,6 +114,7 @@ impl<'a> Predictor<'a> {
         };
         made.zeros = self::zeros(&made, info, &matrices);
         made.zeros.sort_by(|a, b| far(b).total_cmp(&far(a)));
+        made.motions = of_accelerations(&made, info);
         made.criticals = self::criticals(&made, info, &matrices);
         made.criticals.sort_by_key(|own| own.holds(&entries, world.gravity));
         made
@@ -203,7 +208,7 @@ impl<'a> Predictor<'a> {
     /// Whether all numbers may agree, as far as that costs little.
     pub fn may_fit(&self, world: &World) -> bool {
         let entries = self.closed_entries(world);
-        self.relations.iter().all(|own| own.holds(&entries, world.gravity))
+        self.relations.iter().chain(&self.motions).all(|own| own.holds(&entries, world.gravity))
             && self.zeros.iter().all(|own| own.holds(&entries, world.gravity))
             && self.criticals.iter().all(|own| own.holds(&entries, world.gravity))
     }

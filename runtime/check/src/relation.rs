@@ -127,6 +127,31 @@ pub fn relations(predictor: &Predictor, info: &ModelInfo) -> Vec<Relation> {
     found
 }
 
+/// The equations of motion of each state in which all accelerations are given, by the linear equations.
+pub fn of_accelerations(predictor: &Predictor, info: &ModelInfo) -> Vec<Relation> {
+    let count = info.coordinates.len();
+    let mut found = Vec::new();
+    for (state, given) in predictor.given().accelerations.iter().enumerate() {
+        let number = |of: usize| {
+            let wanted = Quantity::Acceleration(state, of);
+            let at = predictor.numbers().iter().position(|(quantity, _)| *quantity == wanted)?;
+            (!predictor.is_nonlinear(at)).then(|| [predictor.numbers()[at].1.value, predictor.tolerances()[at]])
+        };
+        let Some(numbers) = (0..count).map(number).collect::<Option<Vec<[f64; 2]>>>() else { continue };
+        for row in 0..count {
+            let mut terms = Vec::new();
+            for (of, [factor, slack]) in numbers.iter().copied().enumerate() {
+                terms.push(Term { place: index(MatrixName::M, row, of, count), factor, slack, has_weight: false });
+                terms.extend(system(false, given.speed, (row, of), count, [given.rates[of], 0.0]));
+                terms.extend(system(true, given.speed, (row, of), count, [given.positions[of], 0.0]));
+            }
+            found.push(Relation { terms, value: given.forces[row], tolerance: 0.0, rounding: ROUNDING });
+        }
+    }
+    found.retain(|own| own.terms.iter().all(|term| term.factor.is_finite()));
+    found
+}
+
 /// The entries of which that of C or K at a speed is made, each with a factor and its slack.
 fn system(
     is_stiffness: bool,

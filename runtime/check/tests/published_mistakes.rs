@@ -180,6 +180,18 @@ fn accelerations_are_checked_by_the_nonlinear_equations() {
     assert!(checked(linear).agrees);
 }
 
+/// The same linear state by other names, at the speed of the file.
+#[test]
+fn states_are_called_as_people_do() {
+    for text in [
+        "accelerations = { state = { lean = 0.01 }, values = { roll_acceleration = 0.0948977, steer = 0.117195 } }",
+        "accelerations = { state = { roll = 0.01, lean_dot = 0 }, forces = { steering_torque = 0 }, values = { \"phi''\" = 0.0948977 } }",
+    ] {
+        let report = checked(&format!("speed = 5\n{}", text.replace("{ state", "{ equations = \"linear\", state")));
+        assert!(report.agrees, "{report}");
+    }
+}
+
 /// The same state and accelerations, by somebody who counts otherwise.
 #[test]
 fn accelerations_in_other_coordinates_are_told_as_a_whole() {

@@ -2,7 +2,7 @@
 
 mod benchmark;
 
-use benchmark::{K0, causes, checked, state_matrix};
+use benchmark::{K0, causes, checked, numbers, state_matrix, written};
 use carvallo_check::{check, read};
 use carvallo_design::input::Request;
 
@@ -101,4 +101,23 @@ fn zeros_behind_fewer_digits_are_told() {
     assert!(report.to_string().contains("\nTo 4 digits all agree, with zeros behind: `digits = 4` in"), "{report}");
     let wrong = checked("M = [[80.920, 2.31941], [2.31941, 0.297842]]");
     assert_eq!((wrong.agrees, wrong.padded), (false, None));
+}
+
+/// The printed matrices twice at one speed, the second transposed, and with one more in A_31, as it should be.
+#[test]
+fn of_two_matrices_the_transposed_one_is_told_and_what_contradicts() {
+    let right = numbers(5.0, |_, _, _| {});
+    let transposed = |rows: [[f64; 4]; 4]| [0, 1, 2, 3].map(|row| [0, 1, 2, 3].map(|column| rows[column][row]));
+    let mut wrong = right;
+    wrong[2][0] += 1.0;
+    let both = |second: [[f64; 4]; 4]| {
+        let [a, b] = [right, transposed(second)].map(|rows| written(rows, &|entry| format!("{entry:.8}")));
+        checked(&format!("A = [{{ speed = 5, rows = {a} }}, {{ speed = 5, rows = {b} }}]"))
+    };
+    assert_eq!(causes(&both(right)), ["A no. 2 at 5 m/s was filled row by column: it is transposed"]);
+    let report = both(wrong);
+    let suspects = report.unexplained.as_ref().expect("suspects");
+    assert_eq!(suspects.beside, ["A no. 2 at 5 m/s was filled row by column: it is transposed"], "{report}");
+    assert_eq!(suspects.contradictions, ["A_31 at 5 m/s is 9.48977445 and 10.48977445"], "{report}");
+    assert_eq!(suspects.wrong, ["A_31 of A no. 2 at 5 m/s"], "{report}");
 }

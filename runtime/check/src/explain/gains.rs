@@ -48,7 +48,7 @@ fn of_powers(predictor: &Predictor, here: &[f64], effects: &[&[f64]]) -> Option<
 }
 
 /// The solution of linear equations, by Cramer's rule; `None` where there is not one.
-fn solution(rows: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
+pub fn solution(rows: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
     let with = |replaced: Option<usize>| -> Square {
         let entry = |row: usize, column: usize| {
             let own = if replaced == Some(column) { right[row] } else { rows[row][column] };

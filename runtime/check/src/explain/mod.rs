@@ -4,6 +4,7 @@ mod acting;
 mod beside;
 mod curve;
 mod double;
+mod forces;
 mod gains;
 mod pairs;
 mod readings;
@@ -27,6 +28,8 @@ use crate::report::rank;
 use carvallo_slips::FormulaSlip;
 
 pub use carvallo_slips::DoubleSlip;
+
+pub use self::forces::{Missing, find as of_accelerations, missing};
 
 pub use self::readings::{Explained, explain};
 pub use self::solve::{digits, relation};
@@ -181,6 +184,10 @@ impl<'a, 'b> Search<'a, 'b> {
         if found.is_empty() {
             found = self.written(predictor, 1);
         }
+        // Of accelerations the forces tell it at once.
+        if found.is_empty() {
+            found.extend(self.closed(predictor, of_accelerations(self.machine, predictor)));
+        }
         if found.is_empty() {
             found = self.fitting(self.pairs(), predictor);
             found.extend(self.fitting(self.slips(), predictor));
@@ -196,13 +203,18 @@ impl<'a, 'b> Search<'a, 'b> {
         }
         if found.is_empty() {
             let closed = undeclared(self.machine, predictor).or_else(|| of_eigenvalues(self.machine, predictor));
-            // Some gains or other make any mistakes in one equation; by few digits, short ones do.
-            let known = predictor.numbers().iter().map(|(_, reading)| reading.digits).max().unwrap_or_default();
-            let most = PLAIN.min(known.saturating_sub(SPARE));
-            let plain = closed.filter(|own| !own.laws.is_empty() && own.digits <= most);
-            found.extend(plain.map(|own| Found { causes: vec![Cause::Feedback(own)], world: self.machine.world() }));
+            found.extend(self.closed(predictor, closed));
         }
         found
+    }
+
+    /// A closed loop whose gains somebody may have meant.
+    fn closed(&self, predictor: &Predictor, closed: Option<Undeclared>) -> Option<Found<'a>> {
+        // Some gains or other make any mistakes in one equation; by few digits, short ones do.
+        let known = predictor.numbers().iter().map(|(_, reading)| reading.digits).max().unwrap_or_default();
+        let most = PLAIN.min(known.saturating_sub(SPARE));
+        let plain = closed.filter(|own| !own.laws.is_empty() && own.digits <= most);
+        plain.map(|own| Found { causes: vec![Cause::Feedback(own)], world: self.machine.world() })
     }
 
     /// All numbers that do not agree, of which there are so many at most, written wrongly; or all of C and K that stand behind state

@@ -149,6 +149,7 @@ impl Given {
         let mut all: Vec<f64> = self.system_matrices.iter().map(|own| own.speed).collect();
         all.extend(self.state_matrices.iter().map(|own| own.speed));
         all.extend(self.eigenvalues.iter().map(|own| own.speed));
+        all.extend(self.accelerations.iter().map(|own| own.speed));
         all.sort_by(f64::total_cmp);
         all.dedup();
         all
@@ -193,6 +194,14 @@ impl Given {
         own
     }
 
+    /// What a state matrix is called: `A at 5 m/s`, or `A no. 2 at 5 m/s` where several are of one speed.
+    pub fn state_name(&self, at: usize) -> String {
+        let speed = self.state_matrices[at].speed;
+        let of_speed = self.state_matrices.iter().filter(|own| own.speed == speed).count();
+        let which = if of_speed > 1 { format!(" no. {}", at + 1) } else { String::new() };
+        format!("A{which} at {speed} m/s")
+    }
+
     /// What a number is called: `M_12`, or `Re s2 at 5 m/s`.
     pub fn name(&self, quantity: Quantity, info: &ModelInfo) -> String {
         let part = |part: &str, at: usize, index: usize| {
@@ -206,7 +215,8 @@ impl Given {
                 format!("{letter}{} at {} m/s", indices(row, column), own.speed)
             }
             Quantity::State(at, row, column) => {
-                format!("A{} at {} m/s", indices(row, column), self.state_matrices[at].speed)
+                let (own, entry) = (self.state_name(at), format!("A{}", indices(row, column)));
+                if own.starts_with("A no.") { format!("{entry} of {own}") } else { own.replacen('A', &entry, 1) }
             }
             Quantity::RealPart(at, index) => part("Re", at, index),
             Quantity::ImaginaryPart(at, index) => part("Im", at, index),

@@ -85,6 +85,19 @@ impl<'a> Predictor<'a> {
         all.iter().zip(by_both).map(meant).collect()
     }
 
+    /// The accelerations in a state of the machine as it is with a force of one more on a coordinate, or with none; `None` where there are
+    /// none, or no such force.
+    pub fn with_force(&self, state: usize, on: Option<usize>, world: &World) -> Option<Vec<f64>> {
+        let mut given = self.given.accelerations[state].clone();
+        if let Some(on) = on {
+            given.forces[on] += 1.0;
+        }
+        match &self.nonlinear[state] {
+            Some(exact) => exact.motion.accelerations(&given, &world.parameters, self.feedback),
+            None => self.linear(&given, world),
+        }
+    }
+
     /// What was given with the other equations for those accelerations that do not agree and of which nothing is said of equations;
     /// `None` where there are none.
     pub fn by_other_equations(&self, machine: &Machine) -> Option<Given> {

@@ -20,6 +20,7 @@ pub struct File {
     /// The numbers but for accelerations, whose names depend on the model.
     given: Given,
     accelerations: Option<Node>,
+    speed: Option<f64>,
     model: Option<String>,
     bicycle: Option<String>,
     parameters: Vec<(String, String, String)>,
@@ -44,7 +45,7 @@ pub fn read(label: &str, bytes: Vec<u8>) -> Result<File, Failure> {
 
 impl File {
     fn new(raw: Raw) -> Result<Self, Failure> {
-        let Reader { given, accelerations, model, bicycle, parameters, feedback, mut problems, digits, .. } =
+        let Reader { given, accelerations, model, bicycle, parameters, feedback, speed, mut problems, digits } =
             Reader::new(raw.members);
         let mut given = given;
         if given.numbers().is_empty() && accelerations.is_none() && problems.is_empty() {
@@ -58,7 +59,7 @@ impl File {
         if let Some(digits) = digits {
             given.each_reading(&mut |reading| reading.limit(digits));
         }
-        Ok(Self { label: raw.label, given, accelerations, model, bicycle, parameters, feedback })
+        Ok(Self { label: raw.label, given, accelerations, speed, model, bicycle, parameters, feedback })
     }
 
     /// The design that the numbers are of: what is asked for, or else what the file says, or else the benchmark bicycle;
@@ -102,7 +103,7 @@ impl File {
     pub fn given(&self, design: &Design) -> Result<Given, Failure> {
         let mut given = self.given.clone();
         if let Some(node) = &self.accelerations {
-            given.accelerations = motion::accelerations(node, design.info()).map_err(Failure::Input)?;
+            given.accelerations = motion::accelerations(node, design.info(), self.speed).map_err(Failure::Input)?;
         }
         Ok(given)
     }

@@ -1,17 +1,23 @@
 //! Accelerations in states of motion, by the names of coordinates.
 
 use carvallo::ModelInfo;
-use carvallo_design::Problem;
 use carvallo_design::input::{Named, Node, Value};
+use carvallo_design::{Problem, is_called, of_rate};
 
 use super::numbers::{problem, reading, speed};
 use crate::given::{Accelerations, Kind};
 
-/// Each a table `{ speed = 5, state = { phi = 0.1, phi_rate = 0 }, forces = { delta = 1 }, values = { phi = 2.3, delta = … } }`.
+/// What stands behind the name of a coordinate for its acceleration, and for its force.
+const ACCELERATIONS: [&str; 9] =
+    ["''", "_ddot", "ddot", "_dd", "dd", "_acceleration", " acceleration", "_accel", "_acc"];
+const FORCES: [&str; 6] = ["_torque", " torque", "_moment", " moment", "_force", " force"];
+
+/// Each a table `{ speed = 5, state = { phi = 0.1, phi_rate = 0 }, forces = { delta = 1 }, values = { phi = 2.3, delta = … } }`;
+/// those without a speed at that of the file.
 ///
 /// # Errors
 /// Everything that is wrong with them.
-pub fn accelerations(node: &Node, info: &ModelInfo) -> Result<Vec<Accelerations>, Vec<Problem>> {
+pub fn accelerations(node: &Node, info: &ModelInfo, of_file: Option<f64>) -> Result<Vec<Accelerations>, Vec<Problem>> {
     let nodes = match &node.value {
         Value::List(nodes) => nodes.as_slice(),
         _ => std::slice::from_ref(node),
@@ -21,7 +27,7 @@ pub fn accelerations(node: &Node, info: &ModelInfo) -> Result<Vec<Accelerations>
     for node in nodes {
         let mut own = Accelerations {
             equations: None,
-            speed: f64::NAN,
+            speed: of_file.unwrap_or(f64::NAN),
             positions: vec![0.0; info.coordinates.len()],
             rates: vec![0.0; info.coordinates.len()],
             forces: vec![0.0; info.coordinates.len()],
@@ -49,22 +55,28 @@ pub fn accelerations(node: &Node, info: &ModelInfo) -> Result<Vec<Accelerations>
                         Err(vec![problem(&node.place, message)])
                     }
                 },
-                ("state", Value::Table(members)) => each(members, info, &mut |at, suffix, node, what| {
-                    let value = reading(node, what)?.map_or(0.0, |reading| reading.value);
-                    match suffix {
-                        "" => own.positions[at] = value,
-                        "_rate" | "'" | "dot" | "_dot" => own.rates[at] = value,
-                        _ => return Err(problem(&node.place, unknown(what, info, "NAME or NAME_rate"))),
-                    }
-                    Ok(())
+                ("state", Value::Table(members)) => each(members, info, "NAME or NAME_rate", &mut |written, node| {
+                    let (values, at) = match position(written, info) {
+                        Some(at) => (&mut own.positions, at),
+                        None => (&mut own.rates, of_rate(written).and_then(|stem| position(stem, info))?),
+                    };
+                    Some(
+                        reading(node, &format!("`{written}`"))
+                            .map(|value| values[at] = value.map_or(0.0, |reading| reading.value)),
+                    )
                 }),
-                ("forces", Value::Table(members)) => each(members, info, &mut |at, _, node, what| {
-                    own.forces[at] = reading(node, what)?.map_or(0.0, |reading| reading.value);
-                    Ok(())
+                ("forces", Value::Table(members)) => each(members, info, "NAME", &mut |written, node| {
+                    let stem = FORCES.iter().find_map(|ending| written.strip_suffix(ending)).unwrap_or(written);
+                    let at = position(stem, info).or_else(|| position(stem.strip_prefix('T')?, info))?;
+                    Some(
+                        reading(node, &format!("`{written}`"))
+                            .map(|value| own.forces[at] = value.map_or(0.0, |own| own.value)),
+                    )
                 }),
-                ("values", Value::Table(members)) => each(members, info, &mut |at, _, node, what| {
-                    own.values[at] = reading(node, what)?;
-                    Ok(())
+                ("values", Value::Table(members)) => each(members, info, "NAME", &mut |written, node| {
+                    let stem = ACCELERATIONS.iter().find_map(|ending| written.strip_suffix(ending));
+                    let at = position(written, info).or_else(|| position(stem?, info))?;
+                    Some(reading(node, &format!("`{written}`")).map(|value| own.values[at] = value))
                 }),
                 ("state" | "forces" | "values", _) => {
                     let coordinate = info.coordinates.first().map_or("", |own| own.name);
@@ -83,7 +95,10 @@ pub fn accelerations(node: &Node, info: &ModelInfo) -> Result<Vec<Accelerations>
             problems.extend(done.err().into_iter().flatten());
         }
         // What is wrong with a speed was told.
-        if own.speed.is_nan() && !members.iter().any(|member| matches!(member.name.as_str(), "speed" | "v")) {
+        if own.speed.is_nan()
+            && of_file.is_none()
+            && !members.iter().any(|member| matches!(member.name.as_str(), "speed" | "v"))
+        {
             problems.push(problem(&node.place, "accelerations have no `speed`"));
         }
         found.push(own);
@@ -91,25 +106,22 @@ pub fn accelerations(node: &Node, info: &ModelInfo) -> Result<Vec<Accelerations>
     if problems.is_empty() { Ok(found) } else { Err(problems) }
 }
 
-type Take<'a> = &'a mut dyn FnMut(usize, &str, &Node, &str) -> Result<(), Problem>;
+/// What takes the number of a name, if it knows this.
+type Take<'a> = &'a mut dyn FnMut(&str, &Node) -> Option<Result<(), Problem>>;
 
-/// The members of a table by the coordinate whose name they begin with, or that of its force, and what stands behind it.
-fn each(members: &[Named], info: &ModelInfo, take: Take) -> Result<(), Vec<Problem>> {
-    let mut problems = Vec::new();
-    for Named { name, node } in members {
-        let own = name.strip_prefix('T').unwrap_or(name);
-        let names = info.coordinates.iter().enumerate();
-        let of = names.filter(|(_, coordinate)| own.starts_with(coordinate.name)).max_by_key(|(_, own)| own.name.len());
-        let done = match of {
-            Some((at, coordinate)) => take(at, &own[coordinate.name.len()..], node, &format!("`{name}`")),
-            None => Err(problem(&node.place, unknown(&format!("`{name}`"), info, "NAME"))),
-        };
-        problems.extend(done.err());
-    }
+/// The members of a table.
+fn each(members: &[Named], info: &ModelInfo, form: &str, take: Take) -> Result<(), Vec<Problem>> {
+    let unknown = |Named { name, node }: &Named| {
+        let names: Vec<&str> = info.coordinates.iter().map(|coordinate| coordinate.name).collect();
+        let (model, names) = (info.name, names.join(", "));
+        problem(&node.place, format!("`{name}` is of no coordinate of {model}; expected {form} with one of {names}"))
+    };
+    let done = |own: &Named| take(&own.name, &own.node).unwrap_or_else(|| Err(unknown(own))).err();
+    let problems: Vec<Problem> = members.iter().filter_map(done).collect();
     if problems.is_empty() { Ok(()) } else { Err(problems) }
 }
 
-fn unknown(what: &str, info: &ModelInfo, form: &str) -> String {
-    let names: Vec<&str> = info.coordinates.iter().map(|coordinate| coordinate.name).collect();
-    format!("{what} is of no coordinate of {}; expected {form} with one of {}", info.name, names.join(", "))
+/// The coordinate that somebody calls so: `phi`, `lean`, `roll`.
+fn position(written: &str, info: &ModelInfo) -> Option<usize> {
+    info.coordinates.iter().position(|own| is_called(own.name, own.label, written))
 }

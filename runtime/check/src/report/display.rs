@@ -141,7 +141,7 @@ fn explanations(groups: &[Group], count: usize, f: &mut fmt::Formatter<'_>) -> f
 
 impl fmt::Display for Suspects {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { contradictions, beside, wrong, has_few_digits, formulas, parts, behind, feedback } = self;
+        let Self { contradictions, beside, wrong, has_few_digits, formulas, parts, behind, equations, feedback } = self;
         let is_closed = feedback.as_ref().is_some_and(|own| !own.laws.is_empty());
         let what = match (self.are_explained_one_by_one(), is_closed) {
             (true, _) => {
@@ -158,7 +158,12 @@ impl fmt::Display for Suspects {
         match &contradictions[..] {
             [] if beside.is_empty() => writeln!(f, "\n{what}")?,
             [] => writeln!(f, "\n{}. Beside that:\n{what}", beside.join(", "))?,
-            all => writeln!(f, "\nNo machine has all of these numbers: {}.", all.join(", "))?,
+            all => {
+                if !beside.is_empty() {
+                    write!(f, "\n{}. Beside that:", beside.join(", "))?;
+                }
+                writeln!(f, "\nNo machine has all of these numbers: {}.", all.join(", "))?;
+            }
         }
         writeln!(f, "  What differs: {}", wrong.join(", "))?;
         if !formulas.is_empty() {
@@ -171,6 +176,10 @@ impl fmt::Display for Suspects {
             parts.iter().try_for_each(|part| part.fmt(f))?;
         }
         behind.iter().try_for_each(|behind| behind.fmt(f))?;
+        if !equations.is_empty() {
+            writeln!(f, "  Of the equations of motion are off")?;
+            equations.iter().try_for_each(|own| writeln!(f, "    {own}"))?;
+        }
         feedback.iter().try_for_each(|what| writeln!(f, "  {}", may_be_closed(what)))
     }
 }

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::words::words;
 use crate::behind;
-use crate::explain::{Cause, Undeclared, undeclared, written};
+use crate::explain::{Cause, Missing, Undeclared, missing, of_accelerations, undeclared, written};
 use crate::given::{Quantity, contradictions};
 use crate::machine::Machine;
 use crate::predict::Predictor;
@@ -29,6 +29,8 @@ pub struct Suspects {
     pub parts: Vec<Part>,
     /// Where entries of state matrices are wrong: those of the damping and stiffness that they come from.
     pub behind: Option<Behind>,
+    /// In which equations of motion accelerations are off, and by which forces.
+    pub equations: Vec<String>,
     /// That what differs of state matrices, or of C and K, is in the span of some forces alone, where it is: a feedback makes it.
     pub feedback: Option<Undeclared>,
 }
@@ -75,10 +77,11 @@ impl Suspects {
         if behind.as_ref().is_some_and(Behind::are_explained) && !are_explained(&names, &parts) {
             parts.clear();
         }
-        let feedback = undeclared(machine, predictor);
+        let feedback = undeclared(machine, predictor).or_else(|| of_accelerations(machine, predictor));
+        let equations = equations(machine, predictor);
         let contradictions = contradictions(predictor.given(), machine.info);
         let (beside, has_few_digits) = (beside.to_vec(), predictor.has_few_digits());
-        Self { contradictions, beside, wrong: names, has_few_digits, formulas, parts, behind, feedback }
+        Self { contradictions, beside, wrong: names, has_few_digits, formulas, parts, behind, equations, feedback }
     }
 }
 
@@ -112,6 +115,22 @@ impl Behind {
         };
         (!own.wrong.is_empty()).then_some(own)
     }
+}
+
+/// In which equations of motion accelerations are off, as `in state 1 at 5 m/s that of delta, by a force of 2.5`.
+fn equations(machine: &Machine, predictor: &Predictor) -> Vec<String> {
+    let told = |own: Missing| {
+        let speed = predictor.given().accelerations[own.state].speed;
+        let (wrong, right): (Vec<usize>, Vec<usize>) = (0..own.forces.len()).partition(|at| own.is_wrong(*at));
+        let name = |at: &usize| machine.info.coordinates[*at].name;
+        let off = |at: &usize| format!("that of {}, by a force of {}", name(at), behind::shown(own.forces[*at][0]));
+        let wrong: Vec<String> = wrong.iter().map(off).collect();
+        let right: Vec<&str> = right.iter().map(name).collect();
+        let holds = if right.is_empty() { String::new() } else { format!("; that of {} holds", right.join(" and ")) };
+        format!("in state {} at {speed} m/s {}{holds}", own.state + 1, wrong.join(", and "))
+    };
+    let is_off = |own: &Missing| (0..own.forces.len()).any(|at| own.is_wrong(at));
+    missing(machine, predictor).into_iter().filter(is_off).map(told).collect()
 }
 
 /// The formulas, and the terms of the feedback, that all wrong and no right entries come from.
