@@ -51,7 +51,8 @@ pub(super) fn moderate_matrices(coefficients: &Coefficients<f64, 2>, gravity: f6
 #[inline]
 pub(crate) fn entries(coefficients: &Coefficients<f64, 2>) -> [Rows; 6] {
     let Coefficients { m, c0, c1, kc, k0, k2, .. } = coefficients;
-    [m, c0, c1, kc, k0, k2].map(rows)
+    // One by one: a function of an array calls another one for it.
+    [rows(m), rows(c0), rows(c1), rows(kc), rows(k0), rows(k2)]
 }
 
 /// Whether no entry is not finite or of unusual size.
