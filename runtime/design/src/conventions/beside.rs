@@ -74,6 +74,8 @@ impl<'a> File<'a> {
             let parameter = &self.info.parameters[at];
             let of_it = || entries.iter().filter(|other| position(&other.name, self.info) == Some(at));
             let first = of_it().find(|other| spelled(&other.name) == parameter.name).or_else(|| of_it().next());
+            // Underscores alone make no other name.
+            let first = first.filter(|first| spelled(&first.name) != spelled(&entry.name));
             return first
                 .is_some_and(|first| is_alias(&first.name, &entry.name) && self.repeats(entry, first, parameter));
         }
