@@ -19,7 +19,7 @@ pub struct Critical {
     kinds: Vec<Kind>,
     /// The speed, and what is as far away on either side as may be.
     speeds: [f64; 3],
-    /// The matrices that are not zero.
+    /// Other matrices are zero.
     matrices: Vec<MatrixName>,
     /// Of each coordinate whether its position is no state.
     has_rate_alone: Vec<bool>,
@@ -34,7 +34,7 @@ enum Kind {
     Weave,
 }
 
-/// All of which the kind is known, or one of two; these matrices are not zero.
+/// All of which the kind is known, or one of two; other matrices than these are zero.
 pub fn criticals(predictor: &Predictor, info: &ModelInfo, matrices: &[MatrixName]) -> Vec<Critical> {
     let numbers = predictor.numbers().iter().zip(predictor.tolerances()).enumerate();
     let of = |(number, ((quantity, reading), tolerance)): (usize, (&(Quantity, &Reading), &f64))| {

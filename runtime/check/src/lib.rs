@@ -6,6 +6,7 @@ mod critical;
 pub mod explain;
 mod form;
 pub mod given;
+mod kinds;
 pub mod machine;
 mod motion;
 pub mod predict;
@@ -102,7 +103,7 @@ fn compare(given: &Given, machine: &Machine) -> Report {
     if let Some((mended, told)) = mended {
         return check_mended(given, &mended, told, machine);
     }
-    let others = in_other_coordinates(given, &own, machine);
+    let others = in_another_form(given, &own, machine);
     if !others.is_empty() {
         return Report::new(machine, &own, &own, others, None);
     }
@@ -114,10 +115,12 @@ fn compare(given: &Given, machine: &Machine) -> Report {
     Report::new(machine, &own, meant, found, suspects)
 }
 
-/// What makes all numbers where some accelerations are by the nonlinear equations, of what was done to coordinates as a whole: such
-/// causes change no parameters and no matrices, in which others are searched.
-fn in_other_coordinates<'a>(given: &Given, own: &Predictor, machine: &Machine) -> Vec<Found<'a>> {
-    if !own.has_nonlinear() {
+/// What makes all numbers, of what was done to accelerations by the nonlinear equations as a whole and to the names of critical speeds:
+/// such causes change no parameters and no matrices, in which others are searched.
+fn in_another_form<'a>(given: &Given, own: &Predictor, machine: &Machine) -> Vec<Found<'a>> {
+    let motions = if own.has_nonlinear() { motion::forms::mended(given, machine.info) } else { Vec::new() };
+    let forms: Vec<_> = motions.into_iter().chain(kinds::exchanged(given)).collect();
+    if forms.is_empty() {
         return Vec::new();
     }
     let world = machine.world();
@@ -126,7 +129,7 @@ fn in_other_coordinates<'a>(given: &Given, own: &Predictor, machine: &Machine) -
         let here = own.predict(&world);
         own.agreeing(&here) == here.len()
     };
-    let all = motion::forms::mended(given, machine.info).into_iter().filter(|(other, _)| makes_all(other));
+    let all = forms.into_iter().filter(|(other, _)| makes_all(other));
     all.map(|(_, told)| Found { causes: vec![Cause::Written(told)], world: world.clone() }).collect()
 }
 

@@ -105,7 +105,9 @@ impl<'a> Predictor<'a> {
         let entries = made.closed_entries(&world);
         made.relations.sort_by_key(|own| own.holds(&entries, world.gravity));
         let closing = machine.gains().map(|gain| gain.matrix);
-        let mut matrices: Vec<MatrixName> = info.matrices.iter().copied().chain(closing).collect();
+        // And those in which a loop stands that nobody declared.
+        let undeclared = [MatrixName::C0, MatrixName::C1, MatrixName::Kc, MatrixName::K1, MatrixName::K2];
+        let mut matrices: Vec<MatrixName> = info.matrices.iter().copied().chain(closing).chain(undeclared).collect();
         matrices.sort_by_key(|matrix| *matrix as usize);
         matrices.dedup();
         let far = |own: &Zero| {

@@ -27,7 +27,7 @@ pub struct Zero {
     count: usize,
 }
 
-/// All of which both parts are known, once of each pair; these matrices are not zero.
+/// All of which both parts are known, once of each pair; other matrices than these are zero.
 pub fn zeros(predictor: &Predictor, info: &ModelInfo, matrices: &[MatrixName]) -> Vec<Zero> {
     let (numbers, tolerances) = (predictor.numbers(), predictor.tolerances());
     let mut zeros = Vec::new();
@@ -82,6 +82,11 @@ impl Zero {
                 |at: usize| Complex::new(squared.re * m[at] + s.re * c[at] + k[at], squared.im * m[at] + s.im * c[at]);
             (0..square).map(entry).collect()
         })
+    }
+
+    /// The determinant of the matrix whose determinant is zero.
+    pub fn determinant(&self, entries: &[f64], gravity: f64) -> Complex<f64> {
+        determinant(&self.matrices(entries, gravity)[0], self.count)
     }
 
     /// How large the determinant is, and how large it may be: beside another eigenvalue twice as large as on the side that differs more.

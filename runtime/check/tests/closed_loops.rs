@@ -136,3 +136,11 @@ fn a_further_gain_is_told_from_eigenvalues() {
     assert!(found[0].ends_with(&format!("by what --feedback '{law}' declares")), "{found:?}");
     assert!(checked_with(text, &[law]).agrees);
 }
+
+/// Tdelta = -3 phi' in the printed matrices: eigenvalues of A - B K by NumPy, of which two are no real ones.
+#[test]
+fn a_gain_is_told_from_complex_eigenvalues() {
+    let text = "speed = 4\neigenvalues = [-12.27965, -3.415015, \"1.652697 ± 1.126383i\"]";
+    let found = causes(&checked(text));
+    assert!(found[0].contains("by what --feedback 'Tdelta = -3*phi_rate' declares"), "{found:?}");
+}

@@ -161,3 +161,26 @@ fn what_is_wrong_with_accelerations_is_told_once() {
     let found = told("speed = -4, state = { phi = 0.1 }, values = { phi = 0.9 }");
     assert!(found.contains("speed >= 0") && !found.contains("no `speed`"), "{found}");
 }
+
+/// Table 2 of Meijaard et al. (2007) at 5 m/s, with another real part below the axis.
+#[test]
+fn eigenvalues_without_their_conjugates_are_told() {
+    let of = |below: &str| {
+        checked(&format!(
+            "speed = 5\neigenvalues = [-14.07838969, -0.32286643, \"-0.77534188+4.46486771i\", \"{below}\"]"
+        ))
+    };
+    assert!(of("-0.77534188-4.46486771i").agrees);
+    let report = of("-0.85534188-4.46486771i");
+    let found = report.unexplained.as_ref().map(|own| own.contradictions.clone()).unwrap_or_default();
+    let expected = ["-0.77534188+4.46486771i", "-0.85534188-4.46486771i"]
+        .map(|own| format!("the eigenvalue {own} at 5 m/s without its conjugate"));
+    assert_eq!(found, expected, "{report}");
+}
+
+/// The critical speeds of the benchmark bicycle, as published, one under the name of the other.
+#[test]
+fn critical_speeds_under_one_anothers_names_are_told() {
+    let found = causes(&checked("critical_speeds = { weave = 6.024262, capsize = 4.292383 }"));
+    assert_eq!(found, ["weave speed and capsize speed are exchanged"]);
+}

@@ -39,6 +39,13 @@ pub fn solve(predictor: &Predictor, value: f64, world: &dyn Fn(f64) -> Option<Wo
     None
 }
 
+/// The value with the fewest digits with which everything fits, beside one that is known nearly and is not zero.
+pub fn near(predictor: &Predictor, x: f64, world: &dyn Fn(f64) -> Option<World>) -> Option<f64> {
+    let predict = |x: f64| world(x).map(|world| predictor.predict(&world));
+    let x = middle(predictor, x, x, &predict)?;
+    simplest(x, x, &|x| world(x).is_some_and(|world| predictor.fits(&world)))
+}
+
 /// What tells the value best: what is wrong and changes with the unknown by most of its tolerance.
 enum Told {
     /// A relation of the entries, which costs little.

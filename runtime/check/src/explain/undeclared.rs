@@ -7,10 +7,10 @@ use carvallo_slips::{index, place};
 use serde::Serialize;
 
 use super::gains::solve;
-use super::solve::{digits, solve as value};
+use super::solve::{digits, near, solve as value};
 use crate::conventions;
 use crate::machine::Machine;
-use crate::predict::Predictor;
+use crate::predict::{Predictor, World};
 use crate::relation::Relation;
 use crate::states::states;
 
@@ -29,6 +29,9 @@ pub struct Undeclared {
     #[serde(skip)]
     pub digits: usize,
 }
+
+/// Beyond so much of it an imaginary part is none that the digits of an eigenvalue leave to a gain.
+const UNREAL: f64 = 0.1;
 
 /// What a gain may be multiplied by, of a rate and of a position.
 pub const POWERS: [[MatrixName; 3]; 2] =
@@ -70,13 +73,26 @@ pub fn of_eigenvalues(machine: &Machine, predictor: &Predictor) -> Option<Undecl
                     }
                     Some(own)
                 };
-                let value = value(predictor, 0.0, &world).filter(|value| *value != 0.0);
+                let value = by_eigenvalue(predictor, &world).unwrap_or_else(|| value(predictor, 0.0, &world));
+                let value = value.filter(|value| *value != 0.0);
                 let gain = value.map(|value| Gain { matrix, input, column, value });
                 found.extend(gain.and_then(|gain| Undeclared::new(machine, predictor, &[gain])));
             }
         }
     }
     found.into_iter().min_by_key(|own| own.digits)
+}
+
+/// A gain by an eigenvalue that the machine has not without it: each is multiplied with one column of one force, so that the
+/// determinant that is zero there is linear in it. The inner `None` is that of no gain, the outer one where no such eigenvalue is known.
+fn by_eigenvalue(predictor: &Predictor, world: &dyn Fn(f64) -> Option<World>) -> Option<Option<f64>> {
+    let (without, with) = (world(0.0)?, world(1.0)?);
+    let entries = [&without, &with].map(|own| predictor.closed_entries(own));
+    let zero = predictor.zeros().iter().find(|own| !own.holds(&entries[0], without.gravity))?;
+    let [off, further] = entries.map(|own| zero.determinant(&own, without.gravity));
+    let value = off / (off - further);
+    let is_real = value.re.is_finite() && value.im.abs() <= UNREAL * value.re.abs();
+    Some(is_real.then(|| near(predictor, value.re, world)).flatten())
 }
 
 impl Undeclared {
