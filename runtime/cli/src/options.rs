@@ -114,6 +114,13 @@ impl UnitOptions {
         Ok(units)
     }
 
+    /// Tells that pictures do not follow, where such are drawn that do not.
+    pub fn tell_of_pictures(&self, are_drawn: bool) {
+        if are_drawn && !self.units().is_si() {
+            note(WARNING, "note", "--units: pictures of this command stay in SI units and degrees");
+        }
+    }
+
     /// What speeds are shown in.
     pub fn of_speeds(&self) -> DisplayUnit {
         self.units().of("m/s")

@@ -134,6 +134,14 @@ fn files_stand_in_the_place_of_periods() {
         std::fs::write(folder.join("more.csv"), format!("{heading};other;gyro [V]\n{rows}")).unwrap();
         assert_eq!(radial(&measured("{ file = 'more.csv', column = 'gyro' }").unwrap()), beside, "{heading}");
     }
+    // In UTF-16, as PowerShell writes it, and in Latin-1.
+    let text = format!("# Räder\ntime (ms);other;gyro [V]\n{rows}");
+    let utf_16: Vec<u8> = std::iter::once(0xfeff).chain(text.encode_utf16()).flat_map(u16::to_le_bytes).collect();
+    let latin: Vec<u8> = text.chars().map(|sign| u8::try_from(sign).unwrap()).collect();
+    for (encoding, bytes) in [("UTF-16", utf_16), ("Latin-1", latin)] {
+        std::fs::write(folder.join("other.csv"), bytes).unwrap();
+        assert_eq!(radial(&measured("{ file = 'other.csv', column = 'gyro' }").unwrap()), beside, "{encoding}");
+    }
     std::fs::write(folder.join("long.csv"), format!("time (furlong);other;gyro [V]\n{rows}")).unwrap();
     // By its number; a rate that agrees with the times, or counts beside it, are nothing wrong.
     assert_eq!(radial(&measured("{ file = 'more.csv', column = 3 }").unwrap()), beside);

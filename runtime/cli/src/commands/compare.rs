@@ -99,6 +99,11 @@ impl Pictures {
         given.try_for_each(|(option, picture)| picture.check_request(option, request))
     }
 
+    /// Whether one is asked for that has units, which a side view has not.
+    pub fn have_units(&self) -> bool {
+        self.plot.is_some() || self.contributions.is_some()
+    }
+
     /// # Errors
     /// If one cannot be drawn, or a file cannot be written.
     pub fn draw(&self, comparison: &Comparison) -> Result<(), Failure> {
@@ -139,6 +144,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         labels.into_iter().zip(designs).map(|(label, design)| Ok(Compared { label, analysis: Analysis::new(design)? }));
     let comparison = Comparison::new(compared.collect::<Result<_, Failure>>()?)?;
     options.pictures.draw(&comparison)?;
+    options.units.tell_of_pictures(options.pictures.have_units());
     match options.format {
         Format::Table => print(&documents::of_comparison(&comparison, options.all, &units).at_terminal()),
         Format::Document(language) => {

@@ -119,6 +119,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let after = Compared { label: best.title(), analysis: Analysis::new(best)? };
     let comparison = Comparison::new(vec![before, after])?;
     options.pictures.draw(&comparison)?;
+    options.units.tell_of_pictures(options.pictures.have_units());
     let document = || documents::of_optimum(&problem, &optimum, &comparison, &units);
     match options.format {
         Format::Table => print(&document().at_terminal()),

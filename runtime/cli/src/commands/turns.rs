@@ -70,6 +70,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     if let Some(picture) = &options.plot {
         let all = if steers.is_some() { Some(Families::new(&design, None)?) } else { None };
         picture.write(&picture::draw_turns(all.as_ref().unwrap_or(&families)))?;
+        options.units.tell_of_pictures(true);
     }
     if steers.iter().flatten().any(|steer| *steer == 0.0) {
         note(

@@ -89,6 +89,10 @@ impl Asked<'_> {
         let units = options.units.units();
         let motion = solved(solver, design, &given, speed, &times)?;
         let motion = if format.is_read() { motion } else { units::in_units(motion, &units) };
+        // To ask what a force would be shown in is to show it.
+        if !format.is_read() && motion.feedback().iter().any(|(_, unit)| !units.of(unit).is_declared()) {
+            note(WARNING, "note", "--units: forces in JSON and CSV stay in units of the SI");
+        }
         tell(&motion, &units, format, options.delivery.path())?;
         motion.notes.iter().chain(&motion.end).for_each(|text| note(WARNING, "note", text));
         if let Some(picture) = &options.plot {
@@ -98,6 +102,7 @@ impl Asked<'_> {
             let drawn = solved(solver, design, &given, speed, &fine)?;
             let linear = if drawn.is_linear { None } else { beside(&drawn, options, speed, &fine)? };
             picture.write(&picture::draw_motion(&drawn, linear.as_ref()))?;
+            options.units.tell_of_pictures(true);
         }
         Ok(())
     }

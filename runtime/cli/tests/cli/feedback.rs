@@ -418,6 +418,24 @@ fn gains_of_a_table_are_read_in_its_units() {
         assert!(found.iter().any(|own| (own - value).abs() < 1e-9), "{value}: {found:?}");
     }
     let analyze = |law| directory.run(&["analyze", "--feedback", law, "--format", "json"]).json();
+    // A unit in parentheses divides; a motion in them does not, which is not linear.
+    for (written, same) in [
+        ("Tdelta = -7.37 lbf*ft/(rad/s)*phi_rate", "Tdelta = -7.37 lbf*ft*s/rad*phi_rate"),
+        ("Tdelta = -(10 N*m/( deg / s )) * phi_rate", "Tdelta = -10 N*m*s/deg*phi_rate"),
+        ("Tdelta = -10 N*m/(v)*phi_rate", "Tdelta = -10 N*m/v*phi_rate"),
+    ] {
+        let critical = |law: &str| {
+            let run = directory.run(&["analyze", "--feedback", law, "--format", "json"]);
+            (run.code, (run.code == Some(0)).then(|| run.json()["critical_speeds"].clone()))
+        };
+        assert_eq!(critical(written), critical(same), "{written}");
+    }
+    let refused = directory.run(&["analyze", "--feedback", "Tdelta = -10 N*m/(phi)*phi_rate"]);
+    assert!(
+        refused.code == Some(2) && refused.stderr.contains("expected a number or a power of `v`"),
+        "{}",
+        refused.stderr
+    );
     let [mass, force] = ["Tdelta = 10 lb*in*s*phi_rate", "Tdelta = 10 lbf*in*s*phi_rate"].map(analyze);
     assert_eq!(mass["critical_speeds"], force["critical_speeds"]);
 }

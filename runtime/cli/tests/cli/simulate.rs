@@ -189,6 +189,24 @@ fn force_files_are_read_with_care() {
     }
 }
 
+/// As PowerShell writes what is redirected to a file, and in Latin-1.
+#[test]
+fn force_files_are_read_in_other_encodings() {
+    let directory = Directory::of_this_test();
+    let text = "# für den Lenker\ntime,force [N m]\n0,1\n1,2\n";
+    let utf_16 = std::iter::once(0xfeff).chain(text.encode_utf16()).flat_map(u16::to_le_bytes);
+    std::fs::write(directory.0.join("utf16.csv"), utf_16.collect::<Vec<u8>>()).unwrap();
+    std::fs::write(directory.0.join("latin.csv"), text.chars().map(|sign| sign as u8).collect::<Vec<u8>>()).unwrap();
+    directory.write("utf8.csv", text);
+    let ride = |file: &str| {
+        let force = format!("delta={file}.csv");
+        let ride = ["--linear", "--speed", "5", "--force", &force, "--duration", "1", "--format", "csv"];
+        simulate(&directory, &ride).ok()
+    };
+    let plain = ride("utf8");
+    assert_eq!([ride("utf16"), ride("latin")], [plain.clone(), plain]);
+}
+
 /// What grows for ever leaves the range of doubles: what there is until then is told, and that it ends.
 #[test]
 fn what_leaves_the_range_of_doubles_ends_early() {

@@ -458,6 +458,32 @@ fn units_without_effect_are_told() {
     directory.run(&["analyze", "--units", "imperial"]).ok();
 }
 
+/// What a command shows in no other units than its own, though it shows something else in those that are asked for.
+#[test]
+fn what_stays_in_units_of_the_si_is_told() {
+    let directory = Directory::of_this_test();
+    let pictures = "note: --units: pictures of this command stay in SI units and degrees\n";
+    let simulate = ["simulate", "--speed", "5", "--duration", "1", "--initial", "phi_rate=0.1", "--units"];
+    for arguments in [
+        &["compare", "benchmark", "pista", "--units", "km/h", "--plot", "a.svg"][..],
+        &["compare", "benchmark", "pista", "--units", "km/h", "--contributions", "a.svg"],
+        &["turns", "--steer", "5 deg", "--units", "km/h", "--plot", "a.svg"],
+        &[&simulate[..], &["km/h", "--plot", "a.svg"]].concat(),
+    ] {
+        let run = directory.run(arguments);
+        assert!(run.code == Some(0) && run.stderr.contains(pictures), "{arguments:?}: {}", run.stderr);
+        let plain: Vec<&str> = arguments.iter().copied().filter(|own| !["--units", "km/h"].contains(own)).collect();
+        let run = directory.run(&plain);
+        assert!(run.code == Some(0) && !run.stderr.contains("--units"), "{plain:?}: {}", run.stderr);
+    }
+    let side = directory.run(&["compare", "benchmark", "pista", "--units", "km/h", "--side-view", "a.svg"]);
+    assert!(side.code == Some(0) && !side.stderr.contains("--units"), "{}", side.stderr);
+    let law = ["--feedback", "Tdelta=-10*phi_rate", "--format", "csv"];
+    let run = directory.run(&[&simulate[..], &["lbf*ft", "--linear"], &law].concat());
+    assert_eq!(run.stderr, "note: --units: forces in JSON and CSV stay in units of the SI\n");
+    assert!(run.code == Some(0) && run.stdout.contains("Tdelta"), "{}", run.stdout);
+}
+
 /// Rates of a motion have their own units, and without these those of positions by time.
 #[test]
 fn rates_of_motions_have_units() {

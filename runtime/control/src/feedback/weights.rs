@@ -1,7 +1,7 @@
 //! What a regulator weighs: deviations against effort.
 
 use carvallo_design::number::shortest;
-use carvallo_design::quantity::{self, Context, no_names};
+use carvallo_design::quantity::{self, Context, Reason, no_names};
 use carvallo_design::{Failure, Place, Problem, is_called};
 
 use crate::{Order, Output, Ports, Signal};
@@ -44,7 +44,16 @@ impl Weights {
         let (name, value) = text.split_once('=').ok_or("expected NAME=VALUE, such as phi=10 or Tdelta=0.1")?;
         let context = Context { unit: "1", names: &no_names };
         let value = quantity::number(value, context);
-        let value = value.map_err(|_| format!("`{}` must be a finite number", text[name.len() + 1..].trim()))?;
+        let value = value.map_err(|mistake| {
+            let text = text[name.len() + 1..].trim();
+            match mistake.reason {
+                Reason::Unit(_) => format!(
+                    "`{text}` must have no unit behind it: a weight is in the inverse square of the unit of `{}` in the SI",
+                    name.trim()
+                ),
+                Reason::Other(_) => format!("`{text}` must be a finite number"),
+            }
+        })?;
         let name = name.trim();
         let is_own =
             |input: &Signal| input.name.eq_ignore_ascii_case(name) || is_called(&input.name, &input.label, name);

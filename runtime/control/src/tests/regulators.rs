@@ -110,12 +110,25 @@ fn what_cannot_be_stabilized_is_refused() {
 #[test]
 fn weights_are_read_with_all_mistakes() {
     let bicycle = benchmark();
-    let texts = ["phi", "ph=1", "phi=-1", "lean=1", "phi=2", "Tphi=1", "Tdelta=0", "delta=x", "phi''=1"];
+    let texts = [
+        "phi",
+        "ph=1",
+        "phi=-1",
+        "lean=1",
+        "phi=2",
+        "Tphi=1",
+        "Tdelta=0",
+        "delta=x",
+        "phi''=1",
+        "delta=10 deg",
+        "Tdelta=2 lb*ft",
+    ];
     let found = read(&bicycle, &["Tdelta"], &texts).unwrap_err().to_string();
     let names = "phi, delta, psi, y, phi_rate, delta_rate, psi_rate, y_rate, phi_acceleration, delta_acceleration, \
                  psi_acceleration, y_acceleration";
+    let no_unit = "must have no unit behind it: a weight is in the inverse square of the unit";
     let expected = [
-        "8 problems".to_owned(),
+        "10 problems".to_owned(),
         "--weight phi: expected NAME=VALUE, such as phi=10 or Tdelta=0.1".to_owned(),
         format!("--weight ph=1: `ph` is no output of Whipple; did you mean `phi`?\nthey are {names}"),
         "--weight phi=-1: the weight of an output is -1; it must be >= 0".to_owned(),
@@ -124,6 +137,8 @@ fn weights_are_read_with_all_mistakes() {
         "--weight Tdelta=0: the weight of an input is 0; it must be > 0".to_owned(),
         "--weight delta=x: `x` must be a finite number".to_owned(),
         "--weight phi''=1: `phi_acceleration` follows the inputs at once; expected a position or a rate".to_owned(),
+        format!("--weight delta=10 deg: `10 deg` {no_unit} of `delta` in the SI"),
+        format!("--weight Tdelta=2 lb*ft: `2 lb*ft` {no_unit} of `Tdelta` in the SI"),
     ];
     assert_eq!(found, expected.join("\n"));
 }

@@ -141,19 +141,15 @@ fn leg(length: Dual, height: Dual) -> Dual {
     (length.square() - height.square()).sqrt()
 }
 
-/// That a size of both wheels is that of each, where each has one of its own.
-fn check_both(given: &Values, [rear, front]: [Dual; 2]) -> Result<(), String> {
-    let has = |names: [&str; 3]| names.iter().any(|name| given.get(name).is_some());
-    let has_own = has(["rR", "rear_wheel_diameter", "rear_wheel_circumference"])
-        && has(["rF", "front_wheel_diameter", "front_wheel_circumference"]);
+/// That a size of both wheels is that of each which has one of its own.
+fn check_both(given: &Values, radii: [Dual; 2]) -> Result<(), String> {
     for (name, turns) in [("wheel_diameter", 1.0), ("wheel_circumference", std::f64::consts::PI)] {
-        let Some(both) = given.get(name).filter(|_| has_own) else { continue };
-        let own = [rear, front].map(|radius| 2.0 * radius.value);
-        if own.iter().any(|own| (own - both.value / turns).abs() > PRINTED) {
-            let [both, rear, front] =
-                [both.value / turns, own[0], own[1]].map(|length| crate::number::fixed(1e3 * length, 1));
+        let Some(both) = given.get(name).map(|both| both.value / turns) else { continue };
+        let own = radii.map(|radius| 2.0 * radius.value);
+        if own.iter().any(|own| (own - both).abs() > PRINTED) {
+            let [both, rear, front] = [both, own[0], own[1]].map(|length| crate::number::fixed(1e3 * length, 1));
             return Err(format!(
-                "a diameter of both wheels is given, {both} mm, and those of each, {rear} and {front} mm; leave one out"
+                "the diameter of both wheels is {both} mm, but {rear} mm of the rear and {front} mm of the front one; leave one out"
             ));
         }
     }

@@ -1,12 +1,12 @@
 //! A file in some convention that says something in two ways, of which one is used: both must say the same.
 
-use super::Convention;
 use super::dual::Dual;
 use super::geometry::GEOMETRY;
 use super::name::{Name, Values};
 use super::read::list;
 use super::source::{Source, parameter};
 use super::twice::{Agreement, Told};
+use super::{Alternatives, Convention};
 use crate::design::Given;
 use crate::failure::Problem;
 use crate::input::{Document, Entry, validate};
@@ -20,14 +20,23 @@ type Way = &'static [&'static str];
 impl Source<'_> {
     /// Without what says something a second time, which is told. What is set is judged elsewhere.
     pub fn once(&self, mut given: Named, document: &mut Document) -> Named {
+        // Of what is missing, or is wrong itself, nothing would follow.
+        let has = |group: &Alternatives| {
+            group.iter().any(|option| option.iter().all(|name| given.iter().any(|(own, _)| own.name == *name)))
+        };
+        let is_whole = self.convention.alternatives.iter().all(has);
         for group in self.convention.alternatives {
             let is_given = |name: &&str| given.iter().any(|(own, _)| own.name == *name);
             let whole: Vec<Way> = group.iter().copied().filter(|option| option.iter().all(is_given)).collect();
             group.iter().for_each(|option| self.tell_missing(option, &given, document));
-            let Some((first, others)) = whole.split_first() else { continue };
-            // What is of both wheels gives way to what is of one.
-            for other in others.iter().filter(|other| self.is_shared(first) == self.is_shared(other)) {
-                self.judge([first, other], &mut given, document);
+            let Some((first, others)) = whole.split_first().filter(|_| is_whole) else { continue };
+            for other in others {
+                match [first, other].map(|option| self.is_shared(option)) {
+                    // What is of both wheels gives way to what is of one.
+                    [false, true] => self.judge_shared(group, [first, other], &given, document),
+                    [true, false] => self.judge_shared(group, [other, first], &given, document),
+                    _ => self.judge([first, other], &mut given, document),
+                }
             }
         }
         given
@@ -69,6 +78,32 @@ impl Source<'_> {
         self.tell((entry, name.unit, Some(name)), value, &found, &unused, document);
         if let [name] = other {
             given.retain(|(own, _)| own.name != *name);
+        }
+    }
+
+    /// Judges whether what is of one wheel, and counts for it, is what is of both.
+    fn judge_shared(&self, group: &Alternatives, options: [Way; 2], given: &Named, document: &mut Document) {
+        let [&[own], &[both]] = options else { return };
+        if options.iter().any(|option| entry(self.convention, self.settings, option[0]).is_some()) {
+            return;
+        }
+        // `rear_wheel_diameter` is to one what `wheel_diameter` is to both.
+        let mut names = group.iter().flat_map(|option| option.iter());
+        let name = names.find(|name| **name != both && name.ends_with(both));
+        let Some(name) = name.and_then(|name| self.convention.parameter(name)) else { return };
+        let Some((_, value)) = given.iter().find(|(name, _)| name.name == both) else { return };
+        let Some(entry) = entry(self.convention, self.own, both) else { return };
+        let others = given.iter().filter(|(name, _)| !self.convention.are_alternatives(name.name, own));
+        let others: Vec<(&'static str, Given)> = others.map(|(name, given)| (name.name, given.clone())).collect();
+        let follows =
+            |values: &Values| self.convention.tell(name.name, &(self.convention.to_paper)(values).ok()?, values);
+        let Some(found) = self.follows(&others, &follows) else { return };
+        let name = name.printed("mm");
+        if found.agreement(value, Some(&name)) == Agreement::Near {
+            let off = found.is_off(entry.called(), value);
+            document.notes.push(format!("{}: {off}; it does not count for that wheel", self.label));
+        } else {
+            self.tell((entry, name.unit, Some(&name)), value, &found, &[], document);
         }
     }
 

@@ -102,9 +102,14 @@ impl Told {
 
     /// The same of a length that is near, with what is not used for it.
     pub fn is_near(&self, called: &str, given: &Given, unused: &[&str]) -> String {
-        let off = 1e3 * (given.value - self.value).abs();
         let are = if unused.len() == 1 { "is" } else { "are" };
-        format!("{}, {off:.1} mm off; {} {are} not used", self.differs(called, given, "m"), list(unused))
+        format!("{}; {} {are} not used", self.is_off(called, given), list(unused))
+    }
+
+    /// By how much a length is another one, as the beginning of a sentence.
+    pub fn is_off(&self, called: &str, given: &Given) -> String {
+        let off = 1e3 * (given.value - self.value).abs();
+        format!("{}, {off:.1} mm off", self.differs(called, given, "m"))
     }
 }
 

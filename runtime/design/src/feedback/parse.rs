@@ -221,7 +221,22 @@ impl<'a> Parser<'a, '_> {
         }
         let Some(((unit, scale), end)) = found else { return Ok(vec![Term::number(value)]) };
         self.rest = self.rest[end..].trim_start();
-        Ok(vec![Term::quantity(scale.apply(value), unit)])
+        let quantity = (scale.apply(value), unit);
+        #[cfg(feature = "full")]
+        let quantity = self.by_unit(quantity);
+        Ok(vec![Term::quantity(quantity.0, quantity.1)])
+    }
+
+    /// A quantity by a unit behind it in parentheses: `7 N*m/(rad/s)`.
+    #[cfg(feature = "full")]
+    fn by_unit(&mut self, (value, powers): (f64, [i32; 3])) -> (f64, [i32; 3]) {
+        let divisor = self.rest.strip_prefix('/').and_then(|rest| rest.trim_start().strip_prefix('('));
+        let Some((inner, rest)) = divisor.and_then(|rest| rest.split_once(')')) else { return (value, powers) };
+        let is_motion = inner.split(|c| !is_of_name(c)).any(|word| (self.names)(word).is_ok());
+        let is_unit = !inner.trim().is_empty() && !is_motion;
+        let Some((by, scale)) = units::in_si(inner, self.of_force).filter(|_| is_unit) else { return (value, powers) };
+        self.rest = rest.trim_start();
+        (scale.inverse().apply(value), std::array::from_fn(|at| powers[at] - by[at]))
     }
 
     /// A name, with underscores, and at its end a prime for a rate.

@@ -39,8 +39,11 @@ pub(super) fn parse(label: &str, bytes: Vec<u8>) -> Result<Document, Failure> {
 #[cfg(feature = "full")]
 const MOST: usize = 3000;
 
-/// The contents of a file as text.
-pub(super) fn decode(label: &str, bytes: Vec<u8>) -> Result<String, Failure> {
+/// The contents of a file as text, without a byte order mark.
+///
+/// # Errors
+/// If they are none.
+pub fn decode(label: &str, bytes: Vec<u8>) -> Result<String, Failure> {
     #[cfg(feature = "full")]
     let bytes = encodings::in_utf8(bytes);
     let mut text = String::from_utf8(bytes).map_err(|error| {

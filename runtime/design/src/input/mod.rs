@@ -44,7 +44,10 @@ use crate::failure::{Failure, Place, Problem};
 use crate::joined::Body;
 use crate::model::{Shipped, WHIPPLE};
 
+#[cfg(feature = "full")]
+pub use self::encodings::in_utf8;
 pub use self::entries::given_twice;
+pub use self::form::decode;
 #[cfg(feature = "full")]
 pub use self::magnitude::{too_large, warning_of_varied, warnings_of_body};
 pub use self::matrices::{list, matrix_of_rows};

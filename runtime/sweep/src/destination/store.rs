@@ -8,7 +8,8 @@ use std::time::{Duration, Instant};
 use carvallo_design::{Failure, Place};
 
 use super::journal::{Journal, OpenFailure, Progress, Stamp};
-use crate::plan::Plan;
+use crate::plan::{ERROR, Plan};
+use crate::read::names;
 use crate::table::{Format, Heading, parquet_message};
 use crate::write::parquet;
 
@@ -34,7 +35,11 @@ impl Store {
             return Err(refused(path, "it is a directory"));
         }
         if path.exists() && !journal_path.exists() && !restart {
-            return Err(refused(path, "the file exists already; --restart replaces it"));
+            let replaces = if is_of_sweep(path, plan.format) { "; --restart replaces it" } else { "" };
+            return Err(refused(path, &format!("the file exists already{replaces}")));
+        }
+        if restart && path.exists() && !is_of_sweep(path, plan.format) {
+            return Err(refused(path, "the file is no result of a sweep, and is not replaced"));
         }
         let fail = |error| io(path, error);
         let mut renamed = false;
@@ -123,6 +128,13 @@ impl Store {
         sync_directory(path).map_err(fail)?;
         std::fs::remove_file(beside(path, "journal")).map_err(fail)
     }
+}
+
+/// Whether a file that is there is what sweeps write, which ends in a column of errors, or has nothing that could be lost.
+fn is_of_sweep(path: &Path, format: Format) -> bool {
+    let ends_so = |names: Vec<String>| names.len() > 1 && names.last().is_some_and(|name| name == ERROR);
+    std::fs::metadata(path)
+        .is_ok_and(|metadata| metadata.is_file() && (metadata.len() == 0 || names(path, format).is_ok_and(ends_so)))
 }
 
 /// The path with something added to its name.

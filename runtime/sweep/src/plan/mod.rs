@@ -24,6 +24,9 @@ const MAX_DESIGNS: u64 = 1_000_000_000_000;
 /// The designs between two points at which a sweep can go on: of a small sweep few, of a large one more.
 const BATCH: (u64, u64) = (4096, 65_536);
 
+/// The last column of the result.
+pub(crate) const ERROR: &str = "error";
+
 /// Everything that determines the result of a sweep.
 pub struct Plan {
     pub(crate) task: Task,
@@ -119,7 +122,7 @@ impl Plan {
         let warnings = slips::warnings(design, &source, &parameters, &varied)?;
         let task = Task { model: design.model, base: design.values(), varied, layout };
         headings.extend(task.layout.headings());
-        headings.push(Heading::text("error"));
+        headings.push(Heading::text(ERROR));
         let shown = headings.iter_mut().map(|heading| shown_in(heading, &request.units)).collect();
         let fingerprint = fingerprint(design, &source, &headings, format)?;
         Ok(Self { task, source, headings, shown, format, batch: batch as usize, fingerprint, warnings })

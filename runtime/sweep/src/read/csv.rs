@@ -2,8 +2,10 @@
 //! in numbers.
 
 use std::fs::File;
+use std::io::{Cursor, Read, Seek as _};
 use std::path::{Path, PathBuf};
 
+use carvallo_design::input::in_utf8;
 use carvallo_design::quantity::signs;
 use carvallo_design::{Failure, Place};
 use csv::{ByteRecord, Reader, ReaderBuilder, Trim};
@@ -14,15 +16,32 @@ use super::rows::{Cell, Named, Rows};
 /// The rows of a file.
 pub struct Records {
     path: PathBuf,
-    reader: Reader<Lines<File>>,
+    reader: Reader<Lines<Source>>,
     separator: u8,
     record: ByteRecord,
     columns: usize,
     has_both_signs: bool,
 }
 
-fn open(path: &Path, separator: u8) -> Result<Reader<Lines<File>>, Failure> {
-    let file = File::open(path).map_err(|error| cannot_read(path, error))?;
+/// The bytes of a file.
+type Source = Box<dyn Read + Send>;
+
+/// As they are, or in UTF-8 if they are in UTF-16 with its mark, as spreadsheets write "Unicode text": all at once then.
+fn source(path: &Path) -> std::io::Result<Source> {
+    let mut file = File::open(path)?;
+    let mut mark = Vec::new();
+    file.by_ref().take(2).read_to_end(&mut mark)?;
+    file.rewind()?;
+    if mark != b"\xff\xfe" && mark != b"\xfe\xff" {
+        return Ok(Box::new(file));
+    }
+    let mut bytes = Vec::new();
+    file.read_to_end(&mut bytes)?;
+    Ok(Box::new(Cursor::new(in_utf8(bytes))))
+}
+
+fn open(path: &Path, separator: u8) -> Result<Reader<Lines<Source>>, Failure> {
+    let file = source(path).map_err(|error| cannot_read(path, error))?;
     let mut builder = ReaderBuilder::new();
     builder.flexible(true).trim(Trim::All).delimiter(separator);
     Ok(builder.from_reader(Lines::new(file, separator)))
@@ -62,7 +81,7 @@ fn cannot_read(path: &Path, error: std::io::Error) -> Failure {
 pub fn names(path: &Path) -> Result<Vec<String>, Failure> {
     let mut reader = open(path, separator(path)?)?;
     let header = reader.byte_headers().map_err(|error| fail(path, error))?;
-    Ok(header.iter().map(|name| String::from_utf8_lossy(name).into_owned()).collect())
+    Ok(header.iter().map(|name| String::from_utf8_lossy(&in_utf8(name.to_vec())).into_owned()).collect())
 }
 
 /// Reads the whole file, so that a line that is wrong is found before anything is computed. Whether decimals of parameters
@@ -73,7 +92,7 @@ pub fn names(path: &Path) -> Result<Vec<String>, Failure> {
 pub fn check(path: &Path, columns: &[Named]) -> Result<bool, Failure> {
     let separator = separator(path)?;
     if separator == b',' {
-        let file = File::open(path).map_err(|error| cannot_read(path, error))?;
+        let file = source(path).map_err(|error| cannot_read(path, error))?;
         let mut lines = std::io::BufReader::with_capacity(1 << 16, Lines::new(file, separator));
         return std::io::copy(&mut lines, &mut std::io::sink())
             .map_err(|error| cannot_read(path, error))
@@ -114,6 +133,9 @@ impl Records {
     /// Adds the next row; whether there is one.
     fn next(&mut self, rows: &mut Rows) -> Result<bool, Failure> {
         let is_there = self.reader.read_byte_record(&mut self.record).map_err(|error| fail(&self.path, error))?;
+        if std::str::from_utf8(self.record.as_slice()).is_err() {
+            self.record = self.record.iter().map(|field| in_utf8(field.to_vec())).collect();
+        }
         if is_there && self.record.len() != self.columns {
             let (found, expected) = (self.record.len(), self.columns);
             let fields = if found == 1 { "field" } else { "fields" };

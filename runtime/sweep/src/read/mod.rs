@@ -23,6 +23,17 @@ use super::table::{Designs, Format};
 /// Columns that are no parameters; they are copied to the result.
 const COPIED: [&str; 5] = ["name", "id", "index", "bike", "bicycle"];
 
+/// The names of the columns of a table.
+///
+/// # Errors
+/// If it cannot be read.
+pub fn names(path: &Path, format: Format) -> Result<Vec<String>, Failure> {
+    match format {
+        Format::Csv => csv::names(path),
+        Format::Parquet => parquet::names(path),
+    }
+}
+
 /// A file of designs, of which the columns are known.
 pub struct File {
     pub path: PathBuf,
@@ -54,10 +65,7 @@ impl File {
         if std::fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
             return Err(Failure::Run(format!("cannot read {label}: expected a regular file")));
         }
-        let names = match format {
-            Format::Csv => csv::names(path)?,
-            Format::Parquet => parquet::names(path)?,
-        };
+        let names = names(path, format)?;
         let mut problems = Vec::new();
         let mut problem = |message| problems.push(Problem { place: Place::File(label.clone()), message });
         let mut columns: Vec<Named> = Vec::new();

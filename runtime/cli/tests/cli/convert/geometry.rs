@@ -123,16 +123,81 @@ fn geometry_is_set_in_models_that_have_more_than_the_bicycle() {
     }
 }
 
-/// A size of both wheels says something only of a wheel without a size of its own, or what that says, too.
+/// A size of both wheels says what those of each do, or of one, to the 5 mm of diameters as they are printed: 28-622 is 678 mm.
 #[test]
-fn a_size_of_both_wheels_is_not_lost_beside_those_of_each() {
-    let directory = Directory::new("convert-both-wheels");
+fn a_size_of_both_wheels_is_that_of_each() {
+    let directory = Directory::of_this_test();
     let own = directory.run(&["convert", "benchmark", "--to", "geometry", "--format", "text"]).ok();
-    let wrong = "a diameter of both wheels is given, 700.0 mm, and those of each, 600.0 and 700.0 mm; leave one out";
-    let with = |line: &str| directory.write("g.txt", format!("{own}{line}\n")).run(&["analyze", "g.txt"]);
-    with("wheel_diameter = 700 mm").fails(2, &format!("error: g.txt: {wrong}\n"));
-    let one: String =
-        own.lines().filter(|line| !line.starts_with("rear_wheel_diameter")).map(|line| format!("{line}\n")).collect();
-    let run = directory.write("one.txt", one + "wheel_diameter = 600 mm\n").run(&["analyze", "one.txt"]);
-    assert_eq!((run.code, run.stderr.lines().count()), (Some(0), 1), "{}", run.stderr);
+    let with = |without: &str, lines: &str| {
+        let left = own.lines().filter(|line| !line.contains(without)).map(|line| format!("{line}\n"));
+        let text: String = left.chain([lines.to_owned()]).collect();
+        directory.write("g.txt", text).run(&["convert", "g.txt", "--to", "paper"])
+    };
+    for (without, lines, message) in [
+        (
+            "nothing",
+            "wheel_diameter = 700 mm",
+            "`wheel_diameter` is 0.7 m, but 0.6 m follows from `rear_wheel_diameter`",
+        ),
+        (
+            "rear_wheel_d",
+            "wheel_diameter = 600 mm",
+            "`wheel_diameter` is 0.6 m, but 0.7 m follows from `front_wheel_diameter`",
+        ),
+        ("wheel_diameter", "wheel = 28-622\nrR = 0.1", "`wheel` is 0.678 m, but 0.2 m follows from `rR`"),
+        (
+            "wheel_diameter",
+            "wheel = 28-622\nrear_wheel_diameter = 0.6",
+            "`wheel` is 0.678 m, but 0.6 m follows from `rear_wheel_diameter`",
+        ),
+        ("wheel_diameter", "wheel = 28-622\nrF = 0.25", "`wheel` is 0.678 m, but 0.5 m follows from `rF`"),
+        (
+            "wheel_diameter",
+            "wheel_circumference = 2100 mm\nrF = 0.342",
+            "`wheel_circumference` is 2.1 m, but 2.14885 m follows from `rF`",
+        ),
+    ] {
+        let line = own.lines().filter(|line| !line.contains(without)).count() + 1;
+        with(without, lines).fails(2, &format!("error: g.txt:{line}: {message}; leave one of them out\n"));
+    }
+    // The one of its own counts for its wheel, and what is said twice is told.
+    let radii = |run: &crate::Run| -> Vec<String> {
+        let is_radius = |line: &&str| line.starts_with("rR = ") || line.starts_with("rF = ");
+        let value = |line: &str| line.split_whitespace().nth(2).unwrap().to_owned();
+        run.stdout.lines().filter(is_radius).map(value).collect()
+    };
+    for (rear, radius, note) in [
+        (
+            "337 mm",
+            "0.337",
+            "`wheel` is 0.678 m, but 0.674 m follows from `rR`, 4.0 mm off; it does not count for that wheel",
+        ),
+        ("0.339", "0.339", "`wheel` says what `rR` says, too"),
+    ] {
+        let run = with("wheel_diameter", &format!("wheel = 28-622\nrR = {rear}\n"));
+        assert!(run.stderr.contains(&format!("note: g.txt: {note}\n")), "{}", run.stderr);
+        assert_eq!((run.code, radii(&run)), (Some(0), vec![radius.to_owned(), "0.339".to_owned()]));
+    }
+    // So does what is set, whatever the file says.
+    let set = directory.run(&["convert", "g.txt", "--to", "paper", "--set", "rR=0.1"]);
+    assert_eq!((set.code, radii(&set)), (Some(0), vec!["0.1".to_owned(), "0.339".to_owned()]));
+    directory.write("d.csv", "wheel_diameter,rR\n0.678,0.337\n0.678,0.1\n");
+    let swept = directory.run(&["sweep", "g.txt", "--designs", "d.csv"]).stdout;
+    let rows: Vec<&str> = swept.lines().skip(1).collect();
+    let message = "the diameter of both wheels is 678.0 mm, but 200.0 mm of the rear and 678.0 mm of the front one";
+    assert!(rows[0].ends_with(',') && rows[1].contains(message), "{swept}");
+}
+
+/// What is wrong with a value says nothing of others: 72.5 rad are no head angle, of which a trail would follow.
+#[test]
+fn nothing_is_judged_by_a_value_that_is_wrong() {
+    let directory = Directory::of_this_test();
+    let own = directory.run(&["convert", "benchmark", "--to", "geometry", "--format", "text"]).ok();
+    let head = own.lines().find(|line| line.starts_with("head_angle")).unwrap();
+    let run = directory
+        .write("g.txt", own.replace(head, "head_angle = 72.5") + "trail = 61 mm\n")
+        .run(&["convert", "g.txt", "--to", "paper"]);
+    let errors: Vec<&str> = run.stderr.lines().filter(|line| line.starts_with("error")).collect();
+    assert!(run.code == Some(2) && !run.stderr.contains("`trail`"), "{}", run.stderr);
+    assert!(errors.len() == 1 && errors[0].contains("`head_angle`"), "{}", run.stderr);
 }

@@ -121,10 +121,26 @@ fn comments_stand_before_the_header() {
 #[test]
 fn names_that_are_not_text_are_told() {
     let directory = Directory::new("sweep-latin");
-    std::fs::write(directory.0.join("bikes.csv"), b"w,name\n1.02,M\xfcller\n1.02,\"M\xc3\xbcller\"\n").unwrap();
+    let rows = b"w,name\n1.02,M\xfc\x01ller\n1.02,M\xfcller\n1.02,\"M\xc3\xbcller\"\n";
+    std::fs::write(directory.0.join("bikes.csv"), rows).unwrap();
     let table = table(directory.run(&["sweep", "--designs", "bikes.csv"]));
-    assert_eq!([0, 1].map(|row| table.text(row, "name")), ["", "Müller"]);
-    assert_eq!([0, 1].map(|row| table.text(row, "error")), ["`name` is not UTF-8 text", ""]);
+    assert_eq!([0, 1, 2].map(|row| table.text(row, "name")), ["", "Müller", "Müller"]);
+    assert_eq!([0, 1, 2].map(|row| table.text(row, "error")), ["`name` is not UTF-8 text", "", ""]);
+}
+
+/// As PowerShell writes what is redirected to a file, and what spreadsheets call Unicode text.
+#[test]
+fn designs_are_read_in_utf_16() {
+    let directory = Directory::of_this_test();
+    let text = "w\tlam (°)\tname\n1.02\t18\tMüller\n1,1\t17\tb\n";
+    let units = || std::iter::once(0xfeff).chain(text.encode_utf16());
+    std::fs::write(directory.0.join("little.csv"), units().flat_map(u16::to_le_bytes).collect::<Vec<u8>>()).unwrap();
+    std::fs::write(directory.0.join("big.csv"), units().flat_map(u16::to_be_bytes).collect::<Vec<u8>>()).unwrap();
+    directory.write("plain.csv", text);
+    let sweep = |file: &str| directory.run(&["sweep", "--designs", file]).stdout;
+    let plain = sweep("plain.csv");
+    assert!(plain.contains("Müller") && plain.lines().skip(1).all(|row| row.ends_with(',')), "{plain}");
+    assert_eq!([sweep("little.csv"), sweep("big.csv")], [plain.clone(), plain]);
 }
 
 /// Also more rows than one batch has.

@@ -86,15 +86,32 @@ fn the_number_of_threads_changes_no_byte() {
 #[test]
 fn a_finished_file_is_replaced_only_when_asked_for() {
     let directory = Directory::new("sweep-finished");
-    directory.write("table.csv", "precious\n");
-    let arguments = ["sweep", "--vary", "w=1,1.1", "--output", "table.csv"];
-    let message = "error: --output table.csv: the file exists already; --restart replaces it\n";
-    directory.run(&arguments).fails(2, message);
-    assert_eq!(std::fs::read_to_string(directory.0.join("table.csv")).unwrap(), "precious\n");
-    assert_eq!(directory.run(&[&arguments[..], &["--restart"]].concat()).code, Some(0));
+    for (file, precious) in [
+        ("table.csv", "precious\n"),
+        ("table.csv", "name,error,price\na,,3\n"),
+        ("table.parquet", "precious\n"),
+        ("table.csv", ""),
+    ] {
+        directory.write(file, precious);
+        let sweep = |vary: &str, more: &[&str]| {
+            directory.run(&[&["sweep", "--vary", vary, "--output", file][..], more].concat())
+        };
+        let is_there = format!("error: --output {file}: the file exists already");
+        if !precious.is_empty() {
+            sweep("w=1,1.1", &[]).fails(2, &format!("{is_there}\n"));
+            let message = format!("error: --output {file}: the file is no result of a sweep, and is not replaced\n");
+            sweep("w=1,1.1", &["--restart"]).fails(2, &message);
+            assert_eq!(std::fs::read_to_string(directory.0.join(file)).unwrap(), precious);
+            assert!(!directory.0.join(format!("{file}.journal")).exists());
+            std::fs::remove_file(directory.0.join(file)).unwrap();
+        }
+        assert_eq!(sweep("w=1,1.1", &[]).code, if precious.is_empty() { Some(2) } else { Some(0) });
+        assert_eq!(sweep("w=1,1.1", &["--restart"]).code, Some(0));
+        sweep("c=0,0.1", &[]).fails(2, &format!("{is_there}; --restart replaces it\n"));
+        assert_eq!(sweep("c=0,0.1", &["--restart"]).code, Some(0));
+    }
     let text = std::fs::read_to_string(directory.0.join("table.csv")).unwrap();
-    assert!(text.starts_with("w,weave_count,weave_1,"), "{text}");
-    directory.run(&arguments).fails(2, message);
+    assert!(text.starts_with("c,weave_count,weave_1,"), "{text}");
 }
 
 /// What a kill leaves behind, told apart by what it belongs to; and broken in ways that a crash may break it.

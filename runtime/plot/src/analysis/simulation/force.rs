@@ -3,9 +3,10 @@
 use std::path::Path;
 
 use carvallo::simulation::{Force, ForceError};
+use carvallo_design::input::decode;
 use carvallo_design::number::shortest;
 use carvallo_design::quantity::{self, Context, Mistake, Reason, no_names};
-use carvallo_design::{Place, Problem, is_called, nearest};
+use carvallo_design::{Failure, Place, Problem, is_called, nearest};
 
 /// A force that may be given: its names, the first of which is its own, and its unit.
 #[derive(Clone, Debug)]
@@ -80,11 +81,15 @@ fn read(path: &str, unit: &str, duration: f64) -> Result<Force, Vec<Problem>> {
     if !Path::new(path).exists() {
         return Err(vec![Problem { place: Place::Nowhere, message: format!("there is no file {path}") }]);
     }
-    let text = std::fs::read_to_string(path).map_err(|error| of_file(format!("cannot be read: {error}")))?;
+    let bytes = std::fs::read(path).map_err(|error| of_file(format!("cannot be read: {error}")))?;
+    let text = decode(path, bytes).map_err(|failure| match failure {
+        Failure::Input(problems) => problems,
+        failure => of_file(failure.to_string()),
+    })?;
     let mut points: Vec<(f64, f64)> = Vec::new();
     let mut units = [None, None];
     let (mut lines, mut problems) = (Vec::new(), Vec::new());
-    for (index, line) in text.trim_start_matches('\u{feff}').lines().enumerate() {
+    for (index, line) in text.lines().enumerate() {
         let line_number = index + 1;
         let line = line.trim();
         if line.is_empty() || line.starts_with('#') {
