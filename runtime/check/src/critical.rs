@@ -6,10 +6,19 @@ use carvallo::{Complex, CriticalKind, MatrixName, ModelInfo, States};
 use crate::given::{Quantity, Reading};
 use crate::predict::Predictor;
 use crate::states::states;
-use crate::zero::{Square, determinant};
+use crate::zero::{Square, determinant, size};
 
 /// A speed is tried no nearer than that, relative to it: more than rounding makes of the determinants.
 const NEAR: f64 = 1e-6;
+
+/// Farther away by so much the determinant of a machine that has a capsize speed is not zero.
+const FAR: [f64; 2] = [1.1, 1.3];
+
+/// More than rounding leaves of a determinant that is zero, relative to what is added up.
+const NOTHING: f64 = 1e-15;
+
+/// A coefficient is the same but for rounding, relative to it.
+const SAME: f64 = 1e-9;
 
 /// A critical speed that was given.
 #[derive(Clone, Debug)]
@@ -60,6 +69,9 @@ impl Critical {
     /// Whether these entries of the closed loop may have it: those that have do.
     pub fn holds(&self, entries: &[f64], gravity: f64) -> bool {
         self.kinds.iter().any(|kind| {
+            if *kind == Kind::Capsize && self.is_singular(entries, gravity) {
+                return false;
+            }
             let [here, right, left] = self.speeds.map(|speed| self.value(*kind, speed, entries, gravity));
             // Beside another one twice as large as on the side that differs more.
             here.abs() <= 4.0 * (right - here).abs().max((left - here).abs())
@@ -74,16 +86,53 @@ impl Critical {
         }
     }
 
+    /// Whether a closed loop has the same characteristic polynomial at this speed, but for a factor.
+    pub fn is_same(&self, [one, other]: [&[f64]; 2], [of_one, of_other]: [f64; 2]) -> bool {
+        let [one, other] = [(one, of_one), (other, of_other)]
+            .map(|(entries, gravity)| self.characteristic(self.speeds[0], entries, gravity));
+        let largest = |all: &[f64]| all.iter().copied().fold(0.0, |a: f64, b| if b.abs() > a.abs() { b } else { a });
+        // Each is multiplied by what is the largest of the other one at the same power.
+        let most = largest(&one);
+        let at = one.iter().position(|own| *own == most).unwrap_or_default();
+        let factor = other[at];
+        one.iter().zip(&other).all(|(a, b)| (a * factor - b * most).abs() <= SAME * (a * factor).abs())
+    }
+
+    /// Whether it is costly to tell.
+    pub fn is_weave(&self) -> bool {
+        self.kinds.contains(&Kind::Weave)
+    }
+
+    /// Whether an eigenvalue is zero at all speeds: then none becomes it at this one.
+    fn is_singular(&self, entries: &[f64], gravity: f64) -> bool {
+        let count = self.has_rate_alone.len();
+        FAR.iter().all(|factor| {
+            let own = self.stiffness(factor * self.speeds[0], entries, gravity);
+            determinant(&own, count).re.abs() <= NOTHING * size(&own, count)
+        })
+    }
+
     fn value(&self, kind: Kind, speed: f64, entries: &[f64], gravity: f64) -> f64 {
-        let characteristic = self.characteristic(speed, entries, gravity);
         match kind {
-            Kind::Capsize => characteristic[0],
-            Kind::Weave => hurwitz(&characteristic),
+            Kind::Capsize => determinant(&self.stiffness(speed, entries, gravity), self.has_rate_alone.len()).re,
+            Kind::Weave => hurwitz(&self.characteristic(speed, entries, gravity)),
         }
+    }
+
+    /// What is left of the equations where the eigenvalue is zero.
+    fn stiffness(&self, speed: f64, entries: &[f64], gravity: f64) -> Square {
+        self.polynomials(speed, entries, gravity).iter().map(|own| Complex::new(own[0], 0.0)).collect()
     }
 
     /// The coefficients of the characteristic polynomial at a speed, by powers from 0 on.
     fn characteristic(&self, speed: f64, entries: &[f64], gravity: f64) -> Vec<f64> {
+        let mut characteristic = of_determinant(&self.polynomials(speed, entries, gravity), self.has_rate_alone.len());
+        characteristic.truncate(self.states + 1);
+        characteristic
+    }
+
+    /// Those of `s^2 M + s C + K` at a speed.
+    fn polynomials(&self, speed: f64, entries: &[f64], gravity: f64) -> Vec<[f64; 3]> {
         let count = self.has_rate_alone.len();
         let mut polynomials = vec![[0.0; 3]; count * count];
         for &matrix in &self.matrices {
@@ -104,9 +153,7 @@ impl Critical {
             // Without its position the rate is what is solved for.
             *own = [own[1], own[2], 0.0];
         }
-        let mut characteristic = of_determinant(&polynomials, count);
-        characteristic.truncate(self.states + 1);
-        characteristic
+        polynomials
     }
 }
 

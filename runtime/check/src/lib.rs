@@ -107,12 +107,12 @@ fn compare(given: &Given, machine: &Machine) -> Report {
     if !others.is_empty() {
         return Report::new(machine, &own, &own, others, None);
     }
-    let Explained { found, cut } = explain::explain(given, machine);
+    let Explained { found, cut, is_short } = explain::explain(given, machine);
     let cut = cut.as_ref().map(|own| Predictor::new(own, machine));
     let meant = cut.as_ref().unwrap_or(&own);
     let is_whole = meant.agreeing(&here) == here.len();
     let suspects = (!is_whole && found.is_empty()).then(|| Suspects::new(machine, meant, &[]));
-    Report::new(machine, &own, meant, found, suspects)
+    Report { stopped_short: is_short, ..Report::new(machine, &own, meant, found, suspects) }
 }
 
 /// What makes all numbers, of what was done to accelerations by the nonlinear equations as a whole and to the names of critical speeds:
@@ -143,8 +143,8 @@ fn check_mended(given: &Given, mended: &Given, told: Vec<String>, machine: &Mach
         own.agreeing(&here) == here.len()
     };
     let nothing = || Found { causes: Vec::new(), world: machine.world() };
-    let Explained { mut found, cut } = match is_whole(mended) {
-        true => Explained { found: vec![nothing()], cut: None },
+    let Explained { mut found, cut, is_short } = match is_whole(mended) {
+        true => Explained { found: vec![nothing()], cut: None, is_short: false },
         false => explain::explain(mended, machine),
     };
     if let Some(cut) = &cut {
@@ -162,5 +162,5 @@ fn check_mended(given: &Given, mended: &Given, told: Vec<String>, machine: &Mach
     let suspects = found.is_empty().then(|| Suspects::new(machine, &meant, &told));
     let causes: Vec<Cause> = told.into_iter().map(Cause::Written).collect();
     found.iter_mut().for_each(|own| own.causes = [&causes[..], &own.causes[..]].concat());
-    Report::new(machine, &own, &own, found, suspects)
+    Report { stopped_short: is_short, ..Report::new(machine, &own, &own, found, suspects) }
 }

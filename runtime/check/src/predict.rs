@@ -3,6 +3,7 @@
 mod meant;
 
 use std::borrow::Cow;
+use std::cell::Cell;
 use std::cmp::Ordering;
 
 use carvallo::{Complex, CriticalKind, MatrixName, ModelInfo};
@@ -45,7 +46,14 @@ pub struct Predictor<'a> {
     motions: Vec<Relation>,
     /// The critical speeds that are given as zeros of determinants.
     criticals: Vec<Critical>,
+    /// What is left of a part of the search where critical speeds are costly, and whether that was ever too little.
+    left: Cell<usize>,
+    is_short: Cell<bool>,
 }
+
+/// What a part of the search may cost where critical speeds are costly, in trials by determinants; and what one by all speeds does.
+const COSTS: usize = 40_000;
+const COST_OF_SPEEDS: usize = 1_000;
 
 /// Matrices of the open loop, all eight row by row, the gravitational field strength in N/kg, and what closes the loop.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -97,6 +105,8 @@ impl<'a> Predictor<'a> {
             zeros,
             motions,
             criticals,
+            left: Cell::new(COSTS),
+            is_short: Cell::new(false),
         };
         made.nonlinear = made.meant(machine);
         let world = machine.world();
@@ -118,7 +128,7 @@ impl<'a> Predictor<'a> {
         made.zeros.sort_by(|a, b| far(b).total_cmp(&far(a)));
         made.motions = of_accelerations(&made, info);
         made.criticals = self::criticals(&made, info, &matrices);
-        made.criticals.sort_by_key(|own| own.holds(&entries, world.gravity));
+        made.criticals.sort_by_key(|own| (own.holds(&entries, world.gravity), own.is_weave()));
         made
     }
 
@@ -192,14 +202,55 @@ impl<'a> Predictor<'a> {
         zeros.map(|own| vec![own.number, own.number + 1]).chain(criticals.map(|own| vec![own.number])).collect()
     }
 
-    /// The same while any trials are left of what is costly.
-    pub fn fits_while(&self, world: &World, left: &mut usize) -> bool {
-        if !self.is_costly() {
-            return self.fits(world);
+    /// The same as far as this part of the search may still cost.
+    pub fn fits_if_tried(&self, world: &World) -> bool {
+        !self.is_costly() && self.fits(world)
+            || self.is_costly()
+                && self.spends(1)
+                && self.may_fit(world)
+                && self.spends(COST_OF_SPEEDS)
+                && self.fits(world)
+    }
+
+    /// All numbers, as far as this part of the search may still cost.
+    pub fn predict_if_tried(&self, world: &World) -> Option<Vec<f64>> {
+        let is_tried = !self.is_costly() || self.spends(COST_OF_SPEEDS);
+        is_tried.then(|| self.predict(world))
+    }
+
+    /// A part of the search begins, which may cost as much as any.
+    pub fn begin(&self) {
+        self.left.set(COSTS);
+    }
+
+    /// Whether anything is left of what this part of the search may cost.
+    pub fn has_left(&self) -> bool {
+        !self.is_costly() || self.spends(usize::from(self.left.get() == 0))
+    }
+
+    /// Whether the search was ever stopped by what it costs.
+    pub fn is_short(&self) -> bool {
+        self.is_short.get()
+    }
+
+    /// Whether so much is left of what this part of the search may cost, which is spent then.
+    pub fn spends(&self, cost: usize) -> bool {
+        let left = self.left.get().checked_sub(cost);
+        self.left.set(left.unwrap_or(0));
+        self.is_short.set(self.is_short.get() || left.is_none());
+        left.is_some()
+    }
+
+    /// Whether the numbers are the same of other matrices; where critical speeds are costly, their characteristic polynomials.
+    pub fn is_same(&self, [here, other]: [&World; 2], numbers: &[f64]) -> bool {
+        if self.is_costly() && self.criticals.len() == self.numbers.len() {
+            let [one, two] = [here, other].map(|world| self.closed_entries(world));
+            let gravities = [here.gravity, other.gravity];
+            return self.criticals.iter().all(|own| own.is_same([&one, &two], gravities));
         }
-        let is_tried = *left > 0 && self.may_fit(world);
-        *left -= usize::from(is_tried);
-        is_tried && self.fits(world)
+        let found = self.predict(other);
+        let is_same = |at: usize| (found[at] - numbers[at]).abs() <= self.tolerances[at];
+        (0..found.len()).all(is_same)
     }
 
     /// Whether critical speeds of more than two coordinates are given.

@@ -19,6 +19,16 @@ fn a_decimal_point_is_likelier_than_a_value_that_nobody_would_write() {
     assert_eq!(causes(&report).first().map(String::as_str), Some(expected), "{report}");
 }
 
+/// Critical speeds of three coordinates take long: what a check leaves is told, and nothing is left where two coordinates are given.
+#[test]
+fn a_search_that_stops_short_says_so() {
+    let report = checked("model = \"CarTrailer\"\ncritical_speeds = { weave = 31.2345678 }");
+    assert!(causes(&report).is_empty() && report.stopped_short, "{report}");
+    assert!(report.to_string().contains("The search stopped short"), "{report}");
+    let report = checked("model = \"TwoPipes\"\ncritical_speeds = { weave = 31.2345678 }");
+    assert!(!report.stopped_short && !report.to_string().contains("stopped short"), "{report}");
+}
+
 /// Without a spring or a damper critical speeds are proportional to the root of g.
 #[test]
 fn another_g_is_told_of_both_speeds() {

@@ -27,14 +27,14 @@ impl<'a> Acting<'a> {
         Self { convention, before: before.unwrap_or_default(), gravity: here.gravity, count }
     }
 
-    /// What it makes of matrices for the parameters as they are, if everything fits then, and costly trials are left.
-    pub fn fitting(&self, old: &World, predictor: &Predictor, left: &mut usize) -> Option<World> {
-        if !self.before.iter().all(|own| own.holds(&old.entries, self.gravity)) {
+    /// What it makes of matrices for the parameters as they are, if everything fits then, as far as it is tried.
+    pub fn fitting(&self, old: &World, predictor: &Predictor) -> Option<World> {
+        if !predictor.has_left() || !self.before.iter().all(|own| own.holds(&old.entries, self.gravity)) {
             return None;
         }
         let mut own = World::default();
         self.convention.change_matrices(old, &mut own, self.count);
-        predictor.fits_while(&own, left).then_some(own)
+        predictor.fits_if_tried(&own).then_some(own)
     }
 
     /// Whether it changes nothing that another one changes or uses, and the other way round.

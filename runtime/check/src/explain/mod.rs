@@ -245,12 +245,9 @@ impl<'a, 'b> Search<'a, 'b> {
 
     /// Those of the usual conventions that these numbers show at all.
     fn conventions(&self) -> &[&'a Convention] {
-        let is_seen = |convention: &&Convention| {
-            let found = self.rounded.predict(&self.machine.world_with(convention));
-            let tolerances = self.rounded.tolerances();
-            let is_same = |at: usize| (found[at] - self.here[at]).abs() <= tolerances[at];
-            !(0..found.len()).all(is_same)
-        };
+        let here = self.machine.world();
+        let is_seen =
+            |convention: &&Convention| !self.rounded.is_same([&here, &self.machine.world_with(convention)], &self.here);
         self.conventions.get_or_init(|| self.machine.usual.iter().chain(self.sums()).filter(is_seen).collect())
     }
 
@@ -293,10 +290,12 @@ impl<'a, 'b> Search<'a, 'b> {
     fn solvable(&self, unknowns: impl Iterator<Item = Unknown<'a>>) -> Vec<Unknown<'a>> {
         // A single number any of them can make.
         let unknowns = unknowns.filter(|_| self.here.len() > 1);
+        self.any.begin();
         unknowns.filter(|unknown| unknown.solve(self.machine, self.any).is_some()).collect()
     }
 
     fn solved(&self, predictor: &Predictor, unknowns: &[Unknown<'a>]) -> Vec<Found<'a>> {
+        predictor.begin();
         let found = unknowns.iter().filter_map(|unknown| {
             let x = unknown.solve(self.machine, predictor)?;
             unknown.found(self.machine, x)

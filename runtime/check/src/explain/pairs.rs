@@ -7,18 +7,14 @@ use crate::machine::Machine;
 use crate::predict::{Predictor, World};
 use carvallo_slips::FormulaSlip;
 
-/// So many times critical speeds of more than two coordinates are computed.
-const COSTLY: usize = 200;
-
 /// All pairs of one of these conventions with another of them, or with a slip, or of an entry that is mistaken with a slip or
 /// with another one, with which everything fits.
 pub fn find<'a>(machine: &'a Machine, predictor: &Predictor, conventions: &[&'a Convention]) -> Vec<Found<'a>> {
     if predictor.has_few_digits() {
         return Vec::new();
     }
-    let mut left = COSTLY;
-    let left = &mut left;
-    let mut found = of_conventions(machine, predictor, conventions, left);
+    predictor.begin();
+    let mut found = of_conventions(machine, predictor, conventions);
     let (of_parameters, of_matrices): (Vec<&Convention>, Vec<&Convention>) =
         conventions.iter().partition(|own| matches!(own.effect, Effect::Parameters(_)));
     let acting = |convention: &'a Convention| Acting::new(machine, predictor, convention);
@@ -27,14 +23,14 @@ pub fn find<'a>(machine: &'a Machine, predictor: &Predictor, conventions: &[&'a 
     machine.singles(&mut |cause, old| {
         let Cause::Slip(slip) = cause else { return };
         for own in of_matrices.iter().chain(&entries) {
-            if let Some(world) = own.fitting(old, predictor, left) {
+            if let Some(world) = own.fitting(old, predictor) {
                 found.push(Found { causes: vec![Cause::Convention(own.convention), Cause::Slip(slip)], world });
             }
         }
     });
-    found.extend(of_entries(machine, predictor, &entries, left));
+    found.extend(of_entries(machine, predictor, &entries));
     for convention in of_parameters {
-        found.extend(of_parameters_and_slips(machine, predictor, convention, left));
+        found.extend(of_parameters_and_slips(machine, predictor, convention));
     }
     found
 }
@@ -53,18 +49,13 @@ fn mending<'a>(machine: &'a Machine, predictor: &Predictor) -> Vec<&'a Conventio
 }
 
 /// Two entries that are lost, have the other sign, are twice or half.
-fn of_entries<'a>(
-    machine: &Machine,
-    predictor: &Predictor,
-    entries: &[Acting<'a>],
-    left: &mut usize,
-) -> Vec<Found<'a>> {
+fn of_entries<'a>(machine: &Machine, predictor: &Predictor, entries: &[Acting<'a>]) -> Vec<Found<'a>> {
     let likely: Vec<&Acting> = entries.iter().filter(|own| own.convention.rank <= 1).collect();
     let mut found = Vec::new();
     for (at, first) in likely.iter().enumerate() {
         let world = machine.world_with(first.convention);
         for second in likely[at + 1..].iter().filter(|own| own.is_beside(first)) {
-            if let Some(world) = second.fitting(&world, predictor, left) {
+            if let Some(world) = second.fitting(&world, predictor) {
                 let causes = [first, second].map(|own| Cause::Convention(own.convention)).to_vec();
                 found.push(Found { causes, world });
             }
@@ -74,12 +65,7 @@ fn of_entries<'a>(
 }
 
 /// What acts on matrices acts on those of the parameters of the other one, and after them.
-fn of_conventions<'a>(
-    machine: &Machine,
-    predictor: &Predictor,
-    conventions: &[&'a Convention],
-    left: &mut usize,
-) -> Vec<Found<'a>> {
+fn of_conventions<'a>(machine: &Machine, predictor: &Predictor, conventions: &[&'a Convention]) -> Vec<Found<'a>> {
     let count = machine.formulas.count;
     let mut found = Vec::new();
     for (at, &first) in conventions.iter().enumerate() {
@@ -91,7 +77,7 @@ fn of_conventions<'a>(
             let (mut one, mut two) = (World::default(), World::default());
             first.change_matrices(&machine.world_of(&both), &mut one, count);
             second.change_matrices(&one, &mut two, count);
-            if predictor.fits_while(&two, left) {
+            if predictor.fits_if_tried(&two) {
                 found.push(Found { causes: vec![Cause::Convention(first), Cause::Convention(second)], world: two });
             }
         }
@@ -103,7 +89,6 @@ fn of_parameters_and_slips<'a>(
     machine: &'a Machine,
     predictor: &Predictor,
     convention: &'a Convention,
-    left: &mut usize,
 ) -> Vec<Found<'a>> {
     let formulas = &machine.formulas;
     let mut parameters = machine.parameters.clone();
@@ -125,10 +110,10 @@ fn of_parameters_and_slips<'a>(
     };
     let mut found = Vec::new();
     for slip in machine.slips().iter().filter(|slip| may_mend(slip)) {
-        if slip.apply(formulas, &parameters, &base, &mut own) {
+        if predictor.has_left() && slip.apply(formulas, &parameters, &base, &mut own) {
             world.attributes = machine.attributes(&own);
             std::mem::swap(&mut world.entries, &mut own.entries);
-            if predictor.fits_while(&world, left) {
+            if predictor.fits_if_tried(&world) {
                 let causes = vec![Cause::Convention(convention), Cause::Slip(slip)];
                 found.push(Found { causes, world: world.clone() });
             }

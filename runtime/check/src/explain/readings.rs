@@ -16,6 +16,8 @@ pub struct Explained<'a> {
     pub found: Vec<Found<'a>>,
     /// The numbers with those cut off that are.
     pub cut: Option<Given>,
+    /// Whether the search was stopped by what it costs before everything was tried.
+    pub is_short: bool,
 }
 
 /// Searches for what makes numbers that do not agree.
@@ -32,11 +34,13 @@ pub fn explain<'a>(given: &Given, machine: &'a Machine) -> Explained<'a> {
     let any = given.in_any_way();
     let of_any = Predictor::new(&any, machine);
     let search = Search::new(machine, &rounded, &of_any);
+    let is_short = || [&rounded, &of_all, &of_some, &of_any].iter().any(|own| own.is_short());
+    let explained = |found: Vec<Found<'a>>, cut: Option<Given>| Explained { found, cut, is_short: is_short() };
     let mut one = search.by_one(&rounded);
     // Who cuts off needs no other cause; but a slip that makes the very same numbers is told beside that.
     if shown > 0 && of_some.agreeing(&here) == here.len() {
         let found = if search.has_one_cause(&rounded) { one } else { Vec::new() };
-        return Explained { found, cut: Some(some) };
+        return explained(found, Some(some.clone()));
     }
     let mut of_cut = if all == *given { Vec::new() } else { search.by_one(&of_all) };
     of_cut.retain(|own| shown > 0 || own.is_plain());
@@ -46,31 +50,31 @@ pub fn explain<'a>(given: &Given, machine: &'a Machine) -> Explained<'a> {
     }
     let best = |found: &[Found]| found.iter().map(|own| own.rank(machine)).min();
     match (best(&one), best(&of_cut)) {
-        (None, Some(_)) if shown > 0 => return Explained { found: of_cut, cut: Some(all) },
+        (None, Some(_)) if shown > 0 => return explained(of_cut, Some(all.clone())),
         (one_rank, Some(cut_rank)) => {
             let unlikely = if shown > 0 { 0 } else { UNLIKELY };
             if shown > 0 || one_rank.is_none_or(|rank| cut_rank + unlikely < rank) {
                 of_cut.iter_mut().for_each(|own| own.causes.push(Cause::CutOff(unlikely, Which::All)));
                 one.extend(of_cut);
             }
-            return Explained { found: one, cut: None };
+            return explained(one, None);
         }
-        (Some(_), None) => return Explained { found: one, cut: None },
+        (Some(_), None) => return explained(one, None),
         (None, None) => {}
     }
     if shown == 0 {
-        return Explained { found: Search::new(machine, &rounded, &rounded).explain(&rounded), cut: None };
+        return explained(Search::new(machine, &rounded, &rounded).explain(&rounded), None);
     }
     // It is likelier that all or some are cut off than that there are two causes, or a definition of another value.
     for (cut, own) in [(&of_all, &all), (&of_some, &some)] {
         if cut.agreeing(&here) > rounded.agreeing(&here) {
             let found = search.explain(cut);
             if !found.is_empty() {
-                return Explained { found, cut: Some(own.clone()) };
+                return explained(found, Some(own.clone()));
             }
         }
     }
     let found = search.explain(&rounded);
     let cut = found.is_empty().then(|| some.clone());
-    Explained { found, cut }
+    explained(found, cut)
 }

@@ -11,17 +11,25 @@ const STEPS: usize = 30;
 /// The value of an unknown that is `value` here with which everything fits, with the fewest digits that do; `world` makes the
 /// matrices of it.
 pub fn solve(predictor: &Predictor, value: f64, world: &dyn Fn(f64) -> Option<World>) -> Option<f64> {
-    let predict = |x: f64| world(x).map(|world| predictor.predict(&world));
+    if !predictor.has_left() {
+        return None;
+    }
+    let predict = |x: f64| world(x).and_then(|world| predictor.predict_if_tried(&world));
     let scale = if value == 0.0 { 1.0 } else { value };
     let near = value + 1e-3 * scale;
     let by_relations = Told::of_relations(predictor, &world(value)?, &world(near)?)?;
-    let told = match by_relations.or_else(|| Told::of_criticals(predictor, &world(value)?)) {
+    let told = match by_relations {
         Some(told) => told,
+        None if Told::is_by_criticals(predictor, &world(value)?) => {
+            Told::of_criticals(predictor, &world(value)?, &world(near)?)?
+        }
         None => Told::of_numbers(predictor, &predict(value)?, &predict(near)?)?,
     };
-    let difference = |x: f64| world(x).map_or(f64::NAN, |world| told.difference(predictor, &world));
-    let may_fit = |x: f64| !predictor.is_costly() || world(x).is_some_and(|world| predictor.may_fit(&world));
-    let fits = |x: f64| world(x).is_some_and(|world| predictor.fits(&world));
+    let is_tried = || !predictor.is_costly() || predictor.spends(1);
+    let world_if_tried = |x: f64| if is_tried() { world(x) } else { None };
+    let difference = |x: f64| world_if_tried(x).map_or(f64::NAN, |world| told.difference(predictor, &world));
+    let may_fit = |x: f64| !predictor.is_costly() || world_if_tried(x).is_some_and(|world| predictor.may_fit(&world));
+    let fits = |x: f64| world(x).is_some_and(|world| predictor.fits_if_tried(&world));
     let mut tried: Vec<f64> = Vec::new();
     for start in STARTS {
         let Some(x) = root(start * scale, scale, &difference) else { continue };
@@ -79,16 +87,30 @@ impl Told {
         Some(told)
     }
 
-    /// The first critical speed that the matrices do not have, where these alone are given.
-    fn of_criticals(predictor: &Predictor, here: &World) -> Option<Self> {
-        let criticals = predictor.criticals();
+    /// Whether critical speeds alone are given, of which matrices do not have one.
+    fn is_by_criticals(predictor: &Predictor, here: &World) -> bool {
         let entries = predictor.closed_entries(here);
-        let is_told = |at: &usize| {
-            let own = &criticals[*at];
-            !own.holds(&entries, here.gravity) && own.off(&entries, here.gravity).is_some()
-        };
-        let told = (0..criticals.len()).find(is_told).filter(|_| criticals.len() == predictor.numbers().len());
-        told.map(Self::Critical)
+        let criticals = predictor.criticals().iter();
+        let mut wrong = criticals.filter(|own| !own.holds(&entries, here.gravity));
+        predictor.criticals().len() == predictor.numbers().len()
+            && wrong.any(|own| own.off(&entries, here.gravity).is_some())
+    }
+
+    /// The first of them; none where what is zero at one of them does not change with the unknown.
+    fn of_criticals(predictor: &Predictor, here: &World, near: &World) -> Option<Self> {
+        let entries = [here, near].map(|world| predictor.closed_entries(world));
+        let mut told = None;
+        for (at, own) in predictor.criticals().iter().enumerate() {
+            let Some(off) = own.off(&entries[0], here.gravity) else { continue };
+            if own.holds(&entries[0], here.gravity) {
+                continue;
+            }
+            if own.off(&entries[1], near.gravity) == Some(off) {
+                return None;
+            }
+            told = told.or(Some(Self::Critical(at)));
+        }
+        told
     }
 
     fn of_numbers(predictor: &Predictor, here: &[f64], near: &[f64]) -> Option<Self> {
@@ -142,7 +164,11 @@ fn root(start: f64, scale: f64, difference: &dyn Fn(f64) -> f64) -> Option<f64> 
 /// allow nothing in common.
 fn middle(predictor: &Predictor, x: f64, scale: f64, predict: &dyn Fn(f64) -> Option<Vec<f64>>) -> Option<f64> {
     let step = 1e-6 * scale.abs().max(x.abs());
-    let (here, near) = (predict(x)?, predict(x + step)?);
+    let here = predict(x)?;
+    if here.iter().any(|own| own.is_nan()) {
+        return None;
+    }
+    let near = predict(x + step)?;
     let [mut low, mut high] = [f64::NEG_INFINITY, f64::INFINITY];
     for (at, (_, reading)) in predictor.numbers().iter().enumerate() {
         let (slope, tolerance) = ((near[at] - here[at]) / step, predictor.tolerances()[at]);

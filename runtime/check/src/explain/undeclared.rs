@@ -60,6 +60,7 @@ pub fn of_eigenvalues(machine: &Machine, predictor: &Predictor) -> Option<Undecl
     if predictor.given().eigenvalues.is_empty() || !predictor.relations().is_empty() {
         return None;
     }
+    predictor.begin();
     let powers = if predictor.given().speeds().len() > 1 { 3 } else { 1 };
     let mut found: Vec<Undeclared> = Vec::new();
     for input in Input::all(machine.info) {

@@ -64,9 +64,16 @@ impl fmt::Display for Report {
             )?;
         }
         match &self.unexplained {
-            Some(suspects) => suspects.fmt(f),
-            None => explanations(&self.explanations, numbers.len(), f),
+            Some(suspects) => suspects.fmt(f)?,
+            None => explanations(&self.explanations, numbers.len(), f)?,
         }
+        if self.stopped_short {
+            writeln!(
+                f,
+                "The search stopped short: critical speeds of so many coordinates take long, and not everything of two together was tried."
+            )?;
+        }
+        Ok(())
     }
 }
 

@@ -38,6 +38,8 @@ pub struct Report {
     pub states: Vec<Vec<String>>,
     /// So many digits, where all numbers that do not agree do to them and have zeros behind: `46470.0` of 46473.2.
     pub padded: Option<usize>,
+    /// Whether the search was stopped by what it costs before everything was tried.
+    pub stopped_short: bool,
     /// Where nothing explains all numbers: what is known of them.
     pub unexplained: Option<Suspects>,
 }
@@ -131,6 +133,7 @@ impl Report {
             explanations,
             states: (0..predictor.given().state_matrices.len()).map(|at| states(predictor, at, machine.info)).collect(),
             padded: padded(predictor, &here),
+            stopped_short: false,
             unexplained,
         }
     }
