@@ -52,7 +52,7 @@ pub struct Predictor<'a> {
 }
 
 /// What a part of the search may cost where critical speeds are costly, in trials by determinants; and what one by all speeds does.
-const COSTS: usize = 40_000;
+const COSTS: usize = 25_000;
 const COST_OF_SPEEDS: usize = 1_000;
 
 /// Matrices of the open loop, all eight row by row, the gravitational field strength in N/kg, and what closes the loop.
