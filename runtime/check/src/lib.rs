@@ -64,8 +64,11 @@ pub fn check_machine(given: &Given, machine: &Machine) -> Result<Report, String>
     let Some(other) = Predictor::new(given, machine).by_other_equations(machine) else {
         return Ok(compare(given, machine));
     };
-    // By which equations wrong accelerations are is a guess: one cause by the others is likelier than several by these.
-    let [first, last] = match !has_one_cause(given, machine) && has_one_cause(&other, machine) {
+    // By which equations wrong accelerations are is a guess: one cause by the others is likelier than several by these, or a force on fewer
+    // coordinates.
+    let off = |given: &Given| explain::off(machine, &Predictor::new(given, machine));
+    let is_likelier = || has_one_cause(&other, machine) || off(&other) < off(given);
+    let [first, last] = match !has_one_cause(given, machine) && is_likelier() {
         true => [&other, given],
         false => [given, &other],
     };

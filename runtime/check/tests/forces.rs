@@ -36,6 +36,54 @@ fn a_law_that_was_not_declared_is_told_of_accelerations() {
     }
 }
 
+/// A torque that is the same in all states, or in the only one, is named; of one state alone any other cause would be made up.
+#[test]
+fn a_force_that_was_not_declared_is_told() {
+    let one = accelerations("linear", [0.1, 0.02, 0.5, -0.3], 1.5);
+    let two = [one.clone(), accelerations("linear", [-0.05, 0.04, 0.2, 0.1], 1.5)].join(", ");
+    for all in [&one, &two] {
+        let found = causes(&checked(&format!("speed = {SPEED}\naccelerations = [{all}]")));
+        assert_eq!(found, ["there is a force on delta that is not declared, forces = { delta = 1.5 }"]);
+        let declared = all.replace("values", "forces = { delta = 1.5 }, values");
+        assert!(checked(&format!("speed = {SPEED}\naccelerations = [{declared}]")).agrees);
+        let other = all.replace("values", "forces = { delta = 0.7 }, values");
+        let found = causes(&checked(&format!("speed = {SPEED}\naccelerations = [{other}]")));
+        assert_eq!(found, ["the force on delta is 1.5 in the place of 0.7"]);
+        let sign = all.replace("values", "forces = { delta = -1.5 }, values");
+        let found = causes(&checked(&format!("speed = {SPEED}\naccelerations = [{sign}]")));
+        assert!(found.contains(&"the force on delta has the other sign".to_owned()), "{found:?}");
+    }
+    // A torque of more digits than anybody means is told beside what differs, and nothing is made up.
+    let report = checked(&format!(
+        "speed = {SPEED}\naccelerations = [{}]",
+        accelerations("linear", [0.1, 0.02, 0.5, -0.3], 1.234567)
+    ));
+    assert!(
+        causes(&report).is_empty() && report.to_string().contains("that of delta, by a force of 1.23457"),
+        "{report}"
+    );
+}
+
+/// Basu-Mandal, Chatterjee & Papadopoulos (2007), Table 1: lean and steer, their rates and the spin of the rear wheel, 8.912989661489
+/// rad/s, in a state far from upright, and the accelerations of lean and steer without a force. Lean is pi/2 - psi there, steer is -psif.
+fn published(speed: &str, forces: &str) -> String {
+    format!(
+        "accelerations = {{ speed = {speed}, state = {{ phi = \"pi/2 - 0.9501292851472\", phi_rate = -0.6068425835418, \
+         delta = -0.2311385135743, delta_rate = -0.4859824687093 }}, {forces} \
+         values = {{ phi = 7.8555281128244, delta = 4.6198904039403 }} }}"
+    )
+}
+
+/// Nothing is said of the equations, and by neither of them these are the accelerations with a force or at a speed in km/h.
+#[test]
+fn the_equations_are_those_by_which_fewer_forces_are_missing() {
+    let report = checked(&published("\"8.9129896614890*0.3\"", "forces = { delta = 2 },"));
+    assert_eq!(causes(&report), ["the force on delta is left out"], "{report}");
+    assert!(report.numbers.iter().all(|own| own.name.ends_with("by the nonlinear equations")), "{report}");
+    let report = checked(&published("\"8.9129896614890*0.3*3.6\"", ""));
+    assert_eq!(causes(&report), ["speeds are in km/h in the place of m/s"], "{report}");
+}
+
 /// Torques that follow from no law.
 #[test]
 fn the_equation_that_is_off_is_told() {

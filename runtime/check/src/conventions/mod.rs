@@ -18,7 +18,7 @@ pub use self::entries::entries;
 pub use self::feedback::{feedback, gains, term};
 pub use self::matrices::{matrices, sums};
 pub use self::parameters::parameters;
-pub use self::speeds::speeds;
+pub use self::speeds::{speeds, units};
 pub use self::usual::usual;
 
 /// What is said of a cause that is none of the closed loop's number, but of what feedback is added to.

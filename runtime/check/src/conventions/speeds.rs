@@ -11,11 +11,16 @@ pub fn speeds(info: &ModelInfo, laws: &[Law]) -> Vec<Convention> {
     if !info.depends_on_speed() && gains.all(|gain| power(gain.matrix) == 0) {
         return Vec::new();
     }
+    units().into_iter().map(|(what, factor)| Convention::of_speeds(what, factor, laws)).collect()
+}
+
+/// What may have been done to all speeds, in words, and by which factor of them the numbers are.
+pub fn units() -> Vec<(String, f64)> {
     let units = [("km/h", 3.6), ("miles per hour", 1.0 / 0.44704), ("feet per second", 1.0 / 0.3048)];
     let both = |(unit, value): (&str, f64)| {
         [
-            Convention::of_speeds(format!("speeds are in {unit} in the place of m/s"), 1.0 / value, laws),
-            Convention::of_speeds(format!("speeds in m/s were taken for {unit} and converted"), value, laws),
+            (format!("speeds are in {unit} in the place of m/s"), 1.0 / value),
+            (format!("speeds in m/s were taken for {unit} and converted"), value),
         ]
     };
     units.into_iter().flat_map(both).collect()

@@ -4,7 +4,7 @@ use carvallo_design::feedback::{Gain, Input};
 
 use super::gains::solution;
 use super::undeclared::{POWERS, Undeclared};
-use crate::given::Quantity;
+use crate::given::{Accelerations, Quantity};
 use crate::machine::Machine;
 use crate::predict::Predictor;
 use crate::states::states;
@@ -54,6 +54,19 @@ pub fn missing(machine: &Machine, predictor: &Predictor) -> Vec<Missing> {
     (0..predictor.given().accelerations.len()).filter_map(of).collect()
 }
 
+/// In how many equations of all states anything is missing, where nothing but accelerations is given; what has no forces counts by its
+/// numbers.
+pub fn off(machine: &Machine, predictor: &Predictor) -> Option<usize> {
+    let missing = missing(machine, predictor);
+    let is_acceleration = |(quantity, _): &(Quantity, _)| matches!(quantity, Quantity::Acceleration(..));
+    let of = |(state, given): (usize, &Accelerations)| match missing.iter().find(|own| own.state == state) {
+        Some(own) => (0..own.forces.len()).filter(|at| own.is_wrong(*at)).count(),
+        None => given.values.iter().flatten().count(),
+    };
+    let all = predictor.given().accelerations.iter().enumerate();
+    predictor.numbers().iter().all(is_acceleration).then(|| all.map(of).sum())
+}
+
 /// The forces on the coordinates in whose equations anything is missing, fewer than all, and the one law of each of one term or of two that
 /// makes it, if there is one alone.
 pub fn find(machine: &Machine, predictor: &Predictor) -> Option<Undeclared> {
@@ -80,7 +93,7 @@ fn law(machine: &Machine, predictor: &Predictor, on: usize) -> Option<Vec<Gain>>
     let mut terms: Vec<(Gain, Vec<f64>)> = Vec::new();
     for (is_rate, column) in states(machine.info) {
         for (power, &matrix) in POWERS[usize::from(!is_rate)][..powers].iter().enumerate() {
-            let of = |own: &crate::given::Accelerations| {
+            let of = |own: &Accelerations| {
                 let value = if is_rate { own.rates[column] } else { own.positions[column] };
                 let exponents = if is_rate { [0, 1, -1] } else { [0, 1, 2] };
                 value * own.speed.powi(exponents[power])

@@ -2,6 +2,7 @@
 
 mod acting;
 mod beside;
+mod constant;
 mod curve;
 mod double;
 mod forces;
@@ -29,7 +30,8 @@ use carvallo_slips::FormulaSlip;
 
 pub use carvallo_slips::DoubleSlip;
 
-pub use self::forces::{Missing, find as of_accelerations, missing};
+pub use self::constant::Force;
+pub use self::forces::{Missing, find as of_accelerations, missing, off};
 
 pub use self::readings::{Explained, explain};
 pub use self::solve::{digits, relation};
@@ -91,6 +93,8 @@ pub enum Cause<'a> {
     Speed(f64),
     /// The loop is closed, by feedback that was not declared.
     Feedback(Undeclared),
+    /// A force is not declared, or another one than is.
+    Force(Force),
     /// Numbers are cut off, and not rounded; so unlikely by what else shows it.
     CutOff(u32, Which),
     /// A number itself was written wrongly, whatever it comes from: in words.
@@ -166,8 +170,18 @@ impl<'a, 'b> Search<'a, 'b> {
                 found.extend(written);
             }
         }
+        // Of accelerations the forces tell it at once.
+        let forces = constant::find(self.machine, predictor, most_digits(predictor));
+        let is_declared = !forces.is_empty() && forces.iter().all(Force::is_of_declared);
+        let causes: Vec<Cause> = forces.into_iter().map(Cause::Force).collect();
+        let by_forces = Some(Found { causes, world: self.machine.world() }).filter(|own| !own.causes.is_empty());
         if found.iter().any(Found::is_plain) {
             found.retain(Found::is_plain);
+            found.extend(by_forces.filter(|_| is_declared));
+        } else if self.written(predictor, 1).is_empty() {
+            let law = self.closed(predictor, of_accelerations(self.machine, predictor));
+            let all: Vec<Found> = by_forces.into_iter().chain(law).collect();
+            found = if all.is_empty() { found } else { all };
         }
         found
     }
@@ -184,18 +198,16 @@ impl<'a, 'b> Search<'a, 'b> {
         if found.is_empty() {
             found = self.written(predictor, 1);
         }
-        // Of accelerations the forces tell it at once.
-        if found.is_empty() {
-            found.extend(self.closed(predictor, of_accelerations(self.machine, predictor)));
-        }
         if found.is_empty() {
             found = self.fitting(self.pairs(), predictor);
             found.extend(self.fitting(self.slips(), predictor));
         }
-        if found.is_empty() {
+        // One equation that is off in one state any value makes that stands in it.
+        let is_known = off(self.machine, predictor) != Some(1);
+        if found.is_empty() && is_known {
             found.extend(self.solved(predictor, self.parameters_with_conventions()));
         }
-        if found.is_empty() {
+        if found.is_empty() && is_known {
             found = self.of_definitions(predictor);
         }
         if found.is_empty() {
@@ -210,10 +222,7 @@ impl<'a, 'b> Search<'a, 'b> {
 
     /// A closed loop whose gains somebody may have meant.
     fn closed(&self, predictor: &Predictor, closed: Option<Undeclared>) -> Option<Found<'a>> {
-        // Some gains or other make any mistakes in one equation; by few digits, short ones do.
-        let known = predictor.numbers().iter().map(|(_, reading)| reading.digits).max().unwrap_or_default();
-        let most = PLAIN.min(known.saturating_sub(SPARE));
-        let plain = closed.filter(|own| !own.laws.is_empty() && own.digits <= most);
+        let plain = closed.filter(|own| !own.laws.is_empty() && own.digits <= most_digits(predictor));
         plain.map(|own| Found { causes: vec![Cause::Feedback(own)], world: self.machine.world() })
     }
 
@@ -323,6 +332,13 @@ impl<'a, 'b> Search<'a, 'b> {
         }
         found
     }
+}
+
+/// So many digits gains and forces have at most that were meant: some or other make any mistakes in one equation; by few digits, short
+/// ones do.
+fn most_digits(predictor: &Predictor) -> usize {
+    let known = predictor.numbers().iter().map(|(_, reading)| reading.digits).max().unwrap_or_default();
+    PLAIN.min(known.saturating_sub(SPARE))
 }
 
 /// How all numbers that do not agree, some but so many at most, were written wrongly.

@@ -1,7 +1,9 @@
-//! Accelerations in coordinates that are others than ours as a whole: in degrees, positive the other way, in another order.
+//! Accelerations in coordinates or at speeds that are others than ours as a whole: in degrees, positive the other way, in another order,
+//! in km/h.
 
 use carvallo::ModelInfo;
 
+use crate::conventions;
 use crate::given::{Accelerations, Given};
 
 /// For each way in which all states or accelerations of a file may be others: what they would be in ours, and what was done, in words.
@@ -50,6 +52,9 @@ pub fn mended(given: &Given, info: &ModelInfo) -> Vec<(Given, String)> {
     }
     add("accelerations have the other sign".to_owned(), &|own| (0..names.len()).for_each(|at| scale(own, at, -1.0)));
     add("rates are left out".to_owned(), &|own| own.rates.fill(0.0));
+    for (told, factor) in conventions::units() {
+        add(told, &|own| own.speed *= factor);
+    }
     found
 }
 

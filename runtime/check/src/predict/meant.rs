@@ -116,9 +116,14 @@ impl<'a> Predictor<'a> {
         is_any.then_some(given)
     }
 
+    /// Whether the accelerations in a state are by the nonlinear equations.
+    pub fn is_state_nonlinear(&self, state: usize) -> bool {
+        self.nonlinear[state].is_some()
+    }
+
     /// Whether a number is by the nonlinear equations.
     pub fn is_nonlinear(&self, at: usize) -> bool {
-        matches!(self.numbers[at].0, Quantity::Acceleration(state, _) if self.nonlinear[state].is_some())
+        matches!(self.numbers[at].0, Quantity::Acceleration(state, _) if self.is_state_nonlinear(state))
     }
 
     /// Whether any number is.

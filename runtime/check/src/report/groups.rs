@@ -122,7 +122,8 @@ pub fn rank(machine: &Machine, cause: &Cause) -> u32 {
         Cause::Definition(..) => 8,
         Cause::Speed(_) => 3,
         Cause::CutOff(rank, _) => *rank,
-        Cause::Written(_) | Cause::Feedback(_) => 4,
+        Cause::Force(own) if own.is_of_declared() => 0,
+        Cause::Written(_) | Cause::Feedback(_) | Cause::Force(_) => 4,
     }
 }
 
@@ -198,9 +199,12 @@ fn world(other: &Machine, machine: &Machine, found: &Found) -> Option<World> {
             }
             // No matrices change with it.
             Cause::CutOff(..) => {}
-            Cause::Parameter(..) | Cause::Definition(..) | Cause::Speed(_) | Cause::Feedback(_) | Cause::Written(_) => {
-                return None;
-            }
+            Cause::Parameter(..)
+            | Cause::Definition(..)
+            | Cause::Speed(_)
+            | Cause::Feedback(_)
+            | Cause::Force(_)
+            | Cause::Written(_) => return None,
         }
     }
     let mut values = other.formulas.values(&parameters);

@@ -4,7 +4,7 @@ use carvallo_design::number::{shortest, with_unit};
 use carvallo_slips::{double_words, slip_words};
 
 use crate::conventions::{BEFORE_CLOSING, Effect};
-use crate::explain::{Cause, Undeclared, Which, relation};
+use crate::explain::{Cause, Force, Undeclared, Which, relation};
 use crate::machine::Machine;
 
 /// What is otherwise, as the end of a sentence.
@@ -59,9 +59,24 @@ pub fn words(machine: &Machine, cause: &Cause) -> String {
                 declared(own)
             )
         }
+        Cause::Force(own) => force(machine, own),
         Cause::Speed(factor) => {
             format!("the speeds are {} times what is given as the speed", shortest(*factor))
         }
+    }
+}
+
+/// Another force than is declared.
+fn force(machine: &Machine, own: &Force) -> String {
+    let (name, value) = (machine.info.coordinates[own.on].name, shortest(own.value));
+    match own.declared {
+        Some(0.0) => format!("there is a force on {name} that is not declared, forces = {{ {name} = {value} }}"),
+        Some(declared) => match own.value {
+            0.0 => format!("the force on {name} is left out"),
+            _ if own.value == -declared => format!("the force on {name} has the other sign"),
+            _ => format!("the force on {name} is {value} in the place of {}", shortest(declared)),
+        },
+        None => format!("the forces on {name} are by {value} larger than they are declared"),
     }
 }
 
