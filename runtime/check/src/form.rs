@@ -1,4 +1,4 @@
-//! How a state matrix was written as a whole: in which order of states, and whether it is transposed or has the other sign.
+//! How a state matrix was written as a whole: in which order of states, whether it is transposed, and what it is multiplied by.
 //!
 //! Its rows that say what a rate is tell that: there is a 1 in each, and nothing else.
 
@@ -10,19 +10,26 @@ use crate::states::{orders, states};
 /// More than rounding leaves of a 1 or a 0.
 const ROUNDING: f64 = 1e-9;
 
-/// What becomes of a matrix before its rows are those of a state matrix.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// Of a speed in km/h that in m/s.
+const KMH: f64 = 3.6;
+
+/// What all entries of a matrix may be multiplied by.
+const FACTORS: [f64; 4] = [1.0, -1.0, KMH, 1.0 / KMH];
+
+/// What was done to all of a matrix.
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct Form {
     is_transposed: bool,
-    is_negative: bool,
+    factor: f64,
 }
 
-const FORMS: [Form; 4] = [
-    Form { is_transposed: false, is_negative: false },
-    Form { is_transposed: true, is_negative: false },
-    Form { is_transposed: false, is_negative: true },
-    Form { is_transposed: true, is_negative: true },
-];
+/// A matrix as it should be.
+const RIGHT: Form = Form { is_transposed: false, factor: 1.0 };
+
+/// All of them, the likeliest first.
+fn forms() -> impl Iterator<Item = Form> {
+    FACTORS.into_iter().flat_map(|factor| [false, true].map(|is_transposed| Form { is_transposed, factor }))
+}
 
 impl Form {
     /// Of a matrix that has as many rows and columns as there are states.
@@ -31,17 +38,33 @@ impl Form {
         if self.is_transposed {
             (0..own.len()).for_each(|row| (0..own.len()).for_each(|at| own[row][at].clone_from(&rows[at][row])));
         }
-        if self.is_negative {
-            own.iter_mut().flatten().flatten().for_each(|entry| entry.value = -entry.value);
+        for entry in own.iter_mut().flatten().flatten() {
+            entry.value /= self.factor;
+            entry.tolerance /= self.factor.abs();
         }
         own
     }
 
-    fn words(self) -> &'static str {
-        match (self.is_transposed, self.is_negative) {
-            (true, true) => "was filled row by column and has the other sign: it is transposed and negative",
-            (true, false) => "was filled row by column: it is transposed",
-            _ => "has the other sign",
+    /// Whether all rows of a matrix that say what a rate is do so then, in some order.
+    fn is_told(self, matrix: &StateMatrix, info: &ModelInfo) -> bool {
+        let rows = self.mend(&matrix.rows);
+        orders(info).iter().any(|order| known(&rows, order, info).all(|agrees| agrees))
+    }
+
+    fn words(self) -> String {
+        let factor = match self.factor {
+            1.0 => String::new(),
+            -1.0 => "has the other sign".to_owned(),
+            KMH => format!("is multiplied by {KMH}"),
+            _ => format!("is divided by {KMH}"),
+        };
+        match (self.is_transposed, self.factor == 1.0) {
+            (true, true) => "was filled row by column: it is transposed".to_owned(),
+            (true, false) if self.factor == -1.0 => {
+                "was filled row by column and has the other sign: it is transposed and negative".to_owned()
+            }
+            (true, false) => format!("was filled row by column and {factor}"),
+            (false, _) => factor,
         }
     }
 }
@@ -54,14 +77,25 @@ pub fn order(matrix: &StateMatrix, info: &ModelInfo) -> Vec<usize> {
     orders(info).into_iter().rev().max_by_key(rank).unwrap_or_default()
 }
 
-/// With state matrices that are those of a machine, where some are transposed or negative as a whole, and what was told to be so.
+/// With state matrices that are those of a machine, where some are otherwise as a whole, and what was told to be so.
 pub fn mended(given: &Given, info: &ModelInfo) -> Option<(Given, Vec<String>)> {
     let forms: Vec<Form> = given.state_matrices.iter().map(|own| form(own, info)).collect();
+    with(given, &forms)
+}
+
+/// The same in all forms that may be those of all state matrices: without damping, as at rest, a matrix and its transpose both have rows
+/// that say what a rate is, in two orders.
+pub fn others(given: &Given, info: &ModelInfo) -> impl Iterator<Item = (Given, Vec<String>)> {
+    let is_told = |form: &Form| given.state_matrices.iter().all(|own| form.is_told(own, info));
+    forms().filter(is_told).filter_map(|form| with(given, &vec![form; given.state_matrices.len()]))
+}
+
+fn with(given: &Given, forms: &[Form]) -> Option<(Given, Vec<String>)> {
     let is_one = forms.windows(2).all(|both| both[0] == both[1]);
     let mut own = given.clone();
     let mut told = Vec::new();
     for (at, (matrix, form)) in own.state_matrices.iter_mut().zip(forms).enumerate() {
-        if form != Form::default() {
+        if *form != RIGHT {
             matrix.rows = form.mend(&matrix.rows);
             let name = if is_one { "A".to_owned() } else { given.state_name(at) };
             told.push(format!("{name} {}", form.words()));
@@ -74,11 +108,7 @@ pub fn mended(given: &Given, info: &ModelInfo) -> Option<(Given, Vec<String>)> {
 /// The first with which all rows that say what a rate is do so, in some order; the matrix as it is where there is none.
 fn form(matrix: &StateMatrix, info: &ModelInfo) -> Form {
     let has_any = info.coordinates.iter().any(|own| own.states == States::Both);
-    let is_told = |form: &Form| {
-        let rows = form.mend(&matrix.rows);
-        orders(info).iter().any(|order| known(&rows, order, info).all(|agrees| agrees))
-    };
-    FORMS.into_iter().filter(|_| has_any).find(is_told).unwrap_or_default()
+    forms().filter(|_| has_any).find(|form| form.is_told(matrix, info)).unwrap_or(RIGHT)
 }
 
 /// Of each entry in a row that says what a rate is whether it is a 1 or a 0, as it should; entries that are not known are.
@@ -90,7 +120,11 @@ fn known(rows: &Rows, order: &[usize], info: &ModelInfo) -> impl Iterator<Item =
         let entries = rows[row].iter().zip(order);
         let agrees = entries.map(|(entry, column)| {
             let expected = f64::from(u8::from(states[*column] == (true, of)));
-            entry.as_ref().is_none_or(|entry| (entry.value - expected).abs() < ROUNDING)
+            entry.as_ref().is_none_or(|entry| {
+                let off = (entry.value - expected).abs();
+                // Of a factor with few digits a 1 has a few as well.
+                off < ROUNDING || expected != 0.0 && entry.digits > 1 && off <= entry.tolerance
+            })
         });
         agrees.collect()
     };

@@ -103,6 +103,11 @@ fn compare(given: &Given, machine: &Machine) -> Report {
         let suspects = Suspects::new(machine, &Predictor::new(meant, machine), told);
         return Report::new(machine, &own, &own, Vec::new(), Some(suspects));
     }
+    let is_whole = |given: &Given| {
+        let own = Predictor::new(given, machine);
+        own.agreeing(&own.predict(&machine.world())) == own.numbers().len()
+    };
+    let mended = form::others(given, machine.info).find(|(other, _)| is_whole(other)).or(mended);
     if let Some((mended, told)) = mended {
         return check_mended(given, &mended, told, machine);
     }

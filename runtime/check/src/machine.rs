@@ -34,6 +34,8 @@ pub struct Machine {
     pub usual: Vec<Convention>,
     /// Those of all that C or K at a speed is made of, where these or state matrices are given.
     pub sums: Vec<Convention>,
+    /// Powers of the speed that are forgotten, where anything is given at speeds.
+    pub powers: Vec<Convention>,
     /// Entries and parameters that are mistaken by themselves.
     pub single: Vec<Convention>,
     /// Of each place among the entries the formula.
@@ -109,10 +111,14 @@ impl Machine {
         usual.extend(conventions::matrices(info, &values.entries, gravity).into_iter().map(of_open_loop));
         usual.extend(conventions::speeds(info, feedback));
         usual.extend(conventions::usual(info, parameters));
+        // Gains are those of the coordinates as they are.
+        usual.extend(if feedback.is_empty() { conventions::coordinates(info) } else { Vec::new() });
         let sums = conventions::sums(info, &values.entries).into_iter().map(of_open_loop).collect();
+        let powers = conventions::powers(info).into_iter().map(of_open_loop).collect();
         let mut single: Vec<Convention> =
             conventions::entries(info, &values.entries).into_iter().map(of_open_loop).collect();
         single.extend(conventions::parameters(info, parameters));
+        single.extend(conventions::shipped(info, parameters));
         single.extend(conventions::gains(info, feedback));
         let (parameters, feedback) = (parameters.to_vec(), feedback.to_vec());
         let (slips, worlds, others, with_mechanism) = Default::default();
@@ -134,6 +140,7 @@ impl Machine {
             values,
             usual,
             sums,
+            powers,
             single,
             places,
             attributes,

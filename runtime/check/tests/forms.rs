@@ -2,7 +2,7 @@
 
 mod benchmark;
 
-use benchmark::{K0, K2, M, SPEED, causes, checked, numbers, written};
+use benchmark::{C1, K0, K2, M, Matrix, SPEED, causes, checked, numbers, written};
 use carvallo_check::{check, read};
 use carvallo_design::input::Request;
 
@@ -43,6 +43,78 @@ fn a_matrix_that_is_transposed_or_negative_is_one_cause() {
         assert!(!report.agrees && report.explanations.len() == 1, "{report}");
     }
     assert!(checked(&file(right)).agrees && checked(&file(rates_first(right))).agrees);
+}
+
+/// Also without damping, where the transpose of a matrix looks like one with rates before positions.
+#[test]
+fn a_matrix_at_rest_is_transposed_and_one_in_km_per_hour_is_multiplied() {
+    let text =
+        format!("speed = 0\nA = {}", written(transposed(numbers(0.0, |_, _, _| {})), &|own| format!("{own:.6}")));
+    assert_eq!(causes(&checked(&text)), ["A was filled row by column: it is transposed"]);
+    let right = numbers(SPEED, |_, _, _| {});
+    let times = |factor: f64| right.map(|row| row.map(|entry| factor * entry));
+    for (rows, expected) in [
+        (times(3.6), "A is multiplied by 3.6"),
+        (times(1.0 / 3.6), "A is divided by 3.6"),
+        (transposed(times(3.6)), "A was filled row by column and is multiplied by 3.6"),
+    ] {
+        let text = format!("speed = {SPEED}\nA = {}", written(rows, &|own| format!("{own:.6}")));
+        assert_eq!(causes(&checked(&text)), [expected]);
+    }
+}
+
+/// A = [0, 1; -K M^-1, -C M^-1].
+#[test]
+fn a_division_by_the_mass_matrix_from_the_right_is_told() {
+    let c = C1.map(|row| row.map(|entry| SPEED * entry));
+    let k = [0, 1].map(|row| [0, 1].map(|column| 9.81 * K0[row][column] + SPEED * SPEED * K2[row][column]));
+    let determinant = M[0][0] * M[1][1] - M[0][1] * M[1][0];
+    let inverse = [[M[1][1], -M[0][1]], [-M[1][0], M[0][0]]].map(|row| row.map(|entry| entry / determinant));
+    let lower = |with: &Matrix, row: usize, column: usize| {
+        -(with[row][0] * inverse[0][column] + with[row][1] * inverse[1][column])
+    };
+    let row = |row: usize| [lower(&k, row, 0), lower(&k, row, 1), lower(&c, row, 0), lower(&c, row, 1)];
+    let text = file([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0], row(0), row(1)]);
+    assert_eq!(causes(&checked(&text)), ["all matrices are divided by M from the right"]);
+}
+
+/// C1 for v C1, K2 and v K2 for v^2 K2: in A, in C and K, and in eigenvalues by NumPy (`numpy.linalg.eigvals` of A with these).
+#[test]
+fn a_power_of_the_speed_that_is_forgotten_is_told() {
+    let stiffness = |factor: f64| [0, 1].map(|row| [0, 1].map(|at| 9.81 * K0[row][at] + factor * K2[row][at]));
+    let [c1, vk2, k2] =
+        ["C1 stands in the place of v*C1", "v*K2 stands in the place of v^2*K2", "K2 stands in the place of v^2*K2"];
+    for (text, expected) in [
+        (file(numbers(SPEED, |_, c, _| *c = C1)), c1),
+        (file(numbers(SPEED, |_, _, k| *k = stiffness(SPEED))), vk2),
+        (file(numbers(SPEED, |_, _, k| *k = stiffness(1.0))), k2),
+        (format!("speed = {SPEED}\nM = {M:?}\nK = {:?}", stiffness(SPEED)), vk2),
+        ("speed = 5\neigenvalues = [\"0.9973291 ± 3.634898i\", -2.204168, -2.980878]".to_owned(), c1),
+        (
+            "eigenvalues = { \"5\" = [\"1.321556 ± 1.792197i\", -3.44308, -15.15197], \
+             \"7\" = [\"0.614274 ± 1.693684i\", -3.769255, -19.79201] }"
+                .to_owned(),
+            vk2,
+        ),
+    ] {
+        assert_eq!(causes(&checked(&text)), [expected], "{text}");
+    }
+}
+
+/// Two rods of 1 m and 1 kg, the second one from the vertical: M = [[I + a^2 + l^2, l a], [l a, I + a^2]] with a = 1/2 and I = 1/12, and
+/// K0 = diag(-a - l, -a); here it is from the first one.
+#[test]
+fn angles_that_are_absolute_are_told() {
+    let text = "model = \"DoublePendulum\"\nM = [[1.333333, 0.5], [0.5, 0.333333]]\nK0 = [[-1.5, 0], [0, -0.5]]";
+    assert_eq!(causes(&checked(text)), ["theta2 is theta1 + theta2 of here: it is absolute"]);
+}
+
+/// The matrices of the bicycle that is called browser, by the formulas of Meijaard et al. (2007) in NumPy, held against the benchmark.
+#[test]
+fn another_bicycle_that_ships_is_told() {
+    let text = "M = [[6.2167, 0.334402], [0.334402, 0.219808]]\nC1 = [[0, 4.38682], [-0.44981, 0.577326]]\n\
+                K0 = [[-9.46676, -0.561218], [-0.561218, -0.218383]]\nK2 = [[0, 8.50357], [0, 0.600081]]";
+    assert_eq!(causes(&checked(text)), ["they are of `browser`, another machine that ships"]);
 }
 
 /// M_11 is 5 % too large, and C_12 and K_21 are wrong as well: nobody has all of these.

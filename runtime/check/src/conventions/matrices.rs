@@ -188,6 +188,10 @@ impl Build<'_> {
         let place = |place: (usize, usize)| self.at(MatrixName::M, place);
         let divided = "all matrices are divided by M from the left".to_owned();
         let mut found = vec![Convention { what: divided, effect: Effect::DividedByMass, rank: 0 }];
+        if self.count > 1 {
+            let what = "all matrices are divided by M from the right".to_owned();
+            found.push(Convention { what, effect: Effect::DividedByMassFromRight, rank: 0 });
+        }
         let identity =
             self.places().map(|own| Assignment::constant(place(own), if own.0 == own.1 { 1.0 } else { 0.0 }));
         found.push(Convention::of_entries("accelerations are not divided by M", identity.collect()));

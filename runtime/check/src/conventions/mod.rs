@@ -1,10 +1,13 @@
 //! What else than a slip in a formula makes other numbers: conventions in which people differ, entries that stand at another
 //! place, and parameters that were taken for others.
 
+mod coordinates;
 mod entries;
 mod feedback;
 mod matrices;
 mod parameters;
+mod powers;
+mod shipped;
 mod speeds;
 mod usual;
 
@@ -14,10 +17,13 @@ use carvallo_design::matrices::dependent_column;
 
 use crate::predict::World;
 
+pub use self::coordinates::coordinates;
 pub use self::entries::entries;
 pub use self::feedback::{feedback, gains, term};
 pub use self::matrices::{matrices, sums};
 pub use self::parameters::parameters;
+pub use self::powers::powers;
+pub use self::shipped::shipped;
 pub use self::speeds::{speeds, units};
 pub use self::usual::usual;
 
@@ -44,6 +50,10 @@ pub enum Effect {
     Entries(Vec<Assignment>),
     /// Every matrix is divided by M from the left, and M is 1.
     DividedByMass,
+    /// The same from the right.
+    DividedByMassFromRight,
+    /// Coordinates are others: ours are this matrix times theirs, row by row.
+    Coordinates(Vec<f64>),
     /// Each gain of the feedback is multiplied by a factor.
     Gains(Vec<f64>),
     /// All speeds are multiplied by a factor, and each gain of the feedback by what comes of it.
@@ -132,11 +142,26 @@ impl Convention {
             Effect::Parameters(_) => {}
             Effect::Entries(assignments) => assign(assignments),
             Effect::DividedByMass => divide(&mut own.entries, count),
+            Effect::DividedByMassFromRight => {
+                transpose(&mut own.entries, count);
+                divide(&mut own.entries, count);
+                transpose(&mut own.entries, count);
+            }
+            Effect::Coordinates(shares) => coordinates::transform(&mut own.entries, shares, count),
             Effect::Gains(factors) => scale(&mut own.gains, factors),
             Effect::Speeds(factor, factors) => {
                 assign(&speeds::assignments(*factor, count));
                 scale(&mut own.gains, factors);
             }
+        }
+    }
+}
+
+/// Transposes all matrices.
+fn transpose(entries: &mut [f64], count: usize) {
+    for matrix in entries.chunks_exact_mut(count * count) {
+        for row in 0..count {
+            (0..row).for_each(|column| matrix.swap(row * count + column, column * count + row));
         }
     }
 }

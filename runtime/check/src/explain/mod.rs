@@ -22,7 +22,6 @@ use std::cell::OnceCell;
 use self::unknown::Unknown;
 use crate::behind;
 use crate::conventions::{Convention, Effect};
-use crate::given::Given;
 use crate::machine::Machine;
 use crate::predict::{Predictor, World};
 use crate::report::rank;
@@ -245,8 +244,7 @@ impl<'a, 'b> Search<'a, 'b> {
                     found.push(Found { causes: vec![cause], world: world.clone() });
                 }
             };
-            let sums = self.sums().iter();
-            sums.for_each(|own| tell(Cause::Convention(own), &self.machine.world_with(own)));
+            self.at_speeds().for_each(|own| tell(Cause::Convention(own), &self.machine.world_with(own)));
             self.machine.singles(&mut tell);
             found
         })
@@ -257,13 +255,16 @@ impl<'a, 'b> Search<'a, 'b> {
         let here = self.machine.world();
         let is_seen =
             |convention: &&Convention| !self.rounded.is_same([&here, &self.machine.world_with(convention)], &self.here);
-        self.conventions.get_or_init(|| self.machine.usual.iter().chain(self.sums()).filter(is_seen).collect())
+        self.conventions.get_or_init(|| self.machine.usual.iter().chain(self.at_speeds()).filter(is_seen).collect())
     }
 
-    fn sums(&self) -> &'a [Convention] {
-        let Given { system_matrices, state_matrices, .. } = self.rounded.given();
-        let has_any = !(system_matrices.is_empty() && state_matrices.is_empty());
-        if has_any { &self.machine.sums } else { &[] }
+    /// Conventions of what is at speeds, where any is given.
+    fn at_speeds(&self) -> impl Iterator<Item = &'a Convention> + use<'a> {
+        let given = self.rounded.given();
+        let has_sums = !(given.system_matrices.is_empty() && given.state_matrices.is_empty());
+        let has_powers = given.speeds().iter().any(|speed| *speed > 0.0);
+        let of = |has_any: bool, all: &'a [Convention]| if has_any { all } else { &[] };
+        of(has_sums, &self.machine.sums).iter().chain(of(has_powers, &self.machine.powers))
     }
 
     fn pairs(&self) -> &[Found<'a>] {
