@@ -101,26 +101,6 @@ impl UnitOptions {
         move |declared: &str| units.of(declared)
     }
 
-    /// Those of what has units in its tables alone.
-    ///
-    /// # Errors
-    /// That JSON and CSV have those of the SI.
-    pub fn in_tables(&self, format: Format) -> Result<Units, Failure> {
-        let units = self.units();
-        if !units.is_si() && !format.is_read() {
-            let place = Place::Option("--units".to_owned());
-            return Err(Failure::at(place, "JSON and CSV of this command are in units of the SI"));
-        }
-        Ok(units)
-    }
-
-    /// Tells that pictures do not follow, where such are drawn that do not.
-    pub fn tell_of_pictures(&self, are_drawn: bool) {
-        if are_drawn && !self.units().is_si() {
-            note(WARNING, "note", "--units: pictures of this command stay in SI units and degrees");
-        }
-    }
-
     /// What speeds are shown in.
     pub fn of_speeds(&self) -> DisplayUnit {
         self.units().of("m/s")

@@ -54,6 +54,27 @@ impl DisplayUnit {
     pub fn is_declared(&self) -> bool {
         self.scale.is_none()
     }
+
+    /// What stands behind the name of a quantity: ` (mm)`, or ` (°/s)` for degrees by second, and nothing for pure numbers.
+    pub fn behind_name(&self) -> String {
+        match self.symbol() {
+            unit if unit.is_empty() => unit,
+            unit => format!(" ({unit})"),
+        }
+    }
+
+    /// What stands behind a number: ` mm`, or `°`.
+    pub fn behind_number(&self) -> String {
+        match self.symbol() {
+            unit if unit.is_empty() || unit == "°" => unit,
+            unit => format!(" {unit}"),
+        }
+    }
+
+    /// The unit for people, with the sign of degrees.
+    fn symbol(&self) -> String {
+        ["degrees", "degree", "deg"].iter().fold(self.unit(), |unit, name| unit.replace(name, "°"))
+    }
 }
 
 #[cfg(not(feature = "full"))]

@@ -85,6 +85,11 @@ impl Units {
         }
     }
 
+    /// The same for people: of angles in degrees where no unit is asked for.
+    pub fn for_people(&self, declared: &str) -> DisplayUnit {
+        self.or(declared, usual(declared))
+    }
+
     /// What the rate is shown in of what is declared in a unit, or with `power` 2 the acceleration: if nothing is asked for, in the
     /// unit of the position by time.
     pub fn by_time(&self, declared: &str, power: u32, usual: Option<&str>) -> DisplayUnit {
@@ -96,6 +101,11 @@ impl Units {
         let unit = by_time(&position.written, power);
         let scale = scale(&rate, &unit).filter(|_| !position.is_declared());
         scale.map_or_else(|| DisplayUnit::declared(&rate), |scale| DisplayUnit::new(&unit, scale))
+    }
+
+    /// The same for people.
+    pub fn by_time_for_people(&self, declared: &str, power: u32) -> DisplayUnit {
+        self.by_time(declared, power, usual(declared))
     }
 
     /// The unit that is asked for of a quantity, which is shown in it then.
@@ -113,4 +123,9 @@ impl Units {
         let scale = scale(declared, &unit)?;
         (!angle.is_declared()).then(|| DisplayUnit::new(&unit, scale))
     }
+}
+
+/// What people have angles in.
+fn usual(declared: &str) -> Option<&'static str> {
+    (declared == "rad").then_some("deg")
 }

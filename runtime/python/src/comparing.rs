@@ -1,5 +1,6 @@
 //! Several designs, and what makes them differ; and the best of many.
 
+use carvallo_design::units::Units;
 use carvallo_design::{Design, Failure};
 use carvallo_optimize::{Goal, Measure, Problem, Range, Settings, optimize};
 use carvallo_plot::analysis::Analysis;
@@ -19,7 +20,8 @@ type Labelled<'py> = Vec<(PyRef<'py, Designs>, About, String)>;
 #[pyfunction]
 pub fn compare(py: Python<'_>, designs: Labelled<'_>) -> PyResult<String> {
     json(|output| {
-        data::compare::write_json(&comparison(py, designs)?, output).map_err(|error| Failure::Run(error.to_string()))
+        data::compare::write_json(&comparison(py, designs)?, &Units::default(), output)
+            .map_err(|error| Failure::Run(error.to_string()))
     })
 }
 
@@ -27,13 +29,14 @@ pub fn compare(py: Python<'_>, designs: Labelled<'_>) -> PyResult<String> {
 #[pyfunction]
 pub fn compare_svg(py: Python<'_>, designs: Labelled<'_>, of: &str) -> PyResult<Option<String>> {
     let comparison = comparison(py, designs).map_err(raise)?;
+    let units = Units::default();
     let scene = match of {
-        "eigenvalues" => Some(picture::draw_overlay(&comparison, None, None).map_err(raise)?),
+        "eigenvalues" => Some(picture::draw_overlay(&comparison, None, None, &units).map_err(raise)?),
         "side views" => picture::draw_side_views(&comparison),
         _ => {
             let last = comparison.differences.len();
             let difference = &comparison.differences[last - 1];
-            picture::draw_contributions(&comparison.designs[0], &comparison.designs[last], difference)
+            picture::draw_contributions(&comparison.designs[0], &comparison.designs[last], difference, &units)
         }
     };
     Ok(scene.map(|scene| scene.svg()))
@@ -86,7 +89,7 @@ fn best(design: &Design, search: &Search, signals: &Signals) -> Result<(String, 
     let optimum = optimize(&problem, &|_| signals.look())?;
     let analysis = Analysis::new(optimum.design(&problem)?)?;
     let mut output = Vec::new();
-    let written = data::optimum::write_json(&problem, &optimum, &analysis, &mut output);
+    let written = data::optimum::write_json(&problem, &optimum, &analysis, &Units::default(), &mut output);
     written.map_err(|error| Failure::Run(error.to_string()))?;
     Ok((String::from_utf8_lossy(&output).into_owned(), optimum.values))
 }

@@ -1,6 +1,7 @@
 //! Motions in time of one design.
 
 use carvallo::simulation::Force;
+use carvallo_design::units::Units;
 use carvallo_design::{Design, Failure};
 use carvallo_plot::analysis::simulation::{Given, Linear, Motion, Nonlinear, Row, Solver, read};
 use carvallo_plot::picture::draw_motion;
@@ -88,7 +89,7 @@ impl Asked {
         let fine: Vec<f64> = (0..=DRAWN).map(|row| end * f64::from(row) / f64::from(DRAWN)).collect();
         let drawn = self.motion(design, &fine, signals)?;
         let linear = (!drawn.is_linear).then(|| self.linear(design, &fine, signals)).transpose()?;
-        Ok(draw_motion(&drawn, linear.as_ref()).svg())
+        Ok(draw_motion(&drawn, linear.as_ref(), &Units::default()).svg())
     }
 }
 

@@ -2,6 +2,7 @@
 
 use carvallo::Complex;
 use carvallo::turns::Turn;
+use carvallo_design::units::Units;
 use carvallo_plot::analysis::simulation::Quantity;
 use carvallo_plot::analysis::turns::{Families, Family, end, verdict};
 use carvallo_plot::picture::draw_turns;
@@ -65,6 +66,6 @@ impl Designs {
     /// The curves of turns, as SVG.
     fn turns_svg(&self, py: Python<'_>, about: About) -> PyResult<String> {
         let described = self.described(py, about)?;
-        py.detach(|| Ok(draw_turns(&Families::new(&described.build()?, None)?).svg())).map_err(raise)
+        py.detach(|| Ok(draw_turns(&Families::new(&described.build()?, None)?, &Units::default()).svg())).map_err(raise)
     }
 }

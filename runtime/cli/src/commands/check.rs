@@ -4,12 +4,12 @@ use std::io::Write;
 use std::process::ExitCode;
 
 use carvallo_check::{Comparison, Report, read};
-use carvallo_design::Failure;
 use carvallo_design::input::Request;
 use carvallo_design::number::shortest;
+use carvallo_design::{Failure, Place};
 use clap::{Args, ValueEnum};
 
-use crate::options::{self, Setting, UnitOptions};
+use crate::options::{Setting, UnitOptions};
 use crate::terminal::{WARNING, note, print, write};
 
 const HELP: &str = "\
@@ -72,12 +72,12 @@ enum Format {
 }
 
 pub fn run(options: &Options) -> Result<ExitCode, Failure> {
-    let format = match options.format {
-        Format::Table => options::Format::Table,
-        Format::Json => options::Format::Json,
-        Format::Csv => options::Format::Csv,
-    };
-    let units = options.units.in_tables(format)?;
+    let units = options.units.units();
+    if !units.is_si() && !matches!(options.format, Format::Table) {
+        // Numbers stand there with the digits that they were given with.
+        let place = Place::Option("--units".to_owned());
+        return Err(Failure::at(place, "JSON and CSV of this command are in units of the SI"));
+    }
     let file = read::load(&options.file)?;
     let request = Request {
         model: options.model.clone(),

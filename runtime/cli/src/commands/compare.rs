@@ -5,6 +5,7 @@ use std::path::Path;
 
 use carvallo_design::Failure;
 use carvallo_design::input::Request;
+use carvallo_design::units::Units;
 use carvallo_plot::analysis::Analysis;
 use carvallo_plot::analysis::compare::{Compared, Comparison};
 use carvallo_plot::{data, picture};
@@ -99,18 +100,13 @@ impl Pictures {
         given.try_for_each(|(option, picture)| picture.check_request(option, request))
     }
 
-    /// Whether one is asked for that has units, which a side view has not.
-    pub fn have_units(&self) -> bool {
-        self.plot.is_some() || self.contributions.is_some()
-    }
-
     /// # Errors
     /// If one cannot be drawn, or a file cannot be written.
-    pub fn draw(&self, comparison: &Comparison) -> Result<(), Failure> {
+    pub fn draw(&self, comparison: &Comparison, units: &Units) -> Result<(), Failure> {
         if let Some(file) = &self.plot {
             let x = self.xlim.map(|SpeedLimits(low, high)| (low, high));
             let y = self.ylim.map(|EigenvalueLimits(low, high)| (low, high));
-            file.write(&picture::draw_overlay(comparison, x, y)?)?;
+            file.write(&picture::draw_overlay(comparison, x, y, units)?)?;
         }
         if let Some(file) = &self.side_view {
             let none =
@@ -123,14 +119,14 @@ impl Pictures {
             let none = || {
                 file.problem_of("--contributions", "there is no critical speed of both with a difference to share out")
             };
-            file.write(&picture::draw_contributions(first, last, difference).ok_or_else(none)?)?;
+            file.write(&picture::draw_contributions(first, last, difference, units).ok_or_else(none)?)?;
         }
         Ok(())
     }
 }
 
 pub fn run(options: &Options) -> Result<(), Failure> {
-    let units = options.units.in_tables(options.format)?;
+    let units = options.units.units();
     let requests = options.designs.iter().map(|argument| request(argument, options)).collect::<Result<Vec<_>, _>>()?;
     requests.iter().try_for_each(|request| options.pictures.check(request))?;
     let designs = requests.iter().map(load).collect::<Result<Vec<_>, _>>()?;
@@ -143,15 +139,14 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let compared =
         labels.into_iter().zip(designs).map(|(label, design)| Ok(Compared { label, analysis: Analysis::new(design)? }));
     let comparison = Comparison::new(compared.collect::<Result<_, Failure>>()?)?;
-    options.pictures.draw(&comparison)?;
-    options.units.tell_of_pictures(options.pictures.have_units());
+    options.pictures.draw(&comparison, &units)?;
     match options.format {
         Format::Table => print(&documents::of_comparison(&comparison, options.all, &units).at_terminal()),
         Format::Document(language) => {
             print(&documents::of_comparison(&comparison, options.all, &units).write(language))
         }
-        Format::Json => write(|output| data::compare::write_json(&comparison, output)),
-        Format::Csv => write(|output| data::compare::write_csv(&comparison, output)),
+        Format::Json => write(|output| data::compare::write_json(&comparison, &units, output)),
+        Format::Csv => write(|output| data::compare::write_csv(&comparison, &units, output)),
     }
 }
 

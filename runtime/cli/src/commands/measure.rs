@@ -64,6 +64,6 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     }
     match options.format {
         Format::Toml => print(&output::render_parameters(&design, &units)),
-        Format::Json => write(|output| data::parameters::write_json(&design, output)),
+        Format::Json => write(|output| data::parameters::write_json(&design, &options.units.shown(), output)),
     }
 }

@@ -94,7 +94,7 @@ pub struct Options {
 
 pub fn run(options: &Options) -> Result<(), Failure> {
     check_files(options)?;
-    let units = options.units.in_tables(options.format)?;
+    let units = options.units.units();
     let design = options.design.load()?;
     let problem = problem(options, &design)?;
     for text in problem.warnings() {
@@ -118,16 +118,15 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let before = Compared { label: design.title(), analysis: Analysis::new(optimum.given(&problem)?)? };
     let after = Compared { label: best.title(), analysis: Analysis::new(best)? };
     let comparison = Comparison::new(vec![before, after])?;
-    options.pictures.draw(&comparison)?;
-    options.units.tell_of_pictures(options.pictures.have_units());
+    options.pictures.draw(&comparison, &units)?;
     let document = || documents::of_optimum(&problem, &optimum, &comparison, &units);
     match options.format {
         Format::Table => print(&document().at_terminal()),
         Format::Document(language) => print(&document().write(language)),
-        Format::Json => {
-            write(|output| data::optimum::write_json(&problem, &optimum, &comparison.designs[1].analysis, output))
-        }
-        Format::Csv => write(|output| data::optimum::write_csv(&problem, &optimum, output)),
+        Format::Json => write(|output| {
+            data::optimum::write_json(&problem, &optimum, &comparison.designs[1].analysis, &units, output)
+        }),
+        Format::Csv => write(|output| data::optimum::write_csv(&problem, &optimum, &units, output)),
     }
 }
 

@@ -54,7 +54,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     if let Some(picture) = &options.plot {
         picture.check(&options.design)?;
     }
-    let units = options.units.in_tables(options.format)?;
+    let units = options.units.units();
     let shown = Box::new(move |declared: &str| units.of(declared));
     let changes = Changes { shown, ..Changes::new(options.design.load()?)? };
     if !changes.design.model.depends_on_speed() {

@@ -69,8 +69,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let families = Families::new(&design, steers.as_deref())?;
     if let Some(picture) = &options.plot {
         let all = if steers.is_some() { Some(Families::new(&design, None)?) } else { None };
-        picture.write(&picture::draw_turns(all.as_ref().unwrap_or(&families)))?;
-        options.units.tell_of_pictures(true);
+        picture.write(&picture::draw_turns(all.as_ref().unwrap_or(&families), &units))?;
     }
     if steers.iter().flatten().any(|steer| *steer == 0.0) {
         note(

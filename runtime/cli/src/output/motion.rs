@@ -2,7 +2,6 @@
 
 use std::fmt::Write as _;
 
-use carvallo_design::DisplayUnit;
 use carvallo_design::number::{fixed, shortest};
 use carvallo_design::units::Units;
 use carvallo_plot::analysis::simulation::{Motion, Quantity, Row};
@@ -53,15 +52,15 @@ pub fn columns(motion: &Motion, units: &Units) -> Vec<Column> {
     let has_speed = motion.rows.first().is_some_and(|row| motion.speed(row).is_some());
     if has_speed {
         let unit = units.of("m/s");
-        columns.push(column(format!("v ({})", unit.unit()), &|row| {
+        columns.push(column(format!("v{}", unit.behind_name()), &|row| {
             four_decimals(unit.value(motion.speed(row).unwrap_or(0.0)))
         }));
     }
     let told = |quantity: &&Quantity| !(has_speed && matches!(quantity.name, "thetaR" | "thetaF"));
     for quantity in motion.quantities.iter().filter(told) {
         let place = place(motion, quantity);
-        let shown = shown(quantity, units);
-        let unit = unit(&shown);
+        let shown = units.for_people(quantity.unit);
+        let unit = shown.behind_name();
         // What is longer explains more than there is room for.
         let is_short = quantity.label != quantity.name && quantity.label.chars().count() <= LONGEST;
         let name = if is_short { format!("{} ", quantity.label) } else { String::new() };
@@ -71,14 +70,14 @@ pub fn columns(motion: &Motion, units: &Units) -> Vec<Column> {
     }
     for (place, (name, unit)) in motion.feedback().iter().enumerate() {
         let shown = units.of(unit);
-        columns.push(column(format!("{name}{}", self::unit(&shown)), &|row| {
+        columns.push(column(format!("{name}{}", shown.behind_name()), &|row| {
             four_decimals(shown.value(row.feedback[place]))
         }));
     }
     if !has_speed {
         for quantity in &motion.quantities {
-            let (place, shown) = (place(motion, quantity), by_time(quantity, units, 1));
-            columns.push(column(format!("{}'{}", quantity.name, unit(&shown)), &|row| {
+            let (place, shown) = (place(motion, quantity), units.by_time_for_people(quantity.unit, 1));
+            columns.push(column(format!("{}'{}", quantity.name, shown.behind_name()), &|row| {
                 four_decimals(shown.value(row.rates[place]))
             }));
         }
@@ -87,8 +86,8 @@ pub fn columns(motion: &Motion, units: &Units) -> Vec<Column> {
     let is_state = matches!(motion.rows[..], [Row { t: 0.0, .. }]);
     if is_state {
         for quantity in motion.quantities.iter().filter(told) {
-            let (place, shown) = (place(motion, quantity), by_time(quantity, units, 2));
-            columns.push(column(format!("{}''{}", quantity.name, unit(&shown)), &|row| {
+            let (place, shown) = (place(motion, quantity), units.by_time_for_people(quantity.unit, 2));
+            columns.push(column(format!("{}''{}", quantity.name, shown.behind_name()), &|row| {
                 four_decimals(shown.value(row.accelerations[place]))
             }));
         }
@@ -98,30 +97,6 @@ pub fn columns(motion: &Motion, units: &Units) -> Vec<Column> {
 
 fn place(motion: &Motion, quantity: &Quantity) -> usize {
     motion.position(quantity.name).unwrap_or(0)
-}
-
-/// What a rate is shown in, or with the order 2 an acceleration.
-fn by_time(quantity: &Quantity, units: &Units, order: u32) -> DisplayUnit {
-    units.by_time(quantity.unit, order, usual(quantity))
-}
-
-fn shown(quantity: &Quantity, units: &Units) -> DisplayUnit {
-    units.or(quantity.unit, usual(quantity))
-}
-
-/// Angles are in degrees.
-fn usual(quantity: &Quantity) -> Option<&'static str> {
-    (quantity.unit == "rad").then_some("deg")
-}
-
-fn unit(shown: &DisplayUnit) -> String {
-    match shown.written.as_str() {
-        "deg" => " (°)".to_owned(),
-        "deg/s" => " (°/s)".to_owned(),
-        "deg/s^2" => " (°/s²)".to_owned(),
-        "1" | "" => String::new(),
-        _ => format!(" ({})", shown.unit()),
-    }
 }
 
 /// What is close to zero is zero: how close is of no interest in a motion.

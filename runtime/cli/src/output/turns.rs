@@ -4,7 +4,6 @@ use std::fmt::Write as _;
 
 use anstyle::Style;
 use carvallo::turns::Turn;
-use carvallo_design::DisplayUnit;
 use carvallo_design::number::{fixed, shortest};
 use carvallo_design::units::Units;
 use carvallo_plot::analysis::turns::{Families, Family, end, growth, verdict};
@@ -61,16 +60,13 @@ pub fn shown(family: &Family, all: bool) -> Vec<&Turn> {
 
 /// The headings of the columns, and the cells of each turn, but for the verdict.
 pub fn cells(families: &Families, turns: &[&Turn], units: &Units) -> (Vec<String>, Vec<Vec<String>>) {
-    let angles = |unit: &str| units.or(unit, (unit == "rad").then_some("deg"));
-    let name = |unit: &DisplayUnit| unit.unit().replace("deg", "°");
-    let (speed, length, rate) =
-        (units.of("m/s"), units.of("m"), units.or("rad/s", Some(&format!("{}/s", angles("rad").written))));
-    let mut headings = vec![format!("v ({})", name(&speed)), format!("radius ({})", name(&length))];
+    let (speed, length, rate) = (units.of("m/s"), units.of("m"), units.by_time_for_people("rad", 1));
+    let mut headings = vec![format!("v{}", speed.behind_name()), format!("radius{}", length.behind_name())];
     for (_, told) in &families.positions {
         let label = if told.label == told.name { String::new() } else { format!("{} ", told.label) };
-        headings.push(format!("{label}{} ({})", told.name, name(&angles(told.unit))));
+        headings.push(format!("{label}{}{}", told.name, units.for_people(told.unit).behind_name()));
     }
-    headings.extend([format!("yaw rate ({})", name(&rate)), "growth (1/s)".to_owned()]);
+    headings.extend([format!("yaw rate{}", rate.behind_name()), "growth (1/s)".to_owned()]);
     let decimals = |value: f64| if value.abs() < 1e7 { format!("{:.4}", value + 0.0) } else { fixed(value, 4) };
     let rows: Vec<Vec<String>> = turns
         .iter()
@@ -82,7 +78,7 @@ pub fn cells(families: &Families, turns: &[&Turn], units: &Units) -> (Vec<String
                 families
                     .positions
                     .iter()
-                    .map(|(place, told)| decimals(angles(told.unit).value(turn.positions[*place]))),
+                    .map(|(place, told)| decimals(units.for_people(told.unit).value(turn.positions[*place]))),
             );
             row.extend([decimals(rate.value(turn.yaw_rate)), decimals(growth(turn))]);
             row.into_iter().map(|cell| if cell == "-0.0000" { "0.0000".to_owned() } else { cell }).collect()

@@ -3,7 +3,6 @@
 mod options;
 mod progress;
 pub mod times;
-mod units;
 
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -88,11 +87,6 @@ impl Asked<'_> {
         let speed = required_speed(solver, design, speed)?;
         let units = options.units.units();
         let motion = solved(solver, design, &given, speed, &times)?;
-        let motion = if format.is_read() { motion } else { units::in_units(motion, &units) };
-        // To ask what a force would be shown in is to show it.
-        if !format.is_read() && motion.feedback().iter().any(|(_, unit)| !units.of(unit).is_declared()) {
-            note(WARNING, "note", "--units: forces in JSON and CSV stay in units of the SI");
-        }
         tell(&motion, &units, format, options.delivery.path())?;
         motion.notes.iter().chain(&motion.end).for_each(|text| note(WARNING, "note", text));
         if let Some(picture) = &options.plot {
@@ -101,8 +95,7 @@ impl Asked<'_> {
             let fine: Vec<f64> = (0..=DRAWN).map(|row| end * f64::from(row) / f64::from(DRAWN)).collect();
             let drawn = solved(solver, design, &given, speed, &fine)?;
             let linear = if drawn.is_linear { None } else { beside(&drawn, options, speed, &fine)? };
-            picture.write(&picture::draw_motion(&drawn, linear.as_ref()))?;
-            options.units.tell_of_pictures(true);
+            picture.write(&picture::draw_motion(&drawn, linear.as_ref(), &units))?;
         }
         Ok(())
     }
@@ -148,8 +141,8 @@ fn tell(motion: &Motion, units: &Units, format: Format, path: Option<&Path>) -> 
     deliver(path, |output| match format {
         Format::Table => output.write_all(output::motion::render_table(motion, units).as_bytes()),
         Format::Document(language) => output.write_all(documents::of_motion(motion, units).write(language).as_bytes()),
-        Format::Json => data::motion::write_json(motion, output),
-        Format::Csv => data::motion::write_csv(motion, output),
+        Format::Json => data::motion::write_json(motion, units, output),
+        Format::Csv => data::motion::write_csv_in(motion, units, output),
     })
 }
 

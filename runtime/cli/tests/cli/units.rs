@@ -260,7 +260,7 @@ fn sweeps_have_units_in_their_headings() {
     assert_eq!(run.code, Some(2), "{}", run.stderr);
 }
 
-/// Speeds and parameters in tables; JSON and CSV stay as they are.
+/// Speeds and parameters in tables.
 #[test]
 fn comparisons_and_optima_have_units_in_tables() {
     let directory = Directory::new("units-compared");
@@ -271,8 +271,6 @@ fn comparisons_and_optima_have_units_in_tables() {
     let line = table.lines().find(|line| line.trim_start().starts_with("w ")).unwrap();
     assert_eq!(line.split_whitespace().collect::<Vec<_>>(), ["w", "mm", "1020", "1100"]);
     assert!(table.contains("1020 → 1100 mm"), "{table}");
-    let message = "error: --units: JSON and CSV of this command are in units of the SI\n";
-    directory.run(&[&compare[..], &["--format", "json"]].concat()).fails(2, message);
     let optimize =
         ["optimize", "--vary", "w=0.9:1.2", "--minimize", "weave-speed", "--starts", "1", "--units", "imperial"];
     let run = directory.run(&[&optimize[..], &["--output", "best.toml"]].concat());
@@ -280,6 +278,82 @@ fn comparisons_and_optima_have_units_in_tables() {
     let best = std::fs::read_to_string(directory.0.join("best.toml")).unwrap();
     assert!(best.contains(" in\""), "{best}");
     directory.run(&["analyze", "best.toml"]).ok();
+}
+
+/// Differences, optima, effects and measured parameters as JSON and CSV: each number by hand, from that in units of the SI, and each
+/// with its unit.
+#[test]
+fn documents_of_designs_have_units() {
+    let directory = Directory::of_this_test();
+    let both = |arguments: &[&str], units: &str| {
+        let json = |more: &[&str]| -> serde_json::Value {
+            let run = directory.run(&[arguments, &["--format", "json"], more].concat());
+            assert!(run.code == Some(0) && !run.stderr.contains("--units"), "{arguments:?}: {}", run.stderr);
+            serde_json::from_str(&run.stdout).unwrap()
+        };
+        (json(&[]), json(&["--units", units]))
+    };
+    let csv = |arguments: &[&str], units: &str| -> Vec<Vec<String>> {
+        let csv = directory.run(&[arguments, &["--format", "csv", "--units", units]].concat()).ok();
+        csv.lines().map(|line| line.split(',').map(str::to_owned).collect()).collect()
+    };
+    let ratio = |(plain, shown): &(serde_json::Value, serde_json::Value), path: &str, factor: f64| {
+        let of = |json: &serde_json::Value| json.pointer(path).and_then(serde_json::Value::as_f64).unwrap();
+        close(of(shown), factor * of(plain));
+    };
+
+    let compare = ["compare", "benchmark", "benchmark:w=1.1"];
+    let jsons = both(&compare, "km/h");
+    assert_eq!((&jsons.0["speed_unit"], &jsons.1["speed_unit"]), (&serde_json::Value::Null, &"km/h".into()));
+    close(jsons.1["designs"][0]["critical_speeds"][1]["speed"].as_f64().unwrap(), 3.6 * PRINTED[0]);
+    for of in ["from", "to", "difference", "contributions/w"] {
+        ratio(&jsons, &format!("/differences/0/critical_speeds/0/{of}"), 3.6);
+    }
+    assert_eq!(jsons.1["designs"][1]["parameters"]["w"], 1.1);
+    let rows = csv(&compare, "km/h,mm");
+    assert_eq!(rows[0].join(",").matches("(km/h)").count(), 4);
+    assert_eq!(rows[1][5..9], ["w", "mm", "1020.0", "1100.0"]);
+    close(rows[1][3].parse().unwrap(), 3.6 * PRINTED[0]);
+
+    let optimize = ["optimize", "--vary", "w=0.9:1.2", "--minimize", "weave-speed", "--starts", "1"];
+    let jsons = both(&optimize, "km/h,cm");
+    assert_eq!((&jsons.1["goal"]["unit"], &jsons.1["varied"]["w"]["unit"]), (&"km/h".into(), &"cm".into()));
+    ratio(&jsons, "/goal/after", 3.6);
+    ratio(&jsons, "/search/speeds/1", 3.6);
+    ratio(&jsons, "/varied/w/after", 100.0);
+    assert_eq!(jsons.1["varied"]["w"]["low"], 90.0);
+    assert_eq!(csv(&optimize, "cm")[1][1..3], ["cm", "102.0"]);
+
+    let sensitivity = ["sensitivity", "pista"];
+    let jsons = both(&sensitivity, "km/h,mm,deg");
+    let degree = std::f64::consts::PI / 180.0;
+    ratio(&jsons, "/parameters/w/std", 1e3);
+    ratio(&jsons, "/parameters/lam/one_percent", 1.0 / degree);
+    ratio(&jsons, "/critical_speeds/1/derivatives/lam", 3.6 * degree);
+    ratio(&jsons, "/critical_speeds/1/derivatives/mB", 3.6);
+    ratio(&jsons, "/critical_speeds/1/eigenvalue_derivatives/lam/im", degree);
+    ratio(&jsons, "/critical_speeds/1/standard_deviation", 3.6);
+    ratio(&jsons, "/critical_speeds/1/condition", 1.0);
+    let rows = csv(&sensitivity, "km/h,mm,deg");
+    assert!(rows[0].iter().any(|name| name == "weave derivative (km/h per unit)"), "{:?}", rows[0]);
+    let weave = jsons.1["critical_speeds"].as_array().unwrap().iter().find(|event| event["kind"] == "weave").unwrap();
+    let w = weave["derivatives"]["w"].as_f64().unwrap();
+    let column = rows[0].iter().position(|name| name == "weave derivative (km/h per unit)").unwrap();
+    assert_eq!((rows[1][1].as_str(), rows[1][column].parse::<f64>().unwrap()), ("mm", w));
+    // What is written is the same bicycle.
+    directory.write("effects.json", jsons.1.to_string());
+    let again = directory.run(&["sensitivity", "effects.json", "--format", "json"]).json();
+    close(again["parameters"]["lam"]["std"].as_f64().unwrap(), jsons.0["parameters"]["lam"]["std"].as_f64().unwrap());
+
+    directory.write("mine.toml", directory.run(&["measure", "--example"]).ok());
+    let jsons = both(&["measure", "mine.toml"], "mm,lb");
+    assert_eq!(jsons.1["parameters"]["w"], serde_json::json!({"value": 1121.0, "std": 2.0, "unit": "mm"}));
+    // A pound is 0.45359237 kg.
+    ratio(&jsons, "/parameters/mB/value", 1.0 / 0.453_592_37);
+    directory.write("measured.json", jsons.1.to_string());
+    let again = directory.run(&["convert", "measured.json", "--to", "paper", "--format", "json"]).stdout;
+    let again: serde_json::Value = serde_json::from_str(&again).unwrap();
+    assert_eq!(again["parameters"]["w"], serde_json::json!({"value": 1.121, "std": 0.002}));
 }
 
 /// What is written in pounds and inches is the same rider.
@@ -397,9 +471,6 @@ fn sensitivities_are_in_the_units_of_their_headings() {
     }
     let picture = std::fs::read_to_string(directory.0.join("tornado.svg")).unwrap();
     assert!(picture.contains("change of the critical speed (km/h)") && picture.contains("weave speed, 15.4526 km/h"));
-    directory
-        .run(&["sensitivity", "--units", "mm", "--format", "csv"])
-        .fails(2, "error: --units: JSON and CSV of this command are in units of the SI\n");
 }
 
 /// Ten pound-force inches are 1.129848290276167 N m, by the figures of NIST SP 811.
@@ -458,30 +529,85 @@ fn units_without_effect_are_told() {
     directory.run(&["analyze", "--units", "imperial"]).ok();
 }
 
-/// What a command shows in no other units than its own, though it shows something else in those that are asked for.
+/// Pictures of the commands that compare, move and turn: axes, their numbers, legends and notes.
 #[test]
-fn what_stays_in_units_of_the_si_is_told() {
+fn pictures_of_comparisons_motions_and_turns_are_in_other_units() {
     let directory = Directory::of_this_test();
-    let pictures = "note: --units: pictures of this command stay in SI units and degrees\n";
-    let simulate = ["simulate", "--speed", "5", "--duration", "1", "--initial", "phi_rate=0.1", "--units"];
-    for arguments in [
-        &["compare", "benchmark", "pista", "--units", "km/h", "--plot", "a.svg"][..],
-        &["compare", "benchmark", "pista", "--units", "km/h", "--contributions", "a.svg"],
-        &["turns", "--steer", "5 deg", "--units", "km/h", "--plot", "a.svg"],
-        &[&simulate[..], &["km/h", "--plot", "a.svg"]].concat(),
-    ] {
-        let run = directory.run(arguments);
-        assert!(run.code == Some(0) && run.stderr.contains(pictures), "{arguments:?}: {}", run.stderr);
-        let plain: Vec<&str> = arguments.iter().copied().filter(|own| !["--units", "km/h"].contains(own)).collect();
-        let run = directory.run(&plain);
-        assert!(run.code == Some(0) && !run.stderr.contains("--units"), "{plain:?}: {}", run.stderr);
+    let draw = |arguments: &[&str], option: &str, units: &str| {
+        let run = directory.run(&[arguments, &[option, "a.svg", "--units", units][..]].concat());
+        assert!(run.code == Some(0) && !run.stderr.contains("--units"), "{arguments:?}: {}", run.stderr);
+        std::fs::read_to_string(directory.0.join("a.svg")).unwrap()
+    };
+    let shows = |picture: &str, texts: &[&str]| {
+        let labels: Vec<&str> =
+            picture.split("aria-label=\"").skip(1).filter_map(|label| label.split('"').next()).collect();
+        texts.iter().for_each(|text| assert!(labels.contains(text), "no {text:?}: {labels:?}"));
+        assert!(!labels.iter().any(|label| label.contains("m/s")), "{labels:?}");
+    };
+    // How a curve of a colour is drawn.
+    let curves = |picture: &str, color: &str| -> Vec<String> {
+        let stroke = format!("stroke=\"#{color}\"");
+        picture.lines().filter(|line| line.contains(&stroke)).map(str::to_owned).collect()
+    };
+    // 4.29238 and 6.02426 m/s, as the paper prints them, times 3.6 and by 0.44704; 18 degrees are 0.314 rad.
+    let compare = ["compare", "benchmark", "benchmark:lam=20deg"];
+    let picture = draw(&[&compare[..], &["--xlim", "0:10"]].concat(), "--plot", "km/h");
+    shows(&picture, &["speed v (km/h)", "stable 15.45 to 21.69 km/h", "35"]);
+    let picture = draw(&compare, "--contributions", "mph,rad");
+    shows(&picture, &["contribution to the difference of the critical speed (mph)", "0.314 to 0.349 rad"]);
+    assert!(picture.contains("weave speed, from 9.6018 to "));
+    let turns = draw(&["turns"], "--plot", "in,mph,rad");
+    shows(&turns, &["speed v of the rear wheel (mph)", "angles (rad)", "radius (in)", "12"]);
+    assert!(turns.contains("radius, up to 300 in: "));
+    let optimize = ["optimize", "--vary", "c=0.06:0.1", "--minimize", "weave-speed", "--starts", "1"];
+    shows(&draw(&optimize, "--plot", "km/h"), &["speed v (km/h)"]);
+    // 5 m/s, and 2 N m s/rad by 0.5 rad/s; after 1 s it is 5 m ahead, of which 4000 mm is a tick.
+    let simulate = ["simulate", "--speed", "5", "--duration", "1", "--initial", "phi_rate=0.5", "--feedback"];
+    let simulate = [&simulate[..], &["Tdelta=-2*phi_rate"]].concat();
+    let picture = draw(&simulate, "--plot", "km/h,mm,lbf*in");
+    let path = ["forward at the start, x (mm)", "to the right, y (mm)", "4000"];
+    shows(&picture, &[&["angles (°)", "torques (lbf in)", "v (km/h)", "18.0"], &path[..]].concat());
+    // The same curves, where the axes are a hundred times as long in a hundredth of the unit.
+    for (arguments, units, color) in [(&simulate[..], ["m", "cm"], "d06a10"), (&compare[..], ["m/s", "cm/s"], "1f6fb4")]
+    {
+        let drawn = units.map(|units| curves(&draw(arguments, "--plot", units), color));
+        assert!(!drawn[0].is_empty() && drawn[0] == drawn[1], "{arguments:?}: {drawn:?}");
     }
-    let side = directory.run(&["compare", "benchmark", "pista", "--units", "km/h", "--side-view", "a.svg"]);
-    assert!(side.code == Some(0) && !side.stderr.contains("--units"), "{}", side.stderr);
-    let law = ["--feedback", "Tdelta=-10*phi_rate", "--format", "csv"];
-    let run = directory.run(&[&simulate[..], &["lbf*ft", "--linear"], &law].concat());
-    assert_eq!(run.stderr, "note: --units: forces in JSON and CSV stay in units of the SI\n");
-    assert!(run.code == Some(0) && run.stdout.contains("Tdelta"), "{}", run.stdout);
+}
+
+/// A torque of feedback, the forces of the ground and the energies, in what people have at hand.
+#[test]
+fn forces_and_energies_of_motions_have_units() {
+    let directory = Directory::of_this_test();
+    let simulate = ["simulate", "--speed", "5", "--duration", "0", "--initial", "phi_rate=0.5"];
+    let simulate = [&simulate[..], &["--feedback", "Tdelta=-2*phi_rate", "--format"]].concat();
+    let run = |more: &[&str]| directory.run(&[&simulate[..], more].concat());
+    let csv = |more: &[&str]| run(&[&["csv"], more].concat()).ok();
+    let of = |csv: &str, name: &str| -> f64 {
+        let [header, row] = csv.lines().collect::<Vec<_>>()[..] else { panic!("two lines: {csv}") };
+        let column = header.split(',').position(|own| own == name).unwrap_or_else(|| panic!("no {name}: {header}"));
+        row.split(',').nth(column).unwrap().parse().unwrap()
+    };
+    // A pound-force is 4.4482216152605 N, and a foot 0.3048 m.
+    let (pound, foot_pound) = (4.448_221_615_260_5, 1.355_817_948_331_400_4);
+    let (plain, shown) = (csv(&[]), csv(&["--units", "lbf,lbf*ft"]));
+    close(of(&shown, "Tdelta (lbf*ft)"), -1.0 / foot_pound);
+    let forces = ["R", "F"].map(|wheel| of(&plain, &format!("force_{wheel}_z (N)")));
+    // The ground bears the weight, but for what its circle about the ground takes: 94 kg by 9.81 N/kg, 80.95 kg m by (0.5 rad/s)^2.
+    assert!((forces[0] + forces[1] + 94.0 * 9.81 - 80.95 * 0.25).abs() < 1e-3, "{forces:?}");
+    close(of(&shown, "force_R_z (lbf)"), forces[0] / pound);
+    close(of(&shown, "kinetic_energy (lbf*ft)"), of(&plain, "kinetic_energy (J)") / foot_pound);
+    let json = run(&["json", "--units", "lbf,lbf*ft"]).json();
+    assert_eq!(json["feedback_force_units"], serde_json::json!({"Tdelta": "lbf*ft"}));
+    assert_eq!((&json["contact_force_unit"], &json["energy_unit"]), (&"lbf".into(), &"lbf*ft".into()));
+    let row = &json["rows"][0];
+    close(row["feedback_forces"]["Tdelta"].as_f64().unwrap(), -1.0 / foot_pound);
+    close(row["contact_forces"]["R"][2].as_f64().unwrap(), forces[0] / pound);
+    close(row["energy"]["kinetic"].as_f64().unwrap(), of(&plain, "kinetic_energy (J)") / foot_pound);
+    let json = run(&["json"]).json();
+    for absent in ["units", "rate_units", "feedback_force_units", "contact_force_unit", "energy_unit"] {
+        assert!(json.get(absent).is_none(), "{absent}");
+    }
 }
 
 /// Rates of a motion have their own units, and without these those of positions by time.

@@ -4,6 +4,7 @@
 pub mod along;
 pub mod analysis;
 mod cells;
+#[cfg(feature = "units")]
 pub mod compare;
 #[cfg(feature = "control")]
 pub mod controllability;

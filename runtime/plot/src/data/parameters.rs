@@ -3,7 +3,7 @@
 use std::io::{Result, Write};
 
 use carvallo::ParameterInfo;
-use carvallo_design::{Design, Given};
+use carvallo_design::{Design, DisplayUnit, Given};
 use serde::Serialize;
 
 use super::head::Head;
@@ -24,6 +24,14 @@ struct Document<'a> {
 struct Parameter {
     value: f64,
     std: f64,
+    /// Where it is not that of the SI.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unit: Option<String>,
+}
+
+/// The name of a unit that is not the declared one.
+pub fn other(unit: &DisplayUnit) -> Option<String> {
+    (!unit.is_declared()).then(|| unit.written.clone())
 }
 
 /// For each parameter that varies together with others, its correlations with those before it.
@@ -40,12 +48,16 @@ pub fn correlations(design: &Design) -> Option<Correlations> {
     Some(Members(all.chunk_by(|a, b| a.0 == b.0).map(of_one).collect()))
 }
 
+/// In units that are shown by those that parameters are declared in.
+///
 /// # Errors
 /// If it cannot be written.
-pub fn write_json(design: &Design, output: &mut dyn Write) -> Result<()> {
+pub fn write_json(design: &Design, shown: &dyn Fn(&str) -> DisplayUnit, output: &mut dyn Write) -> Result<()> {
     let of_one = |(info, given): (&ParameterInfo, &Given)| {
         let std = given.deviation.as_ref().map_or(0.0, |deviation| deviation.value);
-        (info.name, Line(Parameter { value: given.value, std }))
+        let unit = shown(info.unit);
+        let parameter = Parameter { value: unit.value(given.value), std: unit.value(std), unit: other(&unit) };
+        (info.name, Line(parameter))
     };
     let all = design.info().parameters.iter().zip(&design.parameters);
     let document = Document {

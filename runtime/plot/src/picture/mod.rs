@@ -7,6 +7,7 @@ mod beyond;
 #[cfg(feature = "control")]
 mod bode;
 mod colors;
+#[cfg(feature = "units")]
 mod contributions;
 #[cfg(feature = "control")]
 mod controllability;
@@ -20,11 +21,14 @@ mod labels;
 mod locus;
 mod map;
 mod marks;
+#[cfg(feature = "units")]
 mod motion;
 #[cfg(feature = "control")]
 mod nyquist;
+#[cfg(feature = "units")]
 mod overlay;
 mod panels;
+#[cfg(feature = "units")]
 mod path;
 mod phasors;
 mod places;
@@ -52,6 +56,7 @@ mod tests;
 pub use self::along::draw_along;
 #[cfg(feature = "control")]
 pub use self::bode::draw_bode;
+#[cfg(feature = "units")]
 pub use self::contributions::draw_contributions;
 #[cfg(feature = "control")]
 pub use self::controllability::draw_controllability;
@@ -59,9 +64,11 @@ pub use self::curves::{Curve, extent, samples};
 #[cfg(feature = "control")]
 pub use self::locus::draw_locus;
 pub use self::map::{MOST_CELLS, MapAxis, MapCell, draw_map};
+#[cfg(feature = "units")]
 pub use self::motion::draw_motion;
 #[cfg(feature = "control")]
 pub use self::nyquist::draw_nyquist;
+#[cfg(feature = "units")]
 pub use self::overlay::draw_overlay;
 pub use self::panels::{Panel, panels};
 pub use self::phasors::{MOST_SPEEDS, draw_phasors};

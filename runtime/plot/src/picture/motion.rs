@@ -1,11 +1,12 @@
 //! A motion against time: positions by their units, the speed, and below them the paths of wheels.
 
 use carvallo_design::number::shortest;
+use carvallo_design::units::Units;
 
 use super::axes::{self, EVEN, INK};
 use super::curves::{Curve, quantile};
 use super::graph::{Graph, Line, range, roomy};
-use super::path;
+use super::path::Paths;
 use super::scene::{Color, Paint, Scene, dashed, line};
 use crate::analysis::simulation::Motion;
 
@@ -32,22 +33,23 @@ const BEYOND: f64 = 10.0;
 
 /// What one graph shows: its title, and the curves with their names, each with that of the linear motion.
 struct Shown {
-    title: &'static str,
+    title: String,
     height: f32,
     curves: Vec<(String, Curve, Curve)>,
     /// Whether they are forces, and not what these do.
     has_forces: bool,
 }
 
-/// A motion, and the linear one of the same state where it is not that itself.
-pub fn draw_motion(motion: &Motion, linear: Option<&Motion>) -> Scene {
+/// A motion, and the linear one of the same state where it is not that itself; angles in degrees where no unit is asked for.
+pub fn draw_motion(motion: &Motion, linear: Option<&Motion>, units: &Units) -> Scene {
     let end = motion.rows.last().map_or(1.0, |row| row.t);
-    let mut drawn: Vec<Graph> = graphs(motion, linear).into_iter().map(|shown| graph(shown, end)).collect();
+    let mut drawn: Vec<Graph> = graphs(motion, linear, units).into_iter().map(|shown| graph(shown, end)).collect();
     if let (Some(first), Some(_)) = (drawn.first_mut(), linear) {
         first.note = Some((BESIDE, INK.lighter(LIGHTER), "the same by the linear equations"));
     }
     let title = format!("Motion of {}", motion.design.title());
-    let left = drawn.iter().map(|graph| axes::margin(graph.y)).fold(path::MARGIN, f32::max);
+    let paths = Paths::new(motion, linear, units);
+    let left = drawn.iter().map(|graph| axes::margin(graph.y)).fold(paths.margin(RIGHT), f32::max);
     let mut scene = Scene::new(title.clone(), WIDTH, 0.0);
     scene.heading(((left + RIGHT) / 2.0, 32.0), INK, &title);
     let mut top = TOP;
@@ -55,26 +57,23 @@ pub fn draw_motion(motion: &Motion, linear: Option<&Motion>) -> Scene {
         let is_last = index + 1 == drawn.len();
         top = graph.draw(is_last.then_some("time t (s)"), [left, RIGHT], top, &mut scene);
     }
-    let drawn = path::Drawn { motion, linear, left, right: RIGHT, top };
-    scene.height = path::draw(&drawn, &mut scene) + 12.0;
+    scene.height = paths.draw([left, RIGHT], top, &mut scene) + 12.0;
     scene
 }
 
 /// Of a bicycle lean and steer, the forces of feedback, and the speed; of anything else all positions, those of one unit in one
 /// graph, and the forces.
-fn graphs(motion: &Motion, linear: Option<&Motion>) -> Vec<Shown> {
+fn graphs(motion: &Motion, linear: Option<&Motion>, units: &Units) -> Vec<Shown> {
     let is_bicycle = motion.position("thetaR").is_some();
     let mut graphs: Vec<Shown> = Vec::new();
     let shown = motion.quantities.iter().filter(|quantity| !is_bicycle || ["phi", "delta"].contains(&quantity.name));
     for quantity in shown {
-        let (title, scale) = match quantity.unit {
-            "rad" => ("angles (°)", 1_f64.to_degrees()),
-            "m" => ("positions (m)", 1.0),
-            _ => ("positions", 1.0),
-        };
+        let unit = units.for_people(quantity.unit);
+        let what = if quantity.unit == "rad" { "angles" } else { "positions" };
+        let title = format!("{what}{}", unit.behind_name());
         let curve = |motion: &Motion| -> Curve {
             let Some(place) = motion.position(quantity.name) else { return Curve::new() };
-            motion.rows.iter().map(|row| (row.t, scale * row.positions[place])).collect()
+            motion.rows.iter().map(|row| (row.t, unit.value(row.positions[place]))).collect()
         };
         let name = match quantity.label == quantity.name {
             true => quantity.name.to_owned(),
@@ -82,32 +81,29 @@ fn graphs(motion: &Motion, linear: Option<&Motion>) -> Vec<Shown> {
         };
         add(&mut graphs, (title, false), HEIGHT, (name, curve(motion), linear.map(curve).unwrap_or_default()));
     }
-    for (place, (name, unit)) in motion.feedback().into_iter().enumerate() {
-        let title = match unit {
-            "N*m" => "torques (N m)",
-            "N" => "forces (N)",
-            _ => "forces",
+    for (place, (name, declared)) in motion.feedback().into_iter().enumerate() {
+        let unit = units.of(declared);
+        let what = if declared == "N*m" { "torques" } else { "forces" };
+        let title = format!("{what}{}", unit.behind_name());
+        let curve = |motion: &Motion| -> Curve {
+            motion.rows.iter().map(|row| (row.t, unit.value(row.feedback[place]))).collect()
         };
-        let curve = |motion: &Motion| -> Curve { motion.rows.iter().map(|row| (row.t, row.feedback[place])).collect() };
         add(&mut graphs, (title, true), FLAT, (name, curve(motion), linear.map(curve).unwrap_or_default()));
     }
     if is_bicycle {
+        let unit = units.of("m/s");
         let speed = |motion: &Motion| -> Curve {
-            motion.rows.iter().filter_map(|row| Some((row.t, motion.speed(row)?))).collect()
+            motion.rows.iter().filter_map(|row| Some((row.t, unit.value(motion.speed(row)?)))).collect()
         };
         let curves = ("forward speed".to_owned(), speed(motion), linear.map(speed).unwrap_or_default());
-        graphs.push(Shown { title: "v (m/s)", height: FLAT, curves: vec![curves], has_forces: false });
+        let title = format!("v{}", unit.behind_name());
+        graphs.push(Shown { title, height: FLAT, curves: vec![curves], has_forces: false });
     }
     graphs
 }
 
 /// Adds curves to the graph of their title.
-fn add(
-    graphs: &mut Vec<Shown>,
-    (title, has_forces): (&'static str, bool),
-    height: f32,
-    curves: (String, Curve, Curve),
-) {
+fn add(graphs: &mut Vec<Shown>, (title, has_forces): (String, bool), height: f32, curves: (String, Curve, Curve)) {
     match graphs.iter_mut().find(|shown| shown.title == title) {
         Some(shown) => shown.curves.push(curves),
         None => graphs.push(Shown { title, height, curves: vec![curves], has_forces }),

@@ -1,7 +1,8 @@
 //! Eigenvalues of several designs against the speed, laid over each other: real parts above imaginary parts, each design in a
 //! colour, and above both where each is stable.
 
-use carvallo_design::Failure;
+use carvallo_design::units::Units;
+use carvallo_design::{DisplayUnit, Failure};
 
 use super::axes::{EVEN, INK, margin};
 use super::colors::{design, design_line};
@@ -36,10 +37,16 @@ struct Curves {
 ///
 /// # Errors
 /// If they cannot be computed at one of the speeds.
-pub fn draw_overlay(comparison: &Comparison, x: Option<(f64, f64)>, y: Option<(f64, f64)>) -> Result<Scene, Failure> {
+pub fn draw_overlay(
+    comparison: &Comparison,
+    x: Option<(f64, f64)>,
+    y: Option<(f64, f64)>,
+    units: &Units,
+) -> Result<Scene, Failure> {
+    let speed = units.of("m/s");
     let reach = || comparison.designs.iter().map(|compared| compared.analysis.reach).fold(0.0, f64::max);
     let x = x.unwrap_or_else(|| (0.0, reach()));
-    let all = comparison.designs.iter().map(|compared| curves(compared, x)).collect::<Result<Vec<_>, _>>()?;
+    let all = comparison.designs.iter().map(|compared| curves(compared, x, &speed)).collect::<Result<Vec<_>, _>>()?;
     let most = |limit: fn(&Curves) -> f64| all.iter().map(limit).fold(0.0, f64::max);
     let real_limits = y.unwrap_or_else(|| (-most(|curves| -curves.real_limits.0), most(|curves| curves.real_limits.1)));
     let imaginary_limits = (0.0, most(|curves| curves.imaginary_limit));
@@ -54,7 +61,8 @@ pub fn draw_overlay(comparison: &Comparison, x: Option<(f64, f64)>, y: Option<(f
     };
     let mut scene = Scene::new(title.clone(), WIDTH, 1.0);
     scene.heading((WIDTH / 2.0, 32.0), INK, &title);
-    let mut top = write_legend(comparison, x, left, &mut scene);
+    let mut top = write_legend(comparison, x, &speed, left, &mut scene);
+    let x = (speed.value(x.0), speed.value(x.1));
     let graph = |title: &'static str, height, y, part: fn(&Curves) -> &Vec<Curve>| {
         let curves = all.iter().enumerate().flat_map(|(index, curves)| {
             part(curves).iter().map(move |curve| Line {
@@ -67,24 +75,25 @@ pub fn draw_overlay(comparison: &Comparison, x: Option<(f64, f64)>, y: Option<(f
         Graph { title: title.into(), height, x, y, scales: EVEN, lines: curves.collect(), note: None }
     };
     let has_pairs = all.iter().any(|curves| !curves.imaginary.is_empty());
-    let label = "speed v (m/s)";
+    let label = format!("speed v{}", speed.behind_name());
     let real = graph("real parts (1/s)", HEIGHTS[0], real_limits, |curves| &curves.real);
-    top = real.draw((!has_pairs).then_some(label), [left, RIGHT], top, &mut scene);
+    top = real.draw((!has_pairs).then_some(label.as_str()), [left, RIGHT], top, &mut scene);
     if has_pairs {
         let imaginary = graph("imaginary parts (rad/s)", HEIGHTS[1], imaginary_limits, |curves| &curves.imaginary);
-        top = imaginary.draw(Some(label), [left, RIGHT], top, &mut scene);
+        top = imaginary.draw(Some(&label), [left, RIGHT], top, &mut scene);
     }
     scene.height = top;
     Ok(scene)
 }
 
 /// What the colours mean, each with a bar over the speeds at which the design is stable; the height below.
-fn write_legend(comparison: &Comparison, x: (f64, f64), left: f32, scene: &mut Scene) -> f32 {
+fn write_legend(comparison: &Comparison, x: (f64, f64), unit: &DisplayUnit, left: f32, scene: &mut Scene) -> f32 {
     // What is behind the names has its room, too.
     let labels: Vec<&str> = comparison.designs.iter().map(|compared| compared.label.as_str()).collect();
     let short = font::apart(&labels, TEXT_SIZE, 0.5 * WIDTH);
     let widest = short.iter().map(|label| font::width(label, TEXT_SIZE)).fold(0.0, f32::max);
     let place = |speed: f64| left + ((speed - x.0) / (x.1 - x.0)) as f32 * (RIGHT - left);
+    let behind = unit.behind_number();
     let mut top = TOP;
     for (index, (Compared { label, analysis }, short)) in comparison.designs.iter().zip(&short).enumerate() {
         let color = design(index);
@@ -93,8 +102,8 @@ fn write_legend(comparison: &Comparison, x: (f64, f64), left: f32, scene: &mut S
         let stable = analysis.stable_ranges().iter();
         let stable: Vec<String> = stable
             .map(|range| match range.to {
-                Some(to) => format!("{:.2} to {to:.2} m/s", range.from),
-                None => format!("above {:.2} m/s", range.from),
+                Some(to) => format!("{:.2} to {:.2}{behind}", unit.value(range.from), unit.value(to)),
+                None => format!("above {:.2}{behind}", unit.value(range.from)),
             })
             .collect();
         let stable =
@@ -120,9 +129,10 @@ fn write_legend(comparison: &Comparison, x: (f64, f64), left: f32, scene: &mut S
     top - 14.0
 }
 
-fn curves(Compared { analysis, .. }: &Compared, x: (f64, f64)) -> Result<Curves, Failure> {
+/// Of a design between two speeds in m/s, against the speed in a unit.
+fn curves(Compared { analysis, .. }: &Compared, x: (f64, f64), unit: &DisplayUnit) -> Result<Curves, Failure> {
     let turns = analysis.critical_speeds().iter().map(|critical| critical.speed).chain(analysis.meetings());
-    let rows = analysis.rows(&samples(x, turns))?;
+    let rows = analysis.rows(&samples(x, turns))?.shown_in(unit);
     let panels = panels(&rows, None);
     let is_one = matches!(rows, Rows::Modes(_));
     let is_imaginary = |panel: usize, series: &Series| {
@@ -143,7 +153,9 @@ fn curves(Compared { analysis, .. }: &Compared, x: (f64, f64)) -> Result<Curves,
         }
         curves
             .into_iter()
-            .filter_map(|curve| curve.first().map(|(_, value)| vec![(x.0, *value), (x.1, *value)]))
+            .filter_map(|curve| {
+                curve.first().map(|(_, value)| vec![(unit.value(x.0), *value), (unit.value(x.1), *value)])
+            })
             .collect()
     };
     let [real, imaginary] = [false, true].map(|wanted| once(spread(of(wanted))));

@@ -29,29 +29,16 @@ pub struct Quantity {
     pub label: &'static str,
     /// Of its position.
     pub unit: &'static str,
-    /// Of its rate and its acceleration, where these are not in that of its position by time.
-    #[cfg(feature = "units")]
-    pub by_time: [Option<&'static str>; 2],
 }
 
 impl Quantity {
     /// A quantity by its symbol, what it is, and the unit of its position.
     pub const fn new(name: &'static str, label: &'static str, unit: &'static str) -> Self {
-        Self {
-            name,
-            label,
-            unit,
-            #[cfg(feature = "units")]
-            by_time: [None; 2],
-        }
+        Self { name, label, unit }
     }
 
     /// The unit of its rate, or with `power` 2 of its acceleration.
     pub fn unit_per_time(&self, power: u32) -> String {
-        #[cfg(feature = "units")]
-        if let Some(unit) = self.by_time[usize::from(power > 1)] {
-            return unit.to_owned();
-        }
         by_time(self.unit, power)
     }
 }

@@ -2,6 +2,8 @@
 
 use std::io::{Result, Write};
 
+use carvallo_design::DisplayUnit;
+use carvallo_design::units::Units;
 use serde::Serialize;
 
 use crate::analysis::compare::{Compared, Comparison, Difference, Event as Happening, Way, Whole};
@@ -9,9 +11,13 @@ use crate::analysis::name;
 use crate::data::analysis::{Event, Range, events, ranges};
 use crate::data::head::Head;
 use crate::data::layout::{Line, Members, write_document};
+use crate::data::parameters::other;
 
 #[derive(Serialize)]
 struct Document<'a> {
+    /// What all speeds are in, where that is not m/s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    speed_unit: Option<String>,
     designs: Vec<Design<'a>>,
     differing_parameters: Line<Vec<&'static str>>,
     differences: Vec<Against<'a>>,
@@ -57,20 +63,24 @@ struct Place {
     reason: String,
 }
 
+/// Speeds are in units, and parameters, which are read again, in those of the SI.
+///
 /// # Errors
 /// If it cannot be written.
-pub fn write_json(comparison: &Comparison, output: &mut dyn Write) -> Result<()> {
+pub fn write_json(comparison: &Comparison, units: &Units, output: &mut dyn Write) -> Result<()> {
+    let unit = units.of("m/s");
     let (first, others) = (&comparison.designs[0], &comparison.designs[1..]);
     let document = Document {
-        designs: comparison.designs.iter().map(of_design).collect(),
+        speed_unit: other(&unit),
+        designs: comparison.designs.iter().map(|compared| of_design(compared, &unit)).collect(),
         differing_parameters: Line(comparison.parameters(false).iter().map(|parameter| parameter.info.name).collect()),
         differences: others
             .iter()
             .zip(&comparison.differences)
-            .map(|(other, difference)| Against {
+            .map(|(against, difference)| Against {
                 from: &first.label,
-                to: &other.label,
-                critical_speeds: changes(other, difference),
+                to: &against.label,
+                critical_speeds: changes(against, difference, &unit),
                 unexplained: match difference {
                     Difference::Explained { .. } => None,
                     Difference::Unexplained(reason) => Some(reason),
@@ -81,18 +91,18 @@ pub fn write_json(comparison: &Comparison, output: &mut dyn Write) -> Result<()>
     write_document(&document, output)
 }
 
-fn of_design(Compared { label, analysis }: &Compared) -> Design<'_> {
+fn of_design<'a>(Compared { label, analysis }: &'a Compared, unit: &DisplayUnit) -> Design<'a> {
     let parameters = analysis.design.info().parameters.iter().zip(&analysis.design.parameters);
     Design {
         label,
         head: Head::of(&analysis.design),
         parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
-        critical_speeds: events(&analysis.stability, analysis.design.info(), &analysis.unit),
-        stable_ranges: ranges(&analysis.stability, &analysis.unit),
+        critical_speeds: events(&analysis.stability, analysis.design.info(), unit),
+        stable_ranges: ranges(&analysis.stability, unit),
     }
 }
 
-fn changes(other: &Compared, difference: &Difference) -> Option<Vec<Change>> {
+fn changes(other: &Compared, difference: &Difference, unit: &DisplayUnit) -> Option<Vec<Change>> {
     let Difference::Explained { parameters, ways } = difference else { return None };
     let info = other.analysis.design.info();
     let change = |way: &Way| {
@@ -108,26 +118,32 @@ fn changes(other: &Compared, difference: &Difference) -> Option<Vec<Change>> {
         };
         match way {
             Way::Whole(Whole { from, to, contributions, residual }) => Change {
-                from: Some(from.speed),
-                to: Some(to.speed),
-                difference: Some(to.speed - from.speed),
+                from: Some(unit.value(from.speed)),
+                to: Some(unit.value(to.speed)),
+                difference: Some(unit.value(to.speed - from.speed)),
                 contributions: Some(Members(
                     parameters
                         .iter()
                         .zip(contributions)
-                        .map(|(&index, contribution)| (info.parameters[index].name, Line(contribution + 0.0)))
+                        .map(|(&index, contribution)| {
+                            (info.parameters[index].name, Line(unit.value(*contribution) + 0.0))
+                        })
                         .collect(),
                 )),
-                residual: Some(*residual),
+                residual: Some(unit.value(*residual)),
                 ..empty
             },
-            Way::Lost { from, event } => Change { from: Some(from.speed), vanishes: Some(place(event)), ..empty },
-            Way::Found { to, event } => Change { to: Some(to.speed), appears: Some(place(event)), ..empty },
+            Way::Lost { from, event } => {
+                Change { from: Some(unit.value(from.speed)), vanishes: Some(place(event, unit)), ..empty }
+            }
+            Way::Found { to, event } => {
+                Change { to: Some(unit.value(to.speed)), appears: Some(place(event, unit)), ..empty }
+            }
         }
     };
     Some(ways.iter().map(change).collect())
 }
 
-fn place(Happening { place, speed, end }: &Happening) -> Line<Place> {
-    Line(Place { place: *place, speed: *speed, reason: end.to_string() })
+fn place(Happening { place, speed, end }: &Happening, unit: &DisplayUnit) -> Line<Place> {
+    Line(Place { place: *place, speed: unit.value(*speed), reason: end.to_string() })
 }

@@ -2,13 +2,19 @@
 
 use std::io::{Result, Write};
 
+use carvallo_design::DisplayUnit;
+use carvallo_design::number::by_time;
+use carvallo_design::units::Units;
 use serde::Serialize;
 
-#[cfg(feature = "units")]
-use crate::analysis::simulation::Quantity;
+use super::shown::{Shown, values};
 use crate::analysis::simulation::{Motion, Row};
 use crate::data::head::Head;
 use crate::data::layout::{Line, Members, write_document};
+use crate::data::parameters::other;
+
+/// Units by the names of what is in them.
+type Named<Name = &'static str> = Line<Members<String, Name>>;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -18,13 +24,18 @@ struct Document<'a> {
     equations: &'static str,
     /// Of positions, where they are not all those of the SI; of rates and accelerations these by time, unless others are told.
     #[serde(skip_serializing_if = "Option::is_none")]
-    units: Option<Line<Members<&'static str>>>,
-    #[cfg(feature = "units")]
+    units: Option<Named>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    rate_units: Option<Line<Members<String>>>,
-    #[cfg(feature = "units")]
+    rate_units: Option<Named>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    acceleration_units: Option<Line<Members<String>>>,
+    acceleration_units: Option<Named>,
+    /// Of forces by laws, on the ground, and of energies, where these are not those of the SI.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    feedback_force_units: Option<Named<String>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    contact_force_unit: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    energy_unit: Option<String>,
     /// Why the motion ended before its time, if it did.
     #[serde(skip_serializing_if = "Option::is_none")]
     end: Option<&'a str>,
@@ -53,52 +64,65 @@ struct Energy {
 
 /// # Errors
 /// If it cannot be written.
-pub fn write_json(motion: &Motion, output: &mut dyn Write) -> Result<()> {
+pub fn write_json(motion: &Motion, units: &Units, output: &mut dyn Write) -> Result<()> {
+    let shown = Shown::new(motion, units);
     let parameters = motion.design.info().parameters.iter().zip(&motion.design.parameters);
     let document = Document {
         head: Head::of(motion.design),
         parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
         equations: if motion.is_linear { "linear" } else { "nonlinear" },
-        units: units(motion),
-        #[cfg(feature = "units")]
-        rate_units: units_by_time(motion, 1),
-        #[cfg(feature = "units")]
-        acceleration_units: units_by_time(motion, 2),
+        units: of_positions(motion, &shown),
+        rate_units: of_others(motion, &shown, &shown.rates, 1),
+        acceleration_units: of_others(motion, &shown, &shown.accelerations, 2),
+        feedback_force_units: shown.feedback.iter().any(|unit| !unit.is_declared()).then(|| {
+            let laws = motion.feedback().into_iter().zip(&shown.feedback);
+            Line(Members(laws.map(|((name, _), unit)| (name, unit.written.clone())).collect()))
+        }),
+        contact_force_unit: other(&shown.contact_forces),
+        energy_unit: other(&shown.energy),
         end: motion.end.as_deref(),
-        rows: motion.rows.iter().map(|row| Line(at_time(motion, row))).collect(),
+        rows: motion.rows.iter().map(|row| Line(at_time(motion, row, &shown))).collect(),
     };
     write_document(&document, output)
 }
 
-fn units(motion: &Motion) -> Option<Line<Members<&'static str>>> {
-    let is_other = motion.quantities.iter().any(|quantity| !matches!(quantity.unit, "rad" | "m" | "1" | ""));
-    is_other.then(|| Line(Members(motion.quantities.iter().map(|quantity| (quantity.name, quantity.unit)).collect())))
+fn of_positions(motion: &Motion, shown: &Shown) -> Option<Named> {
+    let is_other = shown.positions.iter().any(|unit| !matches!(unit.written.as_str(), "rad" | "m" | "1" | ""));
+    is_other.then(|| named(motion, &shown.positions))
 }
 
-#[cfg(feature = "units")]
-fn units_by_time(motion: &Motion, power: u32) -> Option<Line<Members<String>>> {
-    let is_other = motion.quantities.iter().any(|quantity| quantity.by_time[power as usize - 1].is_some());
-    let unit = |quantity: &Quantity| (quantity.name, quantity.unit_per_time(power));
-    is_other.then(|| Line(Members(motion.quantities.iter().map(unit).collect())))
+/// Those of rates, or with `power` 2 of accelerations, if any is not that of its position by time.
+fn of_others(motion: &Motion, shown: &Shown, own: &[DisplayUnit], power: u32) -> Option<Named> {
+    let mut pairs = own.iter().zip(&shown.positions);
+    let is_other = pairs.any(|(unit, position)| unit.written != by_time(&position.written, power));
+    is_other.then(|| named(motion, own))
 }
 
-fn at_time(motion: &Motion, row: &Row) -> AtTime {
-    let named = |values: &[f64]| {
+fn named(motion: &Motion, units: &[DisplayUnit]) -> Named {
+    let units = motion.quantities.iter().zip(units);
+    Line(Members(units.map(|(quantity, unit)| (quantity.name, unit.written.clone())).collect()))
+}
+
+fn at_time(motion: &Motion, row: &Row, shown: &Shown) -> AtTime {
+    let named = |units: &[DisplayUnit], own: &[f64]| {
         let names = motion.quantities.iter().map(|quantity| quantity.name);
-        // Adding zero turns -0 into 0.
-        Members(names.zip(values.iter().map(|value| value + 0.0)).collect())
+        Members(names.zip(values(units, own)).collect())
     };
-    let forces = motion.wheels.iter().copied().zip(row.contact_forces.iter().copied());
+    let forces = row.contact_forces.iter().map(|force| force.map(|part| shown.contact_forces.value(part)));
     AtTime {
         t: row.t,
-        positions: named(&row.positions),
-        rates: named(&row.rates),
-        accelerations: named(&row.accelerations),
-        energy: row.energy.map(|[kinetic, potential]| Energy { kinetic, potential }),
+        positions: named(&shown.positions, &row.positions),
+        rates: named(&shown.rates, &row.rates),
+        accelerations: named(&shown.accelerations, &row.accelerations),
+        energy: row.energy.map(|energy| {
+            let [kinetic, potential] = energy.map(|energy| shown.energy.value(energy));
+            Energy { kinetic, potential }
+        }),
         feedback_forces: (!row.feedback.is_empty()).then(|| {
             let names = motion.feedback().into_iter().map(|(name, _)| name);
-            Members(names.zip(row.feedback.iter().map(|force| force + 0.0)).collect())
+            Members(names.zip(values(&shown.feedback, &row.feedback)).collect())
         }),
-        contact_forces: (!motion.wheels.is_empty()).then(|| Members(forces.collect())),
+        contact_forces: (!motion.wheels.is_empty())
+            .then(|| Members(motion.wheels.iter().copied().zip(forces).collect())),
     }
 }

@@ -2,6 +2,7 @@
 
 use std::io::{Result, Write};
 
+use carvallo_design::units::Units;
 use carvallo_optimize::{Optimum, Problem};
 
 use super::json::end;
@@ -12,16 +13,18 @@ use crate::data::cells::{exact, write_rows};
 ///
 /// # Errors
 /// If it cannot be written.
-pub fn write_csv(problem: &Problem, optimum: &Optimum, output: &mut dyn Write) -> Result<()> {
+pub fn write_csv(problem: &Problem, optimum: &Optimum, units: &Units, output: &mut dyn Write) -> Result<()> {
     let header = ["parameter", "unit", "before", "after", "low", "high", "at"].map(str::to_owned).to_vec();
     let rows = problem.ranges.iter().zip(&optimum.ends).enumerate().map(|(index, (range, at))| {
+        let unit = units.of(range.parameter.unit);
+        let shown = |value: f64| exact(unit.value(value));
         vec![
             range.parameter.name.to_owned(),
-            range.parameter.unit.to_owned(),
-            problem.before(index).map(exact).unwrap_or_default(),
-            exact(optimum.varied[index]),
-            exact(range.low),
-            exact(range.high),
+            unit.written.clone(),
+            problem.before(index).map(shown).unwrap_or_default(),
+            shown(optimum.varied[index]),
+            shown(range.low),
+            shown(range.high),
             end(*at).unwrap_or_default().to_owned(),
         ]
     });

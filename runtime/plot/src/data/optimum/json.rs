@@ -2,6 +2,7 @@
 
 use std::io::{Result, Write};
 
+use carvallo_design::units::Units;
 use carvallo_optimize::{End, Goal, Optimum, Problem};
 use serde::Serialize;
 
@@ -9,12 +10,16 @@ use crate::analysis::Analysis;
 use crate::data::analysis::{Event, Range, events, ranges};
 use crate::data::head::Head;
 use crate::data::layout::{Line, Members, write_document};
+use crate::data::parameters::other;
 
 #[derive(Serialize)]
 struct Document<'a> {
     #[serde(flatten)]
     head: Head<'a>,
     parameters: Members<Line<f64>>,
+    /// What all speeds are in, where that is not m/s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    speed_unit: Option<String>,
     goal: Line<Aim>,
     varied: Members<Line<Varied>>,
     constraints: Vec<Line<Kept<'a>>>,
@@ -29,6 +34,9 @@ struct Aim {
     maximize: bool,
     before: Option<f64>,
     after: f64,
+    /// Where it is not that of the SI.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unit: Option<String>,
 }
 
 #[derive(Serialize)]
@@ -39,6 +47,9 @@ struct Varied {
     high: f64,
     /// The end of the range at which it is.
     at: Option<&'static str>,
+    /// Where it is not that of the SI.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unit: Option<String>,
 }
 
 #[derive(Serialize)]
@@ -65,31 +76,52 @@ pub fn end(end: Option<End>) -> Option<&'static str> {
     })
 }
 
-/// With the analysis of the design that is best.
+/// With the analysis of the design that is best; its parameters, which are read again, are in units of the SI.
 ///
 /// # Errors
 /// If it cannot be written.
-pub fn write_json(problem: &Problem, optimum: &Optimum, best: &Analysis, output: &mut dyn Write) -> Result<()> {
+pub fn write_json(
+    problem: &Problem,
+    optimum: &Optimum,
+    best: &Analysis,
+    units: &Units,
+    output: &mut dyn Write,
+) -> Result<()> {
     let (design, Goal { measure, maximize }) = (&best.design, problem.goal);
     let parameters = design.info().parameters.iter().zip(&design.parameters);
     let varied = problem.ranges.iter().zip(&optimum.ends).enumerate().map(|(index, (range, at))| {
-        let before = problem.before(index);
-        let after = optimum.varied[index];
-        (range.parameter.name, Line(Varied { before, after, low: range.low, high: range.high, at: end(*at) }))
+        let unit = units.of(range.parameter.unit);
+        let varied = Varied {
+            before: problem.before(index).map(|before| unit.value(before)),
+            after: unit.value(optimum.varied[index]),
+            low: unit.value(range.low),
+            high: unit.value(range.high),
+            at: end(*at),
+            unit: other(&unit),
+        };
+        (range.parameter.name, Line(varied))
     });
+    let (speed, of_goal) = (units.of("m/s"), units.of(measure.unit()));
     let constraints = problem.constraints.iter().zip(&optimum.is_tight);
     let document = Document {
         head: Head::of(design),
         parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
-        goal: Line(Aim { measure: measure.to_string(), maximize, before: optimum.before, after: optimum.value }),
+        speed_unit: other(&speed),
+        goal: Line(Aim {
+            measure: measure.to_string(),
+            maximize,
+            before: optimum.before.map(|before| of_goal.value(before)),
+            after: of_goal.value(optimum.value),
+            unit: other(&of_goal),
+        }),
         varied: Members(varied.collect()),
         constraints: constraints
             .map(|(constraint, &tight)| Line(Kept { constraint: &constraint.written, tight }))
             .collect(),
-        critical_speeds: events(&best.stability, design.info(), &best.unit),
-        stable_ranges: ranges(&best.stability, &best.unit),
+        critical_speeds: events(&best.stability, design.info(), &speed),
+        stable_ranges: ranges(&best.stability, &speed),
         search: Line(Search {
-            speeds: problem.settings.speeds,
+            speeds: problem.settings.speeds.map(|own| speed.value(own)),
             seed: problem.settings.seed,
             starts: optimum.starts,
             agreeing: optimum.agreeing,

@@ -10,13 +10,16 @@ use crate::analysis::sensitivity::{Changes, Critical};
 use crate::data::head::Head;
 use crate::data::layout::{Line, Members, Parts, write_document};
 use crate::data::matrices::{Matrix, matrices};
-use crate::data::parameters::{Correlations, correlations};
+use crate::data::parameters::{Correlations, correlations, other};
 
 #[derive(Serialize)]
 struct Document<'a> {
     #[serde(flatten)]
     head: Head<'a>,
     parameters: Members<Line<Parameter>>,
+    /// What all speeds are in, where that is not m/s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    speed_unit: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     correlations: Option<Correlations>,
     critical_speeds: Vec<CriticalSpeed>,
@@ -29,6 +32,9 @@ struct Parameter {
     value: f64,
     std: f64,
     one_percent: Option<f64>,
+    /// Where it is not that of the SI.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unit: Option<String>,
 }
 
 /// Without derivatives all from them on are null, and the last one says why.
@@ -51,10 +57,14 @@ struct CriticalSpeed {
 pub fn write_json(changes: &Changes, output: &mut dyn Write) -> Result<()> {
     let design = &changes.design;
     let info = design.info();
-    let parameters = design.parameters.iter().zip(&changes.steps).map(|(given, step)| Parameter {
-        value: given.value,
-        std: given.deviation.as_ref().map_or(0.0, |deviation| deviation.value),
-        one_percent: step.size().map(positive_zero),
+    let parameters = design.parameters.iter().zip(&changes.steps).enumerate().map(|(index, (given, step))| {
+        let unit = changes.of_parameter(index);
+        Parameter {
+            value: unit.value(given.value),
+            std: unit.value(given.deviation.as_ref().map_or(0.0, |deviation| deviation.value)),
+            one_percent: step.size().map(|step| positive_zero(unit.value(step))),
+            unit: other(&unit),
+        }
     });
     let matrix_deviations = changes.matrix_deviations.as_ref().map(|known| {
         let known = known.matrices().into_iter().filter(|(name, _)| info.matrices.contains(name));
@@ -63,6 +73,7 @@ pub fn write_json(changes: &Changes, output: &mut dyn Write) -> Result<()> {
     let document = Document {
         head: Head::of(design),
         parameters: by_parameter(changes, parameters),
+        speed_unit: other(&changes.of_speeds()),
         correlations: correlations(design),
         critical_speeds: changes.critical_speeds.iter().map(|critical| critical_speed(changes, critical)).collect(),
         matrices: Members(
@@ -75,17 +86,26 @@ pub fn write_json(changes: &Changes, output: &mut dyn Write) -> Result<()> {
 
 fn critical_speed(changes: &Changes, Critical { speed, derivatives }: &Critical) -> CriticalSpeed {
     let known = derivatives.as_ref().ok();
+    let unit = changes.of_speeds();
     let numbers = |values: &[f64]| by_parameter(changes, values.iter().copied().map(positive_zero));
-    let parts = |values: &[Complex<f64>]| by_parameter(changes, values.iter().copied().map(positive_zeros));
+    // By a parameter in its unit.
+    let units: Vec<f64> = (0..changes.steps.len()).map(|index| changes.of_parameter(index).value(1.0)).collect();
+    let derivatives_of_speed = |values: &[f64]| {
+        let derivatives = values.iter().zip(&units).map(|(value, own)| positive_zero(unit.value(*value) / own));
+        by_parameter(changes, derivatives)
+    };
+    let parts = |values: &[Complex<f64>]| {
+        by_parameter(changes, values.iter().zip(&units).map(|(value, own)| positive_zeros(*value / *own)))
+    };
     CriticalSpeed {
         kind: name(speed, changes.design.info()),
-        speed: Line(speed.speed),
+        speed: Line(unit.value(speed.speed)),
         eigenvalue: Line(positive_zeros(speed.eigenvalue)),
         change: speed.change.to_string(),
-        derivatives: known.map(|known| numbers(&known.speed)),
+        derivatives: known.map(|known| derivatives_of_speed(&known.speed)),
         eigenvalue_derivatives: known.map(|known| parts(&known.eigenvalue)),
         condition: known.map(|known| Line(known.condition)),
-        standard_deviation: known.and_then(|known| known.deviation).map(positive_zero).map(Line),
+        standard_deviation: known.and_then(|known| known.deviation).map(|own| Line(positive_zero(unit.value(own)))),
         variance_shares: known.and_then(|known| known.variance_shares.as_ref()).map(|shares| numbers(shares)),
         not_differentiable: derivatives.as_ref().err().map(ToString::to_string),
     }
