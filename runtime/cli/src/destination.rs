@@ -11,6 +11,14 @@ use clap::ArgMatches;
 
 use crate::options::Picture;
 
+/// What every result of a command has: as a table in any language its title, as JSON a member, or as CSV in its header.
+#[derive(Clone, Copy, Debug)]
+pub struct Marks {
+    pub title: &'static str,
+    pub member: &'static str,
+    pub header: &'static str,
+}
+
 /// A file that a command writes at its end.
 #[derive(Clone, Debug)]
 pub struct Destination(pub PathBuf);
@@ -50,6 +58,18 @@ impl Destination {
     /// If something else is there.
     pub fn replaces_source(&self) -> Result<(), Failure> {
         self.replaces("nothing that this program wrote", |text| text.contains("Written by Carvallo;"))
+    }
+
+    /// That a result takes the place of a result of the same command, if of a text.
+    ///
+    /// # Errors
+    /// If something else is there.
+    pub fn replaces_result(&self, Marks { title, member, header }: Marks) -> Result<(), Failure> {
+        let is_own = |text: &str| {
+            let first = text.lines().next().unwrap_or_default();
+            text.contains(title) || text.contains(member) || first.contains(header) || text.contains('\0')
+        };
+        self.replaces("no result of this command", is_own)
     }
 
     fn replaces(&self, what: &str, is_own: impl Fn(&str) -> bool) -> Result<(), Failure> {

@@ -7,6 +7,7 @@ use carvallo_plot::data;
 use clap::{Args, ValueEnum};
 
 use crate::delivery::Delivery;
+use crate::destination::Marks;
 use crate::options::{DesignOptions, Format, Speeds, UnitOptions};
 use crate::output::documents;
 use crate::ports;
@@ -99,6 +100,8 @@ impl Language {
     }
 }
 
+const MARKS: Marks = Marks { title: "Gains K of", member: "\n  \"regulators\": ", header: "),eigenvalue 1 re (1/s)," };
+
 pub fn run(options: &Options) -> Result<(), Failure> {
     let path = options.delivery.path();
     if path.is_some_and(|path| options.design.request().reads(path)) {
@@ -110,7 +113,10 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             options.delivery.replaces_source()?;
             Ok(Format::Table)
         }
-        None => table(&options.delivery),
+        None => {
+            options.delivery.replaces_result(MARKS)?;
+            table(&options.delivery)
+        }
     }?;
     let shown = options.units.shown();
     if options.emit.is_some() && !options.units.units().is_si() {

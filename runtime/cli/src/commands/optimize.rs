@@ -3,10 +3,8 @@
 use std::cell::OnceCell;
 use std::io::IsTerminal as _;
 use std::ops::ControlFlow;
-use std::path::Path;
 use std::time::{Duration, Instant};
 
-use carvallo_design::input::is_same_file;
 use carvallo_design::number::fixed;
 use carvallo_design::{Design, Failure, Place, file};
 use carvallo_optimize::{Goal, Measure, Problem, Progress, Range, Settings, optimize};
@@ -151,8 +149,7 @@ fn check_files(options: &Options) -> Result<(), Failure> {
     let request = options.design.request();
     options.pictures.check(&request)?;
     let Some(path) = &options.output else { return Ok(()) };
-    let is_read = request.parameters.as_ref().is_some_and(|read| is_same_file(Path::new(read), path));
-    if is_read {
+    if request.reads(path) {
         return Err(Failure::at(path.place(), "the parameters are read from this file"));
     }
     if !path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {

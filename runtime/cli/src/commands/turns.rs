@@ -8,6 +8,7 @@ use carvallo_plot::{data, picture};
 use clap::Args;
 
 use crate::delivery::Delivery;
+use crate::destination::Marks;
 use crate::options::{DesignOptions, Format, Picture, UnitOptions};
 use crate::output::{self, documents};
 use crate::terminal::{WARNING, deliver, note};
@@ -52,6 +53,8 @@ pub struct Options {
     plot: Option<Picture>,
 }
 
+const MARKS: Marks = Marks { title: "Steady turns ", member: "\n  \"families\": ", header: "capsize_speed (" };
+
 pub fn run(options: &Options) -> Result<(), Failure> {
     if let Some(picture) = &options.plot {
         picture.check(&options.design)?;
@@ -60,6 +63,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     if options.delivery.path().is_some_and(|path| options.design.request().reads(path)) {
         return Err(options.delivery.problem("the parameters are read from this file"));
     }
+    options.delivery.replaces_result(MARKS)?;
     let steers = options.steer.as_deref().map(steers).transpose()?;
     let steer = Quantity::new("steer", "steer", "rad");
     let doubts = options.steer.iter().flat_map(|text| text.split(',')).filter_map(|text| doubt(text, &steer));

@@ -18,6 +18,7 @@ use carvallo_plot::{data, picture};
 pub use self::options::Options;
 
 use self::progress::Progress;
+use crate::destination::Marks;
 use crate::options::Format;
 use crate::output::{self, documents};
 use crate::terminal::{WARNING, deliver, note};
@@ -28,6 +29,8 @@ const FINE: u32 = 100;
 /// Of a picture.
 const DRAWN: u32 = 600;
 
+const MARKS: Marks = Marks { title: "Motion by the ", member: "\n  \"equations\": ", header: "_acceleration (" };
+
 /// Computes a motion, and tells it.
 ///
 /// # Errors
@@ -36,6 +39,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let format = options.delivery.format()?;
     let default_rows = if format.is_read() { COARSE } else { FINE };
     readable(&options.force)?;
+    options.delivery.replaces_result(MARKS)?;
     let times = times::times(&options.duration, options.step.as_deref(), default_rows);
     let speed = options.speed.as_deref().map(speed).transpose();
     let mut problems = files(options);

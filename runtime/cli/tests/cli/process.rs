@@ -264,3 +264,59 @@ fn two_results_do_not_go_to_one_file() {
     // Now that it is there, by another path.
     run("./a.svg").fails(2, "error: two results go to ./a.svg: give each a file of its own\n");
 }
+
+/// A result takes the place of one of the same command, in each of its forms, and of nothing that somebody wrote.
+#[test]
+fn results_replace_results_alone() {
+    let directory = Directory::of_this_test();
+    let commands = [
+        (&["statespace", "--speed", "5"][..], &["tex", "md", "txt", "csv", "json"][..]),
+        (&["lqr", "--inputs", "Tdelta", "--speeds", "5,6"], &["md", "csv", "json"]),
+        (&["simulate", "--speed", "5", "--duration", "0.01", "--linear"], &["txt", "csv", "json"]),
+        (&["turns", "--steer", "0.1"], &["csv"]),
+    ];
+    let theirs = "\\documentclass{report}\nA matrix\nof, say, four rows: motion by a rider.\n";
+    for (command, endings) in commands {
+        for ending in endings {
+            let file = format!("thesis.{ending}");
+            directory.write(&file, theirs);
+            let run = || directory.run(&[command, &["--output", &file]].concat());
+            let message = "this file is there, and is no result of this command: give another name, or remove it\n";
+            run().fails(2, &format!("error: --output {file}: {message}"));
+            assert_eq!(std::fs::read_to_string(directory.0.join(&file)).unwrap(), theirs);
+            std::fs::remove_file(directory.0.join(&file)).unwrap();
+            for _ in 0..2 {
+                let run = run();
+                assert_eq!(run.code, Some(0), "{command:?} {file}: {}", run.stderr);
+            }
+        }
+    }
+    for _ in 0..2 {
+        let run = directory.run(&["statespace", "--speed", "5", "--output", "a.npz"]);
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+    }
+}
+
+/// Two names of one file are one file.
+#[cfg(unix)]
+#[test]
+fn what_is_read_is_not_written_through_another_name() {
+    let directory = Directory::of_this_test();
+    directory.write("mine.toml", crate::BENCHMARK);
+    directory.write("rack.toml", "mass = 5\nat = [0.1, 0, -0.9]\n");
+    for (from, to) in [("mine.toml", "linked.toml"), ("mine.toml", "linked.csv"), ("rack.toml", "rack.svg")] {
+        std::fs::hard_link(directory.0.join(from), directory.0.join(to)).unwrap();
+    }
+    let read = "the parameters are read from this file";
+    for (arguments, option) in [
+        (&["convert", "mine.toml", "--to", "moore", "--output", "linked.toml"][..], "--output linked.toml"),
+        (&["statespace", "mine.toml", "--speed", "5", "--output", "linked.csv"], "--output linked.csv"),
+        (&["show", "--add", "rack.toml", "--plot", "rack.svg"], "--plot rack.svg"),
+        (
+            &["optimize", "mine.toml", "--vary", "c=0:0.1", "--minimize", "c", "--output", "linked.toml"],
+            "--output linked.toml",
+        ),
+    ] {
+        directory.run(arguments).fails(2, &format!("error: {option}: {read}\n"));
+    }
+}

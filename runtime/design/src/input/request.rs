@@ -31,7 +31,23 @@ impl Request {
     }
 }
 
-/// Whether two paths are of one file, which is there.
+/// Whether two paths are of one file, which is there: also by links of both kinds.
 pub fn is_same_file(first: &Path, second: &Path) -> bool {
     first.canonicalize().is_ok_and(|first| second.canonicalize().is_ok_and(|second| first == second))
+        || is_linked(first, second)
+}
+
+/// Whether both are names of one file on a disk.
+#[cfg(unix)]
+fn is_linked(first: &Path, second: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt as _;
+
+    let id = |path: &Path| path.metadata().ok().filter(|file| file.is_file()).map(|file| (file.dev(), file.ino()));
+    id(first).is_some_and(|first| id(second) == Some(first))
+}
+
+/// Elsewhere files are not told by numbers.
+#[cfg(not(unix))]
+fn is_linked(_: &Path, _: &Path) -> bool {
+    false
 }
