@@ -17,8 +17,8 @@ pub(super) struct DoubleRoot {
 
 /// The characteristic polynomial in x and sigma, by powers of sigma: that is s or, in the square of
 /// the speed, s / v.
-pub(super) struct DoubleRoots<const P: usize> {
-    exact: [[DoubleDouble; P]; 5],
+pub(super) struct DoubleRoots<'a, const P: usize> {
+    p: &'a [[Tracked; P]; 5],
     value: [[f64; P]; 5],
     size: [[f64; P]; 5],
 }
@@ -39,16 +39,16 @@ const fn shape<const P: usize>() -> [(usize, usize); 5] {
     if P == 3 { [(2, 0), (1, 1), (1, 1), (0, 2), (0, 2)] } else { [(4, 0), (3, 0), (2, 0), (1, 0), (0, 0)] }
 }
 
-impl<const P: usize> DoubleRoots<P> {
-    pub(super) fn new<const H: usize, const D: usize>(conditions: &Conditions<P, H, D>) -> Self {
-        let (mut exact, mut value, mut size) = ([[DoubleDouble::ZERO; P]; 5], [[0.0; P]; 5], [[0.0; P]; 5]);
+impl<'a, const P: usize> DoubleRoots<'a, P> {
+    pub(super) fn new<const H: usize, const D: usize>(conditions: &'a Conditions<P, H, D>) -> Self {
+        let p = &conditions.p;
+        let (mut value, mut size) = ([[0.0; P]; 5], [[0.0; P]; 5]);
         for power in 0..5 {
             for i in 0..P {
-                let Tracked { value: number, size: terms } = conditions.p[power][i];
-                (exact[power][i], value[power][i], size[power][i]) = (number, number.to_f64(), terms);
+                (value[power][i], size[power][i]) = (p[power][i].value.to_f64(), p[power][i].size);
             }
         }
-        Self { exact, value, size }
+        Self { p, value, size }
     }
 
     /// The double root in an interval, near x, by Newton's iteration for `p = p_sigma = 0`: in `f64`, then a step in
@@ -89,10 +89,10 @@ impl<const P: usize> DoubleRoots<P> {
     #[inline]
     fn residuals(&self, sigma: f64, x: f64) -> [f64; 2] {
         let mut p = [DoubleDouble::ZERO; 5];
-        for ((p, coefficients), (degree, factors)) in p.iter_mut().zip(&self.exact).zip(const { shape::<P>() }) {
-            *p = coefficient(coefficients, degree, DoubleDouble::ZERO);
+        for ((p, coefficients), (degree, factors)) in p.iter_mut().zip(self.p).zip(const { shape::<P>() }) {
+            *p = coefficient(coefficients, degree, Tracked::ZERO).value;
             for i in (0..degree).rev() {
-                *p = p.times(x).add_roughly(coefficient(coefficients, i, DoubleDouble::ZERO));
+                *p = p.times(x).add_roughly(coefficient(coefficients, i, Tracked::ZERO).value);
             }
             for _ in 0..factors {
                 *p = p.times(x);
