@@ -159,22 +159,27 @@ impl Critical {
 
 /// The determinant of a square of polynomials of second degree: row by row, of each choice of columns the minor of the rows so far.
 fn of_determinant(polynomials: &[[f64; 3]], count: usize) -> Vec<f64> {
-    let mut minors = vec![Vec::new(); 1 << count];
-    minors[0] = vec![1.0];
-    for columns in 1..minors.len() {
-        let row = columns.count_ones() as usize - 1;
-        let mut minor = vec![0.0; 2 * row + 3];
+    let length = 2 * count + 1;
+    let mut minors = vec![0.0; length << count];
+    minors[0] = 1.0;
+    for columns in 1..1 << count {
+        let row = columns_of(columns) - 1;
+        // Each is made of those of fewer columns, which stand before it.
+        let (before, own) = minors.split_at_mut(columns * length);
         for column in (0..count).filter(|column| columns >> column & 1 == 1) {
-            let behind = (columns >> column).count_ones() - 1;
-            let sign = if behind % 2 == 0 { 1.0 } else { -1.0 };
+            let sign = if columns_of(columns >> column) % 2 == 1 { 1.0 } else { -1.0 };
+            let others = &before[(columns & !(1 << column)) * length..][..2 * row + 1];
             for (power, factor) in polynomials[row * count + column].iter().enumerate().filter(|own| *own.1 != 0.0) {
-                let others = &minors[columns & !(1 << column)];
-                others.iter().enumerate().for_each(|(at, own)| minor[at + power] += sign * factor * own);
+                let factor = sign * factor;
+                own[power..].iter_mut().zip(others).for_each(|(sum, other)| *sum += factor * other);
             }
         }
-        minors[columns] = minor;
     }
-    minors.pop().unwrap_or_default()
+    minors.split_off(minors.len() - length)
+}
+
+fn columns_of(columns: usize) -> usize {
+    columns.count_ones() as usize
 }
 
 /// The Hurwitz determinant before the last, which is zero where two roots have the sum 0.

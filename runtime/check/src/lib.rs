@@ -21,7 +21,7 @@ use carvallo_design::Design;
 use carvallo_design::units::Units;
 
 pub use self::given::Given;
-pub use self::report::{Behind, Comparison, Explanation, Group, Part, Report, Suspects, words};
+pub use self::report::{Behind, Comparison, Elsewhere, Explanation, Group, Part, Report, Suspects, words};
 
 use self::explain::{Cause, Explained, Found, Search, Which};
 use self::machine::Machine;
@@ -67,8 +67,10 @@ pub fn check_machine(given: &Given, machine: &Machine) -> Result<Report, String>
     // By which equations wrong accelerations are is a guess: one cause by the others is likelier than several by these, or a force on fewer
     // coordinates.
     let off = |given: &Given| explain::off(machine, &Predictor::new(given, machine));
+    let has_form = |given: &Given| !in_another_form(given, &Predictor::new(given, machine), machine).is_empty();
     let is_likelier = || has_one_cause(&other, machine) || off(&other) < off(given);
-    let [first, last] = match !has_one_cause(given, machine) && is_likelier() {
+    let is_other = || has_form(&other) || !has_one_cause(given, machine) && is_likelier();
+    let [first, last] = match !has_form(given) && is_other() {
         true => [&other, given],
         false => [given, &other],
     };
@@ -115,7 +117,8 @@ fn compare(given: &Given, machine: &Machine) -> Report {
     if !others.is_empty() {
         return Report::new(machine, &own, &own, others, None);
     }
-    let Explained { found, cut, is_short } = explain::explain(given, machine);
+    let Explained { found, cut, is_short } =
+        explain::explain(given, machine, &|| Elsewhere::new(machine, &own, false).is_some());
     let cut = cut.as_ref().map(|own| Predictor::new(own, machine));
     let meant = cut.as_ref().unwrap_or(&own);
     let is_whole = meant.agreeing(&here) == here.len();
@@ -153,7 +156,7 @@ fn check_mended(given: &Given, mended: &Given, told: Vec<String>, machine: &Mach
     let nothing = || Found { causes: Vec::new(), world: machine.world() };
     let Explained { mut found, cut, is_short } = match is_whole(mended) {
         true => Explained { found: vec![nothing()], cut: None, is_short: false },
-        false => explain::explain(mended, machine),
+        false => explain::explain(mended, machine, &|| false),
     };
     if let Some(cut) = &cut {
         let is_cut = is_whole(cut);

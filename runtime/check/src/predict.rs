@@ -199,7 +199,8 @@ impl<'a> Predictor<'a> {
         let entries = self.closed_entries(world);
         let zeros = self.zeros.iter().filter(|own| !own.holds(&entries, world.gravity));
         let criticals = self.criticals.iter().filter(|own| !own.holds(&entries, world.gravity));
-        zeros.map(|own| vec![own.number, own.number + 1]).chain(criticals.map(|own| vec![own.number])).collect()
+        let parts = |own: &Zero| (own.number..=own.number + usize::from(own.has_imaginary)).collect();
+        zeros.map(parts).chain(criticals.map(|own| vec![own.number])).collect()
     }
 
     /// The same as far as this part of the search may still cost.

@@ -3,8 +3,9 @@
 
 use carvallo::{Complex, MatrixName, ModelInfo};
 
-use crate::given::Quantity;
+use crate::given::{Eigenvalues, Quantity, Reading};
 use crate::predict::Predictor;
+use crate::states::states;
 
 /// More than rounding leaves, relative to what is added up.
 pub const ROUNDING: f64 = 1e-12;
@@ -18,8 +19,10 @@ pub type Square = Vec<Complex<f64>>;
 /// An eigenvalue that was given, at its speed.
 #[derive(Clone, Debug)]
 pub struct Zero {
-    /// Which number its real part is; the imaginary one comes next.
+    /// Which number its real part is; the imaginary one comes next, where it is given.
     pub number: usize,
+    /// Whether it is.
+    pub has_imaginary: bool,
     /// Of each matrix whether its factor in the sum is 1, s or s^2, and what it is multiplied by besides.
     parts: Vec<(MatrixName, usize, f64)>,
     /// The eigenvalue, and what is as far away on either side as may be.
@@ -31,11 +34,16 @@ pub struct Zero {
 pub fn zeros(predictor: &Predictor, info: &ModelInfo, matrices: &[MatrixName]) -> Vec<Zero> {
     let (numbers, tolerances) = (predictor.numbers(), predictor.tolerances());
     let mut zeros = Vec::new();
-    for (at, pair) in numbers.windows(2).enumerate() {
-        let [(Quantity::RealPart(set, _), re), (Quantity::ImaginaryPart(..), im)] = pair else { continue };
-        let eigenvalue = Complex::new(re.value, im.value);
-        let tolerance = tolerances[at].hypot(tolerances[at + 1]);
-        let speed = predictor.given().eigenvalues[*set].speed;
+    for (at, (quantity, re)) in numbers.iter().enumerate() {
+        let Quantity::RealPart(set, index) = *quantity else { continue };
+        let Eigenvalues { speed, values } = &predictor.given().eigenvalues[set];
+        let (im, tolerance) = match &values[index].1 {
+            Some(im) => (im.value, tolerances[at].hypot(tolerances[at + 1])),
+            None if is_real(values, index, states(info).len()) => (0.0, tolerances[at]),
+            None => continue,
+        };
+        let has_imaginary = values[index].1.is_some();
+        let (eigenvalue, speed) = (Complex::new(re.value, im), *speed);
         let part = |&matrix: &MatrixName| match matrix {
             MatrixName::M => (matrix, 2, 1.0),
             MatrixName::Cm1 => (matrix, 1, 1.0 / speed),
@@ -49,14 +57,28 @@ pub fn zeros(predictor: &Predictor, info: &ModelInfo, matrices: &[MatrixName]) -
         let parts: Vec<_> = matrices.iter().map(part).collect();
         let points = [0.0, tolerance, -tolerance].map(|away| eigenvalue + away);
         let is_finite = parts.iter().all(|(.., factor)| factor.is_finite()) && eigenvalue.is_finite();
-        if is_finite && im.value >= 0.0 && tolerance <= LARGEST * eigenvalue.norm() {
-            zeros.push(Zero { number: at, parts, points, count: info.coordinates.len() });
+        if is_finite && im >= 0.0 && tolerance <= LARGEST * eigenvalue.norm() {
+            zeros.push(Zero { number: at, has_imaginary, parts, points, count: info.coordinates.len() });
         }
     }
     zeros
 }
 
+/// Whether an eigenvalue is real of which the real part alone is known: that of a pair is there twice, where all are given.
+fn is_real(values: &[(Reading, Option<Reading>)], index: usize, count: usize) -> bool {
+    let (own, _) = &values[index];
+    let is_other = |(at, (other, _)): (usize, &(Reading, Option<Reading>))| {
+        at == index || (other.value - own.value).abs() > 2.0 * (other.tolerance + own.tolerance)
+    };
+    values.len() == count && values.iter().enumerate().all(is_other)
+}
+
 impl Zero {
+    /// Whether the eigenvalue is real.
+    pub fn is_real(&self) -> bool {
+        self.points[0].im == 0.0
+    }
+
     /// Whether these entries of the closed loop may have it: those that have do.
     pub fn holds(&self, entries: &[f64], gravity: f64) -> bool {
         let [off, allowed] = self.off(&self.matrices(entries, gravity));

@@ -41,18 +41,14 @@ fn a_law_that_was_not_declared_is_told_of_accelerations() {
 fn a_force_that_was_not_declared_is_told() {
     let one = accelerations("linear", [0.1, 0.02, 0.5, -0.3], 1.5);
     let two = [one.clone(), accelerations("linear", [-0.05, 0.04, 0.2, 0.1], 1.5)].join(", ");
+    let told = |all: &str| causes(&checked(&format!("speed = {SPEED}\naccelerations = [{all}]")));
     for all in [&one, &two] {
-        let found = causes(&checked(&format!("speed = {SPEED}\naccelerations = [{all}]")));
-        assert_eq!(found, ["there is a force on delta that is not declared, forces = { delta = 1.5 }"]);
-        let declared = all.replace("values", "forces = { delta = 1.5 }, values");
-        assert!(checked(&format!("speed = {SPEED}\naccelerations = [{declared}]")).agrees);
-        let other = all.replace("values", "forces = { delta = 0.7 }, values");
-        let found = causes(&checked(&format!("speed = {SPEED}\naccelerations = [{other}]")));
-        assert_eq!(found, ["the force on delta is 1.5 in the place of 0.7"]);
-        let sign = all.replace("values", "forces = { delta = -1.5 }, values");
-        let found = causes(&checked(&format!("speed = {SPEED}\naccelerations = [{sign}]")));
-        assert!(found.contains(&"the force on delta has the other sign".to_owned()), "{found:?}");
+        assert_eq!(told(all), ["there is a force on delta that is not declared, forces = { delta = 1.5 }"]);
     }
+    let with = |force: &str| one.replace("values", &format!("forces = {{ delta = {force} }}, values"));
+    assert!(checked(&format!("speed = {SPEED}\naccelerations = [{}]", with("1.5"))).agrees);
+    assert_eq!(told(&with("0.7")), ["the force on delta is 1.5 in the place of 0.7"]);
+    assert!(told(&with("-1.5")).contains(&"the force on delta has the other sign".to_owned()));
     // A torque of more digits than anybody means is told beside what differs, and nothing is made up.
     let report = checked(&format!(
         "speed = {SPEED}\naccelerations = [{}]",
@@ -74,13 +70,13 @@ fn published(speed: &str, forces: &str) -> String {
     )
 }
 
-/// Nothing is said of the equations, and by neither of them these are the accelerations with a force or at a speed in km/h.
+/// Nothing is said of the equations, and by neither of them these are the accelerations with a force; and those at a speed in km/h.
 #[test]
 fn the_equations_are_those_by_which_fewer_forces_are_missing() {
     let report = checked(&published("\"8.9129896614890*0.3\"", "forces = { delta = 2 },"));
     assert_eq!(causes(&report), ["the force on delta is left out"], "{report}");
     assert!(report.numbers.iter().all(|own| own.name.ends_with("by the nonlinear equations")), "{report}");
-    let report = checked(&published("\"8.9129896614890*0.3*3.6\"", ""));
+    let report = checked(&published("\"8.9129896614890*0.3*3.6\"", "equations = \"nonlinear\","));
     assert_eq!(causes(&report), ["speeds are in km/h in the place of m/s"], "{report}");
 }
 

@@ -117,6 +117,48 @@ fn another_bicycle_that_ships_is_told() {
     assert_eq!(causes(&checked(text)), ["they are of `browser`, another machine that ships"]);
 }
 
+/// Beside the printed matrices, and beside the published critical speeds, eigenvalues with a mistake: by C1 in the place of v C1, and by
+/// the formulas with c/w*sin(lam) in mu, both by NumPy.
+#[test]
+fn what_agrees_may_be_of_elsewhere() {
+    let told = |text: &str| checked(text).unexplained.and_then(|own| own.elsewhere).expect(text);
+    let matrices = format!("M = {M:?}\nC1 = {C1:?}\nK0 = {K0:?}\nK2 = {K2:?}");
+    let found =
+        told(&format!("{matrices}\nspeed = 5\neigenvalues = [\"0.9973291 ± 3.634898i\", -2.204168, -2.980878]"));
+    assert_eq!(found.agreeing, ["matrices of the equations of motion"]);
+    assert_eq!(found.causes, ["C1 stands in the place of v*C1"]);
+    let found = told(
+        "speed = 5\neigenvalues = [-10.0945, \"-1.07783 ± 6.69771i\", 0.318376]\n\
+         critical_speeds = { weave = 4.2924, capsize = 6.0243 }",
+    );
+    assert_eq!(found.agreeing, ["critical speeds"]);
+    assert_eq!(found.causes, ["\"(c/w)*cos(lam)\" in mu is \"(c/w)*sin(lam)\""]);
+}
+
+/// The second one has C1_21 with the other sign.
+#[test]
+fn the_slip_in_one_of_two_matrices_of_one_speed_is_told() {
+    let [right, slip] = [1.0, -1.0].map(|sign| numbers(SPEED, |_, c, _| c[1][0] *= sign));
+    let rows = |own: StateMatrix| format!("{{ speed = {SPEED}, rows = {} }}", written(own, &|own| format!("{own:.5}")));
+    let report = checked(&format!("A = [{}, {}]", rows(right), rows(slip)));
+    let found = report.unexplained.as_ref().and_then(|own| own.elsewhere.clone()).expect("an explanation");
+    assert_eq!(
+        (&found.agreeing[..], &found.causes[0][..]),
+        (&["A no. 1 at 5 m/s".to_owned()][..], "C1_21 has the other sign")
+    );
+    let line =
+        "What is given as A no. 1 at 5 m/s agrees. All others come out as yours, and that does not, if\n    C1_21 has";
+    assert!(report.to_string().contains(line), "{report}");
+}
+
+/// All eigenvalues are real, which nothing says but that no two are equal: by NumPy from the formulas with - mF*w*rF in ITxz and -IFyy/rF in
+/// SF.
+#[test]
+fn two_slips_are_told_from_real_eigenvalues() {
+    let found = causes(&checked("speed = 5\neigenvalues = [-18.97821, -5.296089, 0.9244455, 5.515759]"));
+    assert!(found[0].contains("\"- mF*w*rF\"") && found[0].contains("\"-IFyy/rF\""), "{found:?}");
+}
+
 /// M_11 is 5 % too large, and C_12 and K_21 are wrong as well: nobody has all of these.
 #[test]
 fn what_is_wrong_beside_it_is_told_of_the_matrix_as_it_should_have_been() {

@@ -42,6 +42,9 @@ pub use self::written::written;
 const PLAIN: usize = 5;
 /// So many digits fewer than the numbers have gains that were meant.
 const SPARE: usize = 2;
+/// And those of which no two causes need be tried, that many at most, and so many fewer.
+const SURE: usize = 3;
+const SURELY_SPARE: usize = 4;
 /// So many numbers may have been written wrongly, all of them.
 const WRITTEN: usize = 2;
 
@@ -56,8 +59,14 @@ pub struct Found<'a> {
 
 impl Found<'_> {
     /// A value with many digits fits some number or other: it explains nothing where something else does.
-    fn is_plain(&self) -> bool {
+    pub fn is_plain(&self) -> bool {
         !matches!(self.causes[..], [Cause::Parameter(_, value)] if digits(value) > PLAIN)
+    }
+
+    /// Whether it is a feedback with gains of so few digits that no other cause makes the same numbers.
+    fn has_sure_gains(&self, predictor: &Predictor) -> bool {
+        let is_sure = |own: &Undeclared| own.digits <= SURE && own.digits + SURELY_SPARE <= known_digits(predictor);
+        matches!(&self.causes[..], [Cause::Feedback(own)] if is_sure(own))
     }
 
     /// How unlikely it is.
@@ -147,6 +156,12 @@ impl<'a, 'b> Search<'a, 'b> {
         Self { machine, here, rounded, any, singles, conventions, pairs, slips, values }
     }
 
+    /// The same of the numbers as rounded, for most of which that is quicker; what is found already is among what may be it.
+    pub fn of_rounded(&self) -> Search<'a, 'b> {
+        let own = Self::new(self.machine, self.rounded, self.rounded);
+        Self { singles: self.singles.clone(), ..own }
+    }
+
     /// Whether a slip or a convention alone reproduces all numbers, read in one way.
     pub fn has_one_cause(&self, predictor: &Predictor) -> bool {
         self.singles().iter().any(|found| predictor.fits(&found.world))
@@ -197,6 +212,17 @@ impl<'a, 'b> Search<'a, 'b> {
         if found.is_empty() {
             found = self.written(predictor, 1);
         }
+        let all_closed = OnceCell::new();
+        let closed = || {
+            all_closed.get_or_init(|| {
+                let closed = undeclared(self.machine, predictor).or_else(|| of_eigenvalues(self.machine, predictor));
+                self.closed(predictor, closed)
+            })
+        };
+        // Gains of so few digits are no chance, and cost less than two causes.
+        if found.is_empty() {
+            found.extend(closed().clone().filter(|own| own.has_sure_gains(predictor)));
+        }
         if found.is_empty() {
             found = self.fitting(self.pairs(), predictor);
             found.extend(self.fitting(self.slips(), predictor));
@@ -213,8 +239,7 @@ impl<'a, 'b> Search<'a, 'b> {
             found = self.written(predictor, WRITTEN);
         }
         if found.is_empty() {
-            let closed = undeclared(self.machine, predictor).or_else(|| of_eigenvalues(self.machine, predictor));
-            found.extend(self.closed(predictor, closed));
+            found.extend(closed().clone());
         }
         found
     }
@@ -338,8 +363,12 @@ impl<'a, 'b> Search<'a, 'b> {
 /// So many digits gains and forces have at most that were meant: some or other make any mistakes in one equation; by few digits, short
 /// ones do.
 fn most_digits(predictor: &Predictor) -> usize {
-    let known = predictor.numbers().iter().map(|(_, reading)| reading.digits).max().unwrap_or_default();
-    PLAIN.min(known.saturating_sub(SPARE))
+    PLAIN.min(known_digits(predictor).saturating_sub(SPARE))
+}
+
+/// The digits of the number that has the most.
+fn known_digits(predictor: &Predictor) -> usize {
+    predictor.numbers().iter().map(|(_, reading)| reading.digits).max().unwrap_or_default()
 }
 
 /// How all numbers that do not agree, some but so many at most, were written wrongly.

@@ -20,8 +20,8 @@ pub struct Explained<'a> {
     pub is_short: bool,
 }
 
-/// Searches for what makes numbers that do not agree.
-pub fn explain<'a>(given: &Given, machine: &'a Machine) -> Explained<'a> {
+/// Searches for what makes numbers that do not agree; of those that `are_of_elsewhere` in part one cause alone is searched for.
+pub fn explain<'a>(given: &Given, machine: &'a Machine, are_of_elsewhere: &dyn Fn() -> bool) -> Explained<'a> {
     let rounded = Predictor::new(given, machine);
     let here = rounded.predict(&machine.world());
     // Numbers that may have been cut off: some of them, by hand, or all.
@@ -62,8 +62,11 @@ pub fn explain<'a>(given: &Given, machine: &'a Machine) -> Explained<'a> {
         (Some(_), None) => return explained(one, None),
         (None, None) => {}
     }
+    if shown == 0 && are_of_elsewhere() {
+        return explained(Vec::new(), None);
+    }
     if shown == 0 {
-        return explained(Search::new(machine, &rounded, &rounded).explain(&rounded), None);
+        return explained(search.of_rounded().explain(&rounded), None);
     }
     // It is likelier that all or some are cut off than that there are two causes, or a definition of another value.
     for (cut, own) in [(&of_all, &all), (&of_some, &some)] {

@@ -3,14 +3,20 @@
 use carvallo_design::number::shortest;
 
 use crate::predict::{Predictor, World};
+use crate::zero::Zero;
 
 /// Where the search starts, as factors of the value.
 const STARTS: [f64; 6] = [1.001, -1.0, 2.0, 0.1, 10.0, 0.0];
 const STEPS: usize = 30;
 
 /// The value of an unknown that is `value` here with which everything fits, with the fewest digits that do; `world` makes the
-/// matrices of it.
-pub fn solve(predictor: &Predictor, value: f64, world: &dyn Fn(f64) -> Option<World>) -> Option<f64> {
+/// matrices of it. By determinants that costs less than by eigenvalues.
+pub fn solve(
+    predictor: &Predictor,
+    value: f64,
+    world: &dyn Fn(f64) -> Option<World>,
+    is_by_determinants: bool,
+) -> Option<f64> {
     if !predictor.has_left() {
         return None;
     }
@@ -23,12 +29,18 @@ pub fn solve(predictor: &Predictor, value: f64, world: &dyn Fn(f64) -> Option<Wo
         None if Told::is_by_criticals(predictor, &world(value)?) => {
             Told::of_criticals(predictor, &world(value)?, &world(near)?)?
         }
-        None => Told::of_numbers(predictor, &predict(value)?, &predict(near)?)?,
+        None => {
+            let of_zeros = || Told::of_zeros(predictor, &world(value)?, &world(near)?);
+            let told = if is_by_determinants { of_zeros() } else { None };
+            let of_numbers = || Told::of_numbers(predictor, &predict(value)?, &predict(near)?);
+            told.or_else(of_numbers)?
+        }
     };
+    let is_filtered = predictor.is_costly() || matches!(told, Told::Zero(_));
     let is_tried = || !predictor.is_costly() || predictor.spends(1);
     let world_if_tried = |x: f64| if is_tried() { world(x) } else { None };
     let difference = |x: f64| world_if_tried(x).map_or(f64::NAN, |world| told.difference(predictor, &world));
-    let may_fit = |x: f64| !predictor.is_costly() || world_if_tried(x).is_some_and(|world| predictor.may_fit(&world));
+    let may_fit = |x: f64| !is_filtered || world_if_tried(x).is_some_and(|world| predictor.may_fit(&world));
     let fits = |x: f64| world(x).is_some_and(|world| predictor.fits_if_tried(&world));
     let mut tried: Vec<f64> = Vec::new();
     for start in STARTS {
@@ -60,6 +72,8 @@ enum Told {
     Relation(usize),
     /// What is zero at a critical speed that is given, which costs little.
     Critical(usize),
+    /// The determinant that is zero at a real eigenvalue that is given, which costs little.
+    Zero(usize),
     /// A number.
     Number(usize),
 }
@@ -113,6 +127,20 @@ impl Told {
         told
     }
 
+    /// The determinant of what is wrong that changes by most of what it may be off; `None` where no real eigenvalue is wrong.
+    fn of_zeros(predictor: &Predictor, here: &World, near: &World) -> Option<Self> {
+        let entries = [here, near].map(|world| predictor.closed_entries(world));
+        let effect = |(at, zero): (usize, &Zero)| {
+            let matrices = zero.matrices(&entries[0], here.gravity);
+            let [off, allowed] = zero.off(&matrices);
+            let change = zero.determinant(&entries[1], near.gravity) - zero.determinant(&entries[0], here.gravity);
+            (zero.is_real() && off > allowed).then(|| (at, change.norm() / allowed))
+        };
+        let all = predictor.zeros().iter().enumerate().filter_map(effect);
+        let (at, effect) = all.max_by(|a, b| a.1.total_cmp(&b.1))?;
+        (effect > 0.0).then_some(Self::Zero(at))
+    }
+
     fn of_numbers(predictor: &Predictor, here: &[f64], near: &[f64]) -> Option<Self> {
         let effect = |at: usize| (near[at] - here[at]).abs() / predictor.tolerances()[at].max(f64::MIN_POSITIVE);
         let wrong: Vec<usize> = (0..here.len()).filter(|&at| !predictor.agrees(at, here[at])).collect();
@@ -133,6 +161,7 @@ impl Told {
                 let off = predictor.criticals()[at].off(&predictor.closed_entries(world), world.gravity);
                 off.unwrap_or(f64::NAN)
             }
+            Self::Zero(at) => predictor.zeros()[at].determinant(&predictor.closed_entries(world), world.gravity).re,
             Self::Number(at) => predictor.number(at, world) - predictor.numbers()[at].1.value,
         }
     }

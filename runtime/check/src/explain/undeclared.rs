@@ -74,7 +74,7 @@ pub fn of_eigenvalues(machine: &Machine, predictor: &Predictor) -> Option<Undecl
                     }
                     Some(own)
                 };
-                let value = by_eigenvalue(predictor, &world).unwrap_or_else(|| value(predictor, 0.0, &world));
+                let value = by_eigenvalue(predictor, &world).unwrap_or_else(|| value(predictor, 0.0, &world, false));
                 let value = value.filter(|value| *value != 0.0);
                 let gain = value.map(|value| Gain { matrix, input, column, value });
                 found.extend(gain.and_then(|gain| Undeclared::new(machine, predictor, &[gain])));

@@ -43,7 +43,9 @@ impl<'a> Unknown<'a> {
             }
             Self::Definition(_) | Self::Speed => true,
         };
-        solve(predictor, old, &|x| self.world(machine, x)).filter(can_be)
+        // Of what is searched for where nothing else was found there is much.
+        let is_by_determinants = matches!(self, Self::Parameter(Some(_), _) | Self::Definition(_));
+        solve(predictor, old, &|x| self.world(machine, x), is_by_determinants).filter(can_be)
     }
 
     /// What explains the numbers with this value.

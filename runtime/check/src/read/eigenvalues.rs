@@ -4,7 +4,7 @@ use carvallo_design::Problem;
 use carvallo_design::input::{Named, Node, Value};
 
 use super::numbers::{of_text, problem, reading};
-use crate::given::Reading;
+use crate::given::{Reading, level};
 
 type Parts = (Reading, Option<Reading>);
 
@@ -60,8 +60,9 @@ fn value(node: &Node) -> Result<Vec<Parts>, Problem> {
 }
 
 fn parts_of(re: &Node, im: &Node) -> Result<Vec<Parts>, Problem> {
-    let re = reading(re, "the real part of an eigenvalue")?;
-    let im = reading(im, "the imaginary part of an eigenvalue")?;
+    let mut re = reading(re, "the real part of an eigenvalue")?;
+    let mut im = reading(im, "the imaginary part of an eigenvalue")?;
+    level(re.iter_mut().chain(&mut im));
     Ok(re.map(|re| (re, im)).into_iter().collect())
 }
 
@@ -102,28 +103,41 @@ fn complex(text: &str) -> Option<Vec<Parts>> {
 
 #[cfg(test)]
 mod tests {
-    use super::complex;
+    use carvallo_design::Place;
+    use carvallo_design::input::{Node, Value};
+
+    use super::{complex, values};
+
+    /// A zero has the decimals of the other part.
+    #[test]
+    fn an_imaginary_part_that_is_zero_is_known_as_well_as_the_real_one() {
+        let place = Place::File("mine.toml".to_owned());
+        let node = |value: Value| Node { place: place.clone(), value };
+        let parts = ["-18.97821", "0"].map(|text| node(Value::Number(text.to_owned())));
+        let found = values(&node(Value::List(vec![node(Value::List(parts.into()))]))).expect("one value");
+        assert_eq!(found[0].1.as_ref().map(|im| im.tolerance), Some(0.000_005));
+    }
 
     #[test]
     fn complex_numbers_are_read_as_people_write_them() {
-        let values = |text: &str| {
+        let parts_of = |text: &str| {
             let parts = complex(text)?;
             Some(parts.into_iter().map(|(re, im)| (re.value, im.map(|im| im.value))).collect::<Vec<_>>())
         };
         let one = |re: f64, im: f64| Some(vec![(re, Some(im))]);
         for text in ["-0.775+4.465i", "(-0.775 + 4.465j)", "-0.775 + 4.465*i", "-7.75e-1+4.465e+0j", "−0.775+4.465i"]
         {
-            assert_eq!(values(text), one(-0.775, 4.465), "{text}");
+            assert_eq!(parts_of(text), one(-0.775, 4.465), "{text}");
         }
         let pair = Some(vec![(-0.775, Some(4.465)), (-0.775, Some(-4.465))]);
         for text in ["-0.775 ± 4.465i", "-0.775 +/- 4.465 j", "-0.775+-4.465i"] {
-            assert_eq!(values(text), pair, "{text}");
+            assert_eq!(parts_of(text), pair, "{text}");
         }
-        assert_eq!(values("-14.1"), Some(vec![(-14.1, None)]));
-        assert_eq!(values("-4.3i"), one(0.0, -4.3));
-        assert_eq!(values("2 - i"), one(2.0, -1.0));
+        assert_eq!(parts_of("-14.1"), Some(vec![(-14.1, None)]));
+        assert_eq!(parts_of("-4.3i"), one(0.0, -4.3));
+        assert_eq!(parts_of("2 - i"), one(2.0, -1.0));
         for text in ["weave", "1 + 2k", "1 ± 2", "i + 1 + x"] {
-            assert_eq!(values(text), None, "{text}");
+            assert_eq!(parts_of(text), None, "{text}");
         }
     }
 }

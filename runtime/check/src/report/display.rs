@@ -1,18 +1,18 @@
 //! A report for people.
 
-use std::fmt;
+use std::fmt::{self, Display};
 
 use carvallo_design::number::{shortest, unit};
 
 use super::words::may_be_closed;
-use super::{Behind, Comparison, Group, Part, Report, Suspects};
+use super::{Behind, Comparison, Elsewhere, Group, Part, Report, Suspects};
 
 /// So many numbers are shown at most unless they are wrong, and so many explanations of a group, and groups.
 const NUMBERS: usize = 48;
 const EXPLANATIONS: usize = 6;
 const GROUPS: usize = 6;
 
-impl fmt::Display for Report {
+impl Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { machine, model, numbers, .. } = self;
         writeln!(f, "Held against {machine}, by the equations of {model}\n")?;
@@ -64,7 +64,7 @@ impl fmt::Display for Report {
             )?;
         }
         match &self.unexplained {
-            Some(suspects) => suspects.fmt(f)?,
+            Some(suspects) => suspects.fmt(self.stopped_short, f)?,
             None => explanations(&self.explanations, numbers.len(), f)?,
         }
         if self.stopped_short {
@@ -146,17 +146,34 @@ fn explanations(groups: &[Group], count: usize, f: &mut fmt::Formatter<'_>) -> f
     }
 }
 
-impl fmt::Display for Suspects {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { contradictions, beside, wrong, has_few_digits, formulas, parts, behind, equations, feedback } = self;
+impl Suspects {
+    fn fmt(&self, is_short: bool, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            contradictions,
+            beside,
+            wrong,
+            has_few_digits,
+            formulas,
+            parts,
+            elsewhere,
+            behind,
+            equations,
+            feedback,
+        } = self;
         let is_closed = feedback.as_ref().is_some_and(|own| !own.laws.is_empty());
         let what = match (self.are_explained_one_by_one(), is_closed) {
             (true, _) => {
                 "There are several mistakes: nothing that was tried explains all numbers at once, but each by itself is."
             }
+            _ if elsewhere.is_some() => {
+                "No machine that was tried has all of these numbers, but one has all of those that do not agree."
+            }
             (_, true) => "No slip and no convention explains all numbers, but a feedback that is not declared does.",
             _ if *has_few_digits => {
                 "No single slip and no convention explains all numbers. They have too few digits to tell of two together, which were not tried."
+            }
+            _ if is_short => {
+                "Nothing that was tried explains all numbers: no single slip, no convention and none of the pairs of them that were tried."
             }
             _ => {
                 "Nothing that was tried explains all numbers: no single slip, no convention and no two of them together."
@@ -182,6 +199,7 @@ impl fmt::Display for Suspects {
             writeln!(f, "  By itself, without a change of what agrees,")?;
             parts.iter().try_for_each(|part| part.fmt(f))?;
         }
+        elsewhere.iter().try_for_each(|own| own.fmt(f))?;
         behind.iter().try_for_each(|behind| behind.fmt(f))?;
         if !equations.is_empty() {
             writeln!(f, "  Of the equations of motion are off")?;
@@ -191,7 +209,7 @@ impl fmt::Display for Suspects {
     }
 }
 
-impl fmt::Display for Part {
+impl Display for Part {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { numbers, causes } = self;
         let come = if numbers.len() == 1 { "comes" } else { "come" };
@@ -199,7 +217,16 @@ impl fmt::Display for Part {
     }
 }
 
-impl fmt::Display for Behind {
+impl Display for Elsewhere {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { agreeing, causes } = self;
+        let agreeing = agreeing.join(" and as ");
+        writeln!(f, "  What is given as {agreeing} agrees. All others come out as yours, and that does not, if")?;
+        writeln!(f, "    {}", causes.join("\n    or "))
+    }
+}
+
+impl Display for Behind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { wrong, count, parts } = self;
         writeln!(f, "  Behind A = [0, 1; -M^-1 K, -M^-1 C] stand, with M as it is here,")?;

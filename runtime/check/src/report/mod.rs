@@ -1,6 +1,7 @@
 //! What comes of a check.
 
 mod display;
+mod elsewhere;
 mod groups;
 mod suspects;
 mod words;
@@ -10,6 +11,7 @@ use carvallo_design::DisplayUnit;
 use carvallo_design::number::shortest;
 use serde::Serialize;
 
+pub use self::elsewhere::Elsewhere;
 pub(crate) use self::groups::rank;
 pub use self::suspects::{Behind, Part, Suspects};
 pub use self::words::words;

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::elsewhere::Elsewhere;
 use super::words::words;
 use crate::behind;
 use crate::explain::{Cause, Missing, Undeclared, missing, of_accelerations, undeclared, written};
@@ -27,6 +28,8 @@ pub struct Suspects {
     /// What explains some of the wrong numbers and leaves all right ones as they are: several mistakes may stand side by
     /// side.
     pub parts: Vec<Part>,
+    /// What agrees and may be of somewhere else, with what explains all others, where anything does.
+    pub elsewhere: Option<Elsewhere>,
     /// Where entries of state matrices are wrong: those of the damping and stiffness that they come from.
     pub behind: Option<Behind>,
     /// In which equations of motion accelerations are off, and by which forces.
@@ -80,8 +83,10 @@ impl Suspects {
         let feedback = undeclared(machine, predictor).or_else(|| of_accelerations(machine, predictor));
         let equations = equations(machine, predictor);
         let contradictions = contradictions(predictor.given(), machine.info);
+        let elsewhere = Elsewhere::new(machine, predictor, !contradictions.is_empty());
         let (beside, has_few_digits) = (beside.to_vec(), predictor.has_few_digits());
-        Self { contradictions, beside, wrong: names, has_few_digits, formulas, parts, behind, equations, feedback }
+        let wrong = names;
+        Self { contradictions, beside, wrong, has_few_digits, formulas, parts, elsewhere, behind, equations, feedback }
     }
 }
 
@@ -172,6 +177,10 @@ fn parts(
     here: &[f64],
     name: &dyn Fn(usize) -> String,
 ) -> Vec<Part> {
+    // What makes one number alone was searched for.
+    if here.len() == 1 {
+        return Vec::new();
+    }
     let mut left = wrong.clone();
     let mut candidates: Vec<(Vec<usize>, u32, Cause)> = Vec::new();
     machine.singles(&mut |cause, world| {
