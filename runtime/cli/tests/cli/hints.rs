@@ -313,3 +313,76 @@ fn what_was_meant_is_said() {
         directory.run(arguments).fails(2, &format!("error: {message}\n"));
     }
 }
+
+/// A slip in the name of a parameter that a file must have, in each kind of file, is told with the name that was meant.
+#[test]
+fn typos_in_files_of_every_kind_have_a_hint() {
+    let directory = Directory::of_this_test();
+    // The arguments that print a file, its ending, a name in it, and what reads it again.
+    let convert = |to: &'static str| ["convert", "benchmark", "--to", to];
+    let paper = |form: &'static str| [&convert("paper")[..], &["--format", form]].concat();
+    for (print, ending, name, read) in [
+        (convert("paper").to_vec(), "toml", "lam", "analyze"),
+        (paper("json"), "json", "lam", "analyze"),
+        (paper("yaml"), "yaml", "lam", "analyze"),
+        (paper("csv"), "csv", "lam", "analyze"),
+        (paper("python"), "py", "lam", "analyze"),
+        (paper("matlab"), "m", "lam", "analyze"),
+        (paper("text"), "txt", "lam", "analyze"),
+        (convert("geometry").to_vec(), "toml", "wheelbase", "analyze"),
+        (convert("moore").to_vec(), "toml", "d1", "analyze"),
+        (convert("pydy").to_vec(), "toml", "htangle", "analyze"),
+        (convert("principal").to_vec(), "toml", "kPyy", "analyze"),
+        (convert("gyrostats").to_vec(), "toml", "lr", "analyze"),
+        (convert("libbicycle").to_vec(), "toml", "ls", "analyze"),
+        (convert("jbike6").to_vec(), "m", "wheelbase", "analyze"),
+        (vec!["measure", "--example"], "toml", "TtB1", "measure"),
+        (vec!["rider", "--example"], "toml", "mass", "rider"),
+        (vec!["show", "benchmark"], "toml", "model", "analyze"),
+    ] {
+        let written = directory.run(&print).stdout;
+        let (start, end) = match ending {
+            "json" => ("\"", "\":"),
+            "yaml" => ("\n  ", ":"),
+            _ => ("\n", ""),
+        };
+        let typo = format!("{name}{}", name.chars().next_back().unwrap());
+        let [right, wrong] = [name, typo.as_str()].map(|name| format!("{start}{name}{end}"));
+        assert!(written.contains(&right), "{print:?}: {written}");
+        let file = format!("typo.{ending}");
+        directory.write(&file, written.replacen(&right, &wrong, 1));
+        let run = directory.run(&[read, &file]);
+        let is_told = run
+            .stderr
+            .lines()
+            .any(|line| line.contains(&format!("`{typo}`")) && line.contains(&format!("did you mean `{name}`")));
+        assert!(run.code == Some(2) && is_told, "{print:?}: {}", run.stderr);
+    }
+    directory.write("group.toml", crate::BENCHMARK.replace("[parameters]", "[parameter]"));
+    let run = directory.run(&["analyze", "group.toml"]);
+    assert!(run.code == Some(2) && run.stderr.contains("did you mean `parameters`, a group?"), "{}", run.stderr);
+}
+
+/// What a command writes as JSON of one design is a file of its parameters; `units` that are no result's are refused.
+#[test]
+fn results_are_read_as_files_of_parameters() {
+    let directory = Directory::of_this_test();
+    for command in [
+        "simulate --speed 5 --duration 0.01 --units mm,km/h,lbf,lbf*ft --feedback Tdelta=-phi_rate",
+        "turns --steer 0.1 --units mm",
+        "statespace --speed 5 --units deg,km/h",
+        "lqr --inputs Tdelta --speeds 5,6",
+        "transfer --speed 5 --inputs Tdelta --outputs phi",
+        "respond --speed 5 --step --inputs Tdelta --outputs phi --duration 0.1",
+        "controllability --units km/h",
+        "analyze --along mB=60:100 --speed 5",
+    ] {
+        let arguments: Vec<&str> = command.split(' ').chain(["--set", "w=1.1", "--format", "json"]).collect();
+        directory.write("result.json", directory.run(&arguments).stdout);
+        let run = directory.run(&["show", "result.json"]);
+        assert!(run.code == Some(0) && run.stdout.contains("\nw = 1.1 "), "{command}: {}", run.stderr);
+    }
+    directory.write("mm.toml", crate::BENCHMARK.replace("[parameters]", "units = \"mm\"\n[parameters]"));
+    let run = directory.run(&["analyze", "mm.toml"]);
+    assert!(run.code == Some(2) && run.stderr.contains("`units` stands outside of [parameters]"), "{}", run.stderr);
+}

@@ -91,7 +91,7 @@ pub fn read(
     let called = called.map(|(name, entry)| (name, entry.called().to_owned()));
     let called = called.collect();
     let scope = Scope::new(own.iter().chain(&others), HashMap::new(), crate::model::WHIPPLE.info);
-    let source = Source { convention, label, own: &own, settings: &mine, scope: &scope };
+    let source = Source { convention, label, own: &own, others: &others, settings: &mine, scope: &scope };
     let result = source.translate(info, document);
     let Some(Paper { entries: paper, given, written, assumed, covariance }) =
         result.filter(|_| document.problems.len() == problems)

@@ -14,6 +14,7 @@ use super::twice::is_alias;
 use crate::design::Given;
 use crate::failure::{Place, Problem};
 use crate::input::{Document, Entry, Names, Scope, Value, Written, given_twice, resolve_correlations, validate};
+use crate::nearest::nearest;
 use crate::number::{shortest, with_unit};
 
 /// The parameters of the paper that follow from those of a convention.
@@ -38,6 +39,8 @@ pub struct Source<'a> {
     pub label: &'a str,
     /// The entries that belong to the convention.
     pub own: &'a [Entry],
+    /// Those that do not.
+    pub others: &'a [Entry],
     /// Those of the command line that replace some of them.
     pub settings: &'a [Entry],
     /// What values may refer to.
@@ -61,6 +64,7 @@ impl Source<'_> {
             .collect();
         let file = || Place::File(label.to_owned());
         if !missing.is_empty() && document.problems.is_empty() {
+            self.check_names(&is_given, info, document);
             let message = format!("missing: {}, of {}", missing.join(", "), convention.title);
             document.problem(file(), message);
         }
@@ -93,6 +97,20 @@ impl Source<'_> {
             assumed,
             covariance: carried.covariance(info.parameters.iter().map(|parameter| parameter.name)),
         })
+    }
+
+    /// Names that nobody has, and that are probably some which are missing.
+    fn check_names(&self, is_given: &dyn Fn(&str) -> bool, info: &ModelInfo, document: &mut Document) {
+        let needed = self.convention.needed();
+        let missing = || needed.iter().filter(|group| !group.iter().any(|name| is_given(name))).flatten().copied();
+        let is_used = |entry: &&Entry| info.position(&entry.name).is_some() || self.scope.is_used(entry);
+        for entry in self.others.iter().filter(|entry| !is_used(entry)) {
+            if let Some(meant) = nearest(&entry.name, missing()) {
+                let (name, title) = (&entry.name, self.convention.title);
+                document
+                    .problem(entry.place.clone(), format!("`{name}` is not known in {title}; did you mean `{meant}`?"));
+            }
+        }
     }
 
     /// How the parameters of the file vary together.

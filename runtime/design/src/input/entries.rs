@@ -158,7 +158,10 @@ pub fn given_twice(name: &str, first: &str, place: &dyn Display) -> String {
 pub fn unknown(entry: &Entry, info: &ModelInfo, hint: Option<&str>) -> Problem {
     let hint = hint.map(|name| format!("; did you mean `{name}`?"));
     #[cfg(feature = "full")]
-    let hint = hint.or_else(|| crate::conventions::hint(&entry.name, info));
+    let hint = hint.or_else(|| crate::conventions::hint(&entry.name, info)).or_else(|| {
+        let meant = crate::nearest(&entry.name, ["parameters", "matrices"])?;
+        Some(format!("; did you mean `{meant}`, a group?"))
+    });
     let message = format!("`{}` is not a parameter of {}{}", entry.name, info.name, hint.unwrap_or_default());
     Problem { place: entry.place.clone(), message }
 }

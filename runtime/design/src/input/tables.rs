@@ -22,6 +22,43 @@ const RESULTS: [&str; 12] = [
     "search",
 ];
 
+/// What outputs of motions, turns and control hold besides them, and of an analysis along a parameter.
+#[cfg(feature = "full")]
+const MORE_RESULTS: [&str; 27] = [
+    "equations",
+    "excitation",
+    "rate_units",
+    "acceleration_units",
+    "feedback_force_units",
+    "contact_force_unit",
+    "energy_unit",
+    "end",
+    "rows",
+    "families",
+    "speed",
+    "states",
+    "inputs",
+    "outputs",
+    "A",
+    "B",
+    "C",
+    "D",
+    "weights",
+    "regulators",
+    "unstable_between",
+    "transfer_functions",
+    "singular_values",
+    "lost",
+    "along",
+    "range",
+    "critical_values",
+];
+
+/// What may stand before the parameters.
+#[cfg(feature = "full")]
+const HEADINGS: [&str; 8] =
+    ["name", "bicycle", "kind", "source", "model", "feedback", "parameterization", "correlations"];
+
 /// A name with its value and what is in that.
 #[derive(Debug)]
 pub struct Named {
@@ -92,8 +129,19 @@ impl Document {
                 #[cfg(feature = "full")]
                 Value::Table(inner) if has_parameters && name == "correlations" => self.correlations = inner,
                 _ if has_parameters && RESULTS.contains(&name.as_str()) => {}
+                #[cfg(feature = "full")]
+                _ if has_parameters && MORE_RESULTS.contains(&name.as_str()) => {}
+                // Of results; a text is meant for the parameters, which it does not change.
+                #[cfg(feature = "full")]
+                Value::Table(_) if has_parameters && name == "units" => {}
                 _ if has_parameters => {
-                    self.problem(place, format!("`{name}` stands outside of {}", words.parameters));
+                    let message = format!("`{name}` stands outside of {}", words.parameters);
+                    #[cfg(feature = "full")]
+                    let message = match crate::nearest(&name, HEADINGS) {
+                        Some(meant) => format!("{message}; did you mean `{meant}`?"),
+                        None => message,
+                    };
+                    self.problem(place, message);
                 }
                 value => self.take(name, place, value, words),
             }
