@@ -5,7 +5,7 @@ use std::path::Path;
 use carvallo_design::{Failure, Place};
 use clap::Args;
 
-use crate::destination::{Destination, Marks};
+use crate::destination::Destination;
 use crate::endings::Endings;
 use crate::options::Format;
 use crate::output::typeset::Language;
@@ -60,12 +60,12 @@ impl Delivery {
         Failure::at(place, message)
     }
 
-    /// That a result takes the place of one of the same command, if of a text.
+    /// That a result takes the place of a result, if of a text.
     ///
     /// # Errors
     /// If something else is there.
-    pub fn replaces_result(&self, marks: Marks) -> Result<(), Failure> {
-        self.output.as_ref().map_or(Ok(()), |output| output.replaces_result(marks))
+    pub fn replaces_result(&self) -> Result<(), Failure> {
+        self.output.as_ref().map_or(Ok(()), |output| output.replaces_result())
     }
 
     /// That source text takes the place of source text that this program wrote, if of anything.

@@ -11,13 +11,19 @@ use clap::ArgMatches;
 
 use crate::options::Picture;
 
-/// What every result of a command has: as a table in any language its title, as JSON a member, or as CSV in its header.
-#[derive(Clone, Copy, Debug)]
-pub struct Marks {
-    pub title: &'static str,
-    pub member: &'static str,
-    pub header: &'static str,
-}
+/// What texts of results have of which commands write files: the title of a table in any language, or a member of JSON.
+const MARKS: [&str; 8] = [
+    "Motion by the ",
+    "Steady turns ",
+    "State space x' =",
+    "Gains K of ",
+    "\n  \"equations\": ",
+    "\n  \"families\": ",
+    "\n  \"A\": ",
+    "\n  \"regulators\": ",
+];
+/// The same of the headers of CSV.
+const HEADERS: [&str; 4] = ["_acceleration (", "capsize_speed (", "of,", "),eigenvalue 1 re (1/s),"];
 
 /// A file that a command writes at its end.
 #[derive(Clone, Debug)]
@@ -60,16 +66,16 @@ impl Destination {
         self.replaces("nothing that this program wrote", |text| text.contains("Written by Carvallo;"))
     }
 
-    /// That a result takes the place of a result of the same command, if of a text.
+    /// That a result takes the place of a result, if of a text.
     ///
     /// # Errors
     /// If something else is there.
-    pub fn replaces_result(&self, Marks { title, member, header }: Marks) -> Result<(), Failure> {
-        let is_own = |text: &str| {
-            let first = text.lines().next().unwrap_or_default();
-            text.contains(title) || text.contains(member) || first.contains(header) || text.contains('\0')
-        };
-        self.replaces("no result of this command", is_own)
+    pub fn replaces_result(&self) -> Result<(), Failure> {
+        self.replaces("no result of this program", |text| {
+            let header = text.lines().next().unwrap_or_default();
+            let is_table = MARKS.iter().any(|mark| text.contains(mark));
+            is_table || HEADERS.iter().any(|mark| header.contains(mark)) || text.contains('\0')
+        })
     }
 
     fn replaces(&self, what: &str, is_own: impl Fn(&str) -> bool) -> Result<(), Failure> {

@@ -65,13 +65,18 @@ impl DesignOptions {
 /// Everything that is wrong with it.
 pub fn load(request: &Request) -> Result<Design, Failure> {
     let design = input::load(request)?;
+    tell(&design, &design.name);
+    Ok(design)
+}
+
+/// Tells what deserves to be known about the parameters of a design, by what it is called.
+pub fn tell(design: &Design, name: &str) {
     for text in &design.notes {
         note(WARNING, "note", text);
     }
     for text in &design.warnings {
-        note(WARNING, "warning", &format!("{}: {text}", design.name));
+        note(WARNING, "warning", &format!("{name}: {text}"));
     }
-    Ok(design)
 }
 
 /// In which units results are shown.
@@ -154,7 +159,18 @@ impl FromStr for Speeds {
     type Err = Problem;
 
     fn from_str(text: &str) -> Result<Self, Problem> {
-        speeds::parse(text).map(Self).map_err(problem)
+        speeds::parse(text).map(Self).map_err(|message| problem(message + &range_meant(text)))
+    }
+}
+
+/// What was probably meant by `0-10`, as the end of a sentence.
+fn range_meant(text: &str) -> String {
+    let is_number = |text: &str| text.trim().parse::<f64>().is_ok_and(|number| number >= 0.0);
+    match text.split_once('-') {
+        Some((low, high)) if is_number(low) && is_number(high) => {
+            format!("; did you mean a range, as {}:{}:0.1?", low.trim(), high.trim())
+        }
+        _ => String::new(),
     }
 }
 

@@ -1,5 +1,6 @@
 //! Why there is no result.
 
+use std::borrow::Cow;
 use std::fmt;
 
 /// Why there is no result.
@@ -25,6 +26,9 @@ impl Failure {
 
 /// So many problems are told; who has more has another kind of file, or one mistake many times.
 const MOST: usize = if cfg!(feature = "full") { 50 } else { usize::MAX };
+
+/// Of a message longer than this the middle is left out.
+const LONGEST: usize = 4000;
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -84,10 +88,19 @@ impl Place {
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.place {
-            Place::Nowhere => f.write_str(&self.message),
-            place => write!(f, "{place}: {}", self.message),
+            Place::Nowhere => f.write_str(&shortened(&self.message)),
+            place => write!(f, "{place}: {}", shortened(&self.message)),
         }
     }
+}
+
+/// No more of a message than who reads it can use: a value in it may be as long as a file.
+fn shortened(message: &str) -> Cow<'_, str> {
+    if !cfg!(feature = "full") || message.len() <= LONGEST {
+        return Cow::Borrowed(message);
+    }
+    let [from, to] = [LONGEST / 2, message.len() - LONGEST / 2].map(|at| message.floor_char_boundary(at));
+    Cow::Owned(format!("{} … {}", &message[..from], &message[to..]))
 }
 
 impl fmt::Display for Place {

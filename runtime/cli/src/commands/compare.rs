@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::path::Path;
 
 use carvallo_design::Failure;
-use carvallo_design::input::Request;
+use carvallo_design::input::{self, Request};
 use carvallo_design::units::Units;
 use carvallo_plot::analysis::Analysis;
 use carvallo_plot::analysis::compare::{Compared, Comparison};
@@ -12,7 +12,7 @@ use carvallo_plot::{data, picture};
 use clap::Args;
 
 use crate::limits::{EigenvalueLimits, SpeedLimits};
-use crate::options::{Format, Picture, Setting, UnitOptions, load};
+use crate::options::{Format, Picture, Setting, UnitOptions, tell};
 use crate::output::documents;
 use crate::terminal::{print, write};
 
@@ -129,13 +129,14 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let units = options.units.units();
     let requests = options.designs.iter().map(|argument| request(argument, options)).collect::<Result<Vec<_>, _>>()?;
     requests.iter().try_for_each(|request| options.pictures.check(request))?;
-    let designs = requests.iter().map(load).collect::<Result<Vec<_>, _>>()?;
+    let designs = requests.iter().map(input::load).collect::<Result<Vec<_>, _>>()?;
     let mut labels: Vec<String> = designs.iter().map(|design| design.title()).collect();
     let different: HashSet<&String> = labels.iter().collect();
     // Names that are the same tell nothing; then what was asked for does.
     if different.len() < labels.len() || requests.iter().any(|request| !request.overrides.is_empty()) {
         labels = options.designs.clone();
     }
+    designs.iter().zip(&labels).for_each(|(design, label)| tell(design, label));
     let compared =
         labels.into_iter().zip(designs).map(|(label, design)| Ok(Compared { label, analysis: Analysis::new(design)? }));
     let comparison = Comparison::new(compared.collect::<Result<_, Failure>>()?)?;

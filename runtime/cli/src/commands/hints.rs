@@ -1,8 +1,8 @@
 //! What was probably meant by an option or a subcommand that there is not: an option of other subcommands.
 
 use carvallo_design::{Failure, Place};
-use clap::Command;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{ArgMatches, Command};
 
 /// Options of more commands than this tell nothing.
 const MOST: usize = 6;
@@ -58,4 +58,21 @@ fn with_option(command: &Command, long: &str) -> Option<String> {
         names if names.len() > MOST => None,
         [others @ .., last] => Some(format!("{} and {last}", others.join(", "))),
     }
+}
+
+/// That lists of names end with a name: behind a comma and a space stands another argument.
+///
+/// # Errors
+/// The first that does not.
+pub fn check_lists(matches: &ArgMatches) -> Result<(), Failure> {
+    let Some((_, matches)) = matches.subcommand() else { return Ok(()) };
+    for id in ["inputs", "outputs"] {
+        let names = matches.try_get_many::<String>(id).ok().flatten();
+        let names: Vec<&str> = names.into_iter().flatten().map(String::as_str).collect();
+        if let [.., _, ""] = names[..] {
+            let place = Place::Option(format!("--{id} {}", names.join(",")));
+            return Err(Failure::at(place, "a list ends with a comma: lists have commas without spaces"));
+        }
+    }
+    Ok(())
 }

@@ -7,7 +7,6 @@ use carvallo_plot::data;
 use clap::{Args, ValueEnum};
 
 use crate::delivery::Delivery;
-use crate::destination::Marks;
 use crate::options::{DesignOptions, Format, Speeds, UnitOptions};
 use crate::output::documents;
 use crate::ports;
@@ -100,8 +99,6 @@ impl Language {
     }
 }
 
-const MARKS: Marks = Marks { title: "Gains K of", member: "\n  \"regulators\": ", header: "),eigenvalue 1 re (1/s)," };
-
 pub fn run(options: &Options) -> Result<(), Failure> {
     let path = options.delivery.path();
     if path.is_some_and(|path| options.design.request().reads(path)) {
@@ -114,7 +111,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             Ok(Format::Table)
         }
         None => {
-            options.delivery.replaces_result(MARKS)?;
+            options.delivery.replaces_result()?;
             table(&options.delivery)
         }
     }?;

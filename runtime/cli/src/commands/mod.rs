@@ -168,6 +168,7 @@ fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<(Arguments, Ar
         let told = problem(&error).or_else(|| hints::hint(&error, &command));
         told.unwrap_or_else(|| error.format(&mut command).exit())
     })?;
+    hints::check_lists(&matches)?;
     destination::check(&matches)?;
     Ok((arguments, matches))
 }

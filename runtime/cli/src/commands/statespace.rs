@@ -5,7 +5,7 @@ use carvallo_design::Failure;
 use carvallo_plot::data;
 use clap::Args;
 
-use crate::destination::{Destination, Marks};
+use crate::destination::Destination;
 use crate::endings::Endings;
 use crate::options::Format;
 use crate::output::documents;
@@ -56,8 +56,6 @@ pub struct Options {
     output: Option<Destination>,
 }
 
-const MARKS: Marks = Marks { title: "State space x' =", member: "\n  \"A\": ", header: "of," };
-
 /// What is written.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
@@ -84,7 +82,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     if let Some(file) = file.filter(|file| options.ports.design.request().reads(file)) {
         return Err(Failure::at(file.place(), "the parameters are read from this file"));
     }
-    file.map_or(Ok(()), |file| file.replaces_result(MARKS))?;
+    file.map_or(Ok(()), |file| file.replaces_result())?;
     let shown = options.ports.units.shown();
     let (design, space) = options.ports.load(Ports::states)?;
     let space = space.in_units(&shown);

@@ -8,7 +8,6 @@ use carvallo_plot::{data, picture};
 use clap::Args;
 
 use crate::delivery::Delivery;
-use crate::destination::Marks;
 use crate::options::{DesignOptions, Format, Picture, UnitOptions};
 use crate::output::{self, documents};
 use crate::terminal::{WARNING, deliver, note};
@@ -53,8 +52,6 @@ pub struct Options {
     plot: Option<Picture>,
 }
 
-const MARKS: Marks = Marks { title: "Steady turns ", member: "\n  \"families\": ", header: "capsize_speed (" };
-
 pub fn run(options: &Options) -> Result<(), Failure> {
     if let Some(picture) = &options.plot {
         picture.check(&options.design)?;
@@ -63,7 +60,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     if options.delivery.path().is_some_and(|path| options.design.request().reads(path)) {
         return Err(options.delivery.problem("the parameters are read from this file"));
     }
-    options.delivery.replaces_result(MARKS)?;
+    options.delivery.replaces_result()?;
     let steers = options.steer.as_deref().map(steers).transpose()?;
     let steer = Quantity::new("steer", "steer", "rad");
     let doubts = options.steer.iter().flat_map(|text| text.split(',')).filter_map(|text| doubt(text, &steer));

@@ -18,7 +18,6 @@ use carvallo_plot::{data, picture};
 pub use self::options::Options;
 
 use self::progress::Progress;
-use crate::destination::Marks;
 use crate::options::Format;
 use crate::output::{self, documents};
 use crate::terminal::{WARNING, deliver, note};
@@ -29,8 +28,6 @@ const FINE: u32 = 100;
 /// Of a picture.
 const DRAWN: u32 = 600;
 
-const MARKS: Marks = Marks { title: "Motion by the ", member: "\n  \"equations\": ", header: "_acceleration (" };
-
 /// Computes a motion, and tells it.
 ///
 /// # Errors
@@ -39,7 +36,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let format = options.delivery.format()?;
     let default_rows = if format.is_read() { COARSE } else { FINE };
     readable(&options.force)?;
-    options.delivery.replaces_result(MARKS)?;
+    options.delivery.replaces_result()?;
     let times = times::times(&options.duration, options.step.as_deref(), default_rows);
     let speed = options.speed.as_deref().map(speed).transpose();
     let mut problems = files(options);

@@ -238,3 +238,13 @@ fn a_pair_of_real_parts_is_drawn_once() {
         assert!(picture.contains(&format!("aria-label=\"{limit}\"")), "{limit}");
     }
 }
+
+/// What is odd about a design is told by what it is called among the others.
+#[test]
+fn warnings_name_the_design_that_they_are_of() {
+    let directory = Directory::of_this_test();
+    let run = directory.run(&["compare", "pista", "pista:IBxx=20"]);
+    let warnings: Vec<&str> = run.stderr.lines().filter(|line| line.starts_with("warning: ")).collect();
+    assert!(run.code == Some(0) && !warnings.is_empty(), "{}", run.stderr);
+    assert!(warnings.iter().all(|line| line.starts_with("warning: pista:IBxx=20: ")), "{}", run.stderr);
+}

@@ -386,3 +386,91 @@ fn results_are_read_as_files_of_parameters() {
     let run = directory.run(&["analyze", "mm.toml"]);
     assert!(run.code == Some(2) && run.stderr.contains("`units` stands outside of [parameters]"), "{}", run.stderr);
 }
+
+/// Lists with a space, a range with a hyphen, and what people call a mass.
+#[test]
+fn slips_of_options_are_told_with_what_was_meant() {
+    let directory = Directory::of_this_test();
+    let ends = "a list ends with a comma: lists have commas without spaces";
+    for (arguments, message) in [
+        (&["statespace", "--speed", "5", "--inputs", "Tphi,", "Tdelta"][..], &format!("--inputs Tphi,: {ends}")[..]),
+        (&["respond", "--speed", "5", "--step", "--outputs", "phi,", "delta"], &format!("--outputs phi,: {ends}")),
+        (
+            &["analyze", "--speeds", "0-10"],
+            "--speeds 0-10: a speed is -10; it must be >= 0; did you mean a range, as 0:10:0.1?",
+        ),
+        (
+            &["show", "--add", "weight=5, mass=5, at=(0.3, 0, -1)"],
+            "--add 'weight=5, mass=5, at=(0.3, 0, -1)': a body has no `weight`; did you mean `mass`?",
+        ),
+    ] {
+        directory.run(arguments).fails(2, &format!("error: {message}\n"));
+    }
+    // An expression that is none of these, and a list in quotes.
+    directory.run(&["analyze", "--speeds", "7-2"]).ok();
+    directory.run(&["statespace", "--speed", "5", "--inputs", "Tphi, Tdelta"]).ok();
+}
+
+/// Texts without the mark of their encoding, and lines that end as on the first Macintosh, are the same bicycle.
+#[test]
+fn texts_of_other_systems_are_read() {
+    let directory = Directory::of_this_test();
+    let read = |file: &str| directory.run(&["convert", file, "--to", "paper", "--format", "json"]).ok();
+    directory.write("plain.toml", crate::BENCHMARK);
+    let expected = read("plain.toml");
+    let halves = |text: &str, order: fn(u16) -> [u8; 2]| text.encode_utf16().flat_map(order).collect::<Vec<u8>>();
+    directory.write("little.toml", halves(crate::BENCHMARK, u16::to_le_bytes));
+    directory.write("big.toml", halves(crate::BENCHMARK, u16::to_be_bytes));
+    directory.write("old.toml", crate::BENCHMARK.replace('\n', "\r"));
+    for file in ["little.toml", "big.toml", "old.toml"] {
+        assert_eq!(read(file), expected, "{file}");
+    }
+    directory.write("designs.csv", halves("w,c\n1.1,0.07\n", u16::to_le_bytes));
+    let swept = directory.run(&["sweep", "--designs", "designs.csv"]).stdout;
+    assert!(swept.lines().nth(1).is_some_and(|line| line.starts_with("1.1,0.07,")), "{swept}");
+}
+
+/// Names that a database folded are read alike in files and in tables; one slip in a file is told.
+#[test]
+fn capitals_are_one_matter_in_files_and_tables() {
+    let directory = Directory::of_this_test();
+    let plain = directory.run(&["convert", "benchmark", "--to", "paper", "--format", "csv"]).ok();
+    let renamed = |rename: fn(&str) -> String| -> String {
+        let line = |line: &str| line.split_once(',').map(|(name, rest)| format!("{},{rest}\n", rename(name)));
+        let (header, lines) = plain.split_once('\n').unwrap();
+        format!("{header}\n{}", lines.lines().filter_map(line).collect::<String>())
+    };
+    directory.write("plain.csv", &plain);
+    directory.write("upper.csv", renamed(str::to_uppercase)).write("lower.csv", renamed(str::to_lowercase));
+    let values = |file: &str| -> Vec<String> {
+        let text = directory.run(&["convert", file, "--to", "paper", "--format", "json"]).stdout;
+        text.lines().filter(|line| line.starts_with("    ")).map(str::to_owned).collect()
+    };
+    let expected = values("plain.csv");
+    assert_eq!((expected.len(), values("upper.csv"), values("lower.csv")), (26, expected.clone(), expected));
+    directory.write("slip.csv", plain.replace("\nmF,", "\nMF,"));
+    let run = directory.run(&["analyze", "slip.csv"]);
+    assert!(run.code == Some(2) && run.stderr.contains("did you mean `mF`?"), "{}", run.stderr);
+
+    let sweep = |header: &str| {
+        directory.write("designs.csv", format!("{header}\n1.1,0.06\n"));
+        directory.run(&["sweep", "--designs", "designs.csv"])
+    };
+    assert_eq!(sweep("W,IHXX").stdout, sweep("w,IHxx").stdout);
+}
+
+/// What would take a minute to read is refused, with the limit.
+#[test]
+fn endless_expressions_are_refused() {
+    let directory = Directory::of_this_test();
+    let terms = |term: &str| vec![term; 400_000].join("+");
+    let law = format!("feedback = [\"Tdelta = {}\"]\n[parameters]", terms("1.5*phi"));
+    directory.write("law.toml", crate::BENCHMARK.replace("[parameters]", &law));
+    let message = "a law of 3200008 bytes: at most 100000 are read\n";
+    directory.run(&["analyze", "law.toml"]).fails(2, &format!("error: law.toml:5: {message}"));
+    directory.write("value.toml", crate::BENCHMARK.replace("w = 1.02", &format!("w = \"{}\"", terms("0.001"))));
+    let run = directory.run(&["analyze", "value.toml"]);
+    assert_eq!(run.code, Some(2));
+    assert!(run.stderr.contains("an expression of 2399999 bytes: at most 100000 are read"), "{:.300}", run.stderr);
+    assert!(run.stderr.len() < 5000, "{} bytes", run.stderr.len());
+}

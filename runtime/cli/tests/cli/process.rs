@@ -265,7 +265,7 @@ fn two_results_do_not_go_to_one_file() {
     run("./a.svg").fails(2, "error: two results go to ./a.svg: give each a file of its own\n");
 }
 
-/// A result takes the place of one of the same command, in each of its forms, and of nothing that somebody wrote.
+/// A result takes the place of a result, in each of its forms, and of nothing that somebody wrote.
 #[test]
 fn results_replace_results_alone() {
     let directory = Directory::of_this_test();
@@ -281,7 +281,7 @@ fn results_replace_results_alone() {
             let file = format!("thesis.{ending}");
             directory.write(&file, theirs);
             let run = || directory.run(&[command, &["--output", &file]].concat());
-            let message = "this file is there, and is no result of this command: give another name, or remove it\n";
+            let message = "this file is there, and is no result of this program: give another name, or remove it\n";
             run().fails(2, &format!("error: --output {file}: {message}"));
             assert_eq!(std::fs::read_to_string(directory.0.join(&file)).unwrap(), theirs);
             std::fs::remove_file(directory.0.join(&file)).unwrap();

@@ -47,7 +47,7 @@ mod write;
 
 pub use self::convert::{Converted, Parameter, convert};
 pub use self::name::{Name, Need};
-pub use self::naming::{Naming, Varying, folded, spelled};
+pub use self::naming::{Naming, Varying, folded, spelled, unfold};
 pub use self::quantity::Quantity;
 pub use self::read::Reading;
 pub(crate) use self::read::read;

@@ -249,6 +249,23 @@ pub fn folded(name: &str, info: &ModelInfo) -> Option<&'static str> {
     found.next().filter(|_| found.next().is_none()).map(|parameter| parameter.name)
 }
 
+/// Gives the entries of a file the names that a model has for them, where all are its own but for capitals, and all in capitals or none,
+/// as databases fold them. None is there twice.
+pub fn unfold(entries: &mut [Entry], info: &ModelInfo) {
+    let is_without = |sign: fn(char) -> bool| !entries.iter().any(|entry| entry.name.contains(sign));
+    let names: Option<Vec<&str>> = entries.iter().map(|entry| folded(&entry.name, info)).collect();
+    let Some(names) = names.filter(|_| is_without(char::is_uppercase) || is_without(char::is_lowercase)) else {
+        return;
+    };
+    if names.iter().enumerate().any(|(at, name)| names[..at].contains(name)) {
+        return;
+    }
+    for (entry, name) in entries.iter_mut().zip(names).filter(|(entry, _)| position(&entry.name, info).is_none()) {
+        entry.renamed.get_or_insert_with(|| entry.name.clone());
+        entry.name = name.to_owned();
+    }
+}
+
 /// A name as a convention has it once its values are numbers: `wheel_diameter` of `wheel`.
 pub(super) fn prepared(name: &str, convention: &Convention) -> String {
     let mut entry = entry(name);

@@ -4,7 +4,7 @@ use super::dual::Dual;
 use super::geometry::GEOMETRY;
 use super::name::{Name, Values};
 use super::read::list;
-use super::source::{Source, parameter};
+use super::source::{Alias, Source, parameter};
 use super::twice::{Agreement, Told};
 use super::{Alternatives, Convention};
 use crate::design::Given;
@@ -107,11 +107,14 @@ impl Source<'_> {
         }
     }
 
-    /// Judges whether another name of something that is given says the same.
-    pub fn judge_alias(&self, (entry, name): (&Entry, &'static Name), first: (&str, &Given), document: &mut Document) {
+    /// Judges whether another name of something says what is used: that which is given, or, where that is not used, what follows.
+    pub fn judge_alias(&self, alias: &Alias, used: &Named, document: &mut Document) {
+        let Alias { entry, name, first, value } = alias;
         match validate(entry, &parameter(name), &|name: &str| self.scope.value(name)) {
             Ok(given) => {
-                let told = Told::by_name(first.0, first.1);
+                let is_used = used.iter().any(|(own, _)| std::ptr::eq(*own, *name));
+                let followed = if is_used { None } else { self.told(name.name, used) };
+                let told = followed.unwrap_or_else(|| Told::by_name(first, value));
                 // `fork_offset` beside PyDy's `forkoffset` is what manufacturers print.
                 let name = GEOMETRY.parameter(entry.called()).unwrap_or(name);
                 self.tell((entry, name.unit, Some(name)), &given, &told, &[entry.called()], document);

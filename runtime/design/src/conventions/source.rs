@@ -31,6 +31,16 @@ pub struct Paper {
     pub covariance: Option<Covariance>,
 }
 
+/// What is given a second time, by another name.
+pub struct Alias<'a> {
+    pub entry: &'a Entry,
+    /// What both names are of.
+    pub name: &'static Name,
+    /// How it is called the first time, and its value there.
+    pub first: &'a str,
+    pub value: Given,
+}
+
 /// What a file in a convention has.
 pub struct Source<'a> {
     /// Which one.
@@ -51,7 +61,9 @@ impl Source<'_> {
     /// The parameters of the paper; nothing if something is wrong, which is told.
     pub fn translate(&self, info: &ModelInfo, document: &mut Document) -> Option<Paper> {
         let Self { convention, label, .. } = *self;
-        let given = self.once(self.values(document), document);
+        let (given, aliases) = self.values(document);
+        let given = self.once(given, document);
+        aliases.iter().for_each(|alias| self.judge_alias(alias, &given, document));
         let is_given = |name: &str| given.iter().any(|(own, _)| own.name == name);
         let missing: Vec<String> = convention
             .needed()
@@ -154,8 +166,9 @@ impl Source<'_> {
         }
     }
 
-    /// The values of its parameters, of which settings replace some.
-    fn values(&self, document: &mut Document) -> Vec<(&'static Name, Given)> {
+    /// The values of its parameters, of which settings replace some; and what stands beside these by another of their names.
+    fn values(&self, document: &mut Document) -> (Vec<(&'static Name, Given)>, Vec<Alias<'_>>) {
+        let mut aliases = Vec::new();
         let Self { convention, own, settings, scope, .. } = *self;
         let setting_scope = Scope::new(settings, known_values(own, scope), crate::model::WHIPPLE.info);
         let mut given: Vec<(&Name, Given)> = Vec::new();
@@ -167,7 +180,9 @@ impl Source<'_> {
                 if let Some((_, first)) = seen.iter().find(|(own, _)| std::ptr::eq(*own, name)) {
                     let value = given.iter().find(|(own, _)| std::ptr::eq(*own, name)).map(|(_, value)| value);
                     match value.filter(|_| from == 1 && is_alias(first.called(), entry.called())) {
-                        Some(value) => self.judge_alias((entry, name), (first.called(), value), document),
+                        Some(value) => {
+                            aliases.push(Alias { entry, name, first: first.called(), value: value.clone() });
+                        }
                         None => {
                             let message = given_twice(entry.called(), first.called(), &first.place);
                             document.problems.push(Problem { place: entry.place.clone(), message });
@@ -185,7 +200,7 @@ impl Source<'_> {
                 }
             }
         }
-        given
+        (given, aliases)
     }
 
     /// Whether what files carry along is what it must be.

@@ -10,6 +10,9 @@ use crate::nearest::nearest;
 use crate::number::unit;
 use crate::quantity::units;
 
+/// More than this is no law that somebody wrote, and would take long.
+const LONGEST: usize = 100_000;
+
 /// A force on a coordinate that follows from the motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Law {
@@ -27,6 +30,9 @@ impl Law {
     /// # Errors
     /// What is wrong with it, and what was expected.
     pub fn read(text: &str, info: &ModelInfo) -> Result<Self, String> {
+        if cfg!(feature = "full") && text.len() > LONGEST {
+            return Err(format!("a law of {} bytes: at most {LONGEST} are read", text.len()));
+        }
         let example = example(info);
         let (force, law) = text.split_once('=').ok_or_else(|| format!("expected FORCE = LAW, such as {example}"))?;
         let input = Input::called(force.trim(), info)?;

@@ -45,7 +45,7 @@ const MOST: usize = 3000;
 /// If they are none.
 pub fn decode(label: &str, bytes: Vec<u8>) -> Result<String, Failure> {
     #[cfg(feature = "full")]
-    let bytes = encodings::in_utf8(bytes);
+    let bytes = encodings::text(bytes);
     let mut text = String::from_utf8(bytes).map_err(|error| {
         let before = error.as_bytes().iter().take(error.utf8_error().valid_up_to());
         let line = 1 + before.filter(|&&byte| byte == b'\n').count();

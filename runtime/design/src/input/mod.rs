@@ -45,7 +45,7 @@ use crate::joined::Body;
 use crate::model::{Shipped, WHIPPLE};
 
 #[cfg(feature = "full")]
-pub use self::encodings::in_utf8;
+pub use self::encodings::{in_utf8, text};
 pub use self::entries::given_twice;
 pub use self::form::decode;
 #[cfg(feature = "full")]

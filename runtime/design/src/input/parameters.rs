@@ -43,6 +43,8 @@ pub fn resolve(
     let set = overrides.iter().map(|entry| entry.name.clone()).collect();
     let info = model.info;
     #[cfg(feature = "full")]
+    crate::conventions::unfold(&mut document.entries, info);
+    #[cfg(feature = "full")]
     let reading = crate::conventions::read(&mut document, label, info, &mut overrides);
     #[cfg(not(feature = "full"))]
     only_paper(&mut document, &mut overrides);

@@ -14,6 +14,10 @@ const NAMES: [&str; 17] = [
     "sides",
 ];
 
+/// What people call some of them.
+const MEANT: [(&str, &str); 6] =
+    [("weight", "mass"), ("position", "at"), ("place", "at"), ("location", "at"), ("frame", "to"), ("on", "to")];
+
 const MASS: ParameterInfo = ParameterInfo::new("mass", "kg", Domain::NONNEGATIVE);
 const AT: [ParameterInfo; 3] = [length("x"), length("y"), length("z")];
 const MOMENTS: [ParameterInfo; 4] = [
@@ -55,7 +59,8 @@ pub fn of_members(members: Vec<Named>, place: Place) -> Result<Body, Vec<Problem
             continue;
         }
         if !NAMES.contains(&name.as_str()) {
-            let hint = nearest(&name, NAMES).map(|name| format!("; did you mean `{name}`?"));
+            let meant = MEANT.iter().find(|(other, _)| *other == name).map(|(_, meant)| *meant);
+            let hint = meant.or_else(|| nearest(&name, NAMES)).map(|name| format!("; did you mean `{name}`?"));
             let message = format!("a body has no `{}`{}", member.name, hint.unwrap_or_default());
             reader.problem(member.node.place, message);
             continue;

@@ -10,6 +10,9 @@ use super::literal::{self, kept};
 /// Deeper nesting than this is refused, so that no input can exhaust the stack.
 const MAX_DEPTH: usize = 64;
 
+/// More than this is nothing that somebody wrote, and would take long.
+const LONGEST: usize = 100_000;
+
 const MIXED: &str = "degrees and numbers without a unit are mixed; write `deg` behind each angle";
 const NOT_LINEAR: &str = "degrees are added, and multiplied or divided by pure numbers, but nothing else";
 
@@ -34,6 +37,9 @@ pub struct Parsed<'a, T> {
 /// # Errors
 /// What is wrong, if it does not begin with one.
 pub fn parse<'a, T: Arithmetic>(text: &'a str, names: &Lookup<T>) -> Result<Parsed<'a, T>, String> {
+    if cfg!(feature = "full") && text.len() > LONGEST {
+        return Err(format!("an expression of {} bytes: at most {LONGEST} are read", text.len()));
+    }
     let mut parser = Parser { rest: text, depth: 0, behind_degrees: None, in_degrees: false, refers: false, names };
     let value = parser.sum()?.in_radians()?.value;
     Ok(Parsed { value, in_degrees: parser.in_degrees, refers: parser.refers, rest: parser.rest.trim() })

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use carvallo_design::Failure;
-use carvallo_design::input::{Named, Node, Value, in_utf8};
+use carvallo_design::input::{Named, Node, Value, text};
 use carvallo_design::number::{fixed, shortest};
 use carvallo_design::quantity::{Context, Mistake, Reason, no_names, number};
 
@@ -94,7 +94,7 @@ impl Recording {
             return Err(Failure::usage(format!("there is no file {shown}")));
         }
         let bytes = std::fs::read(&path).map_err(|error| Failure::Run(format!("cannot read {shown}: {error}")))?;
-        let (times, signal) = self.samples(&String::from_utf8_lossy(&in_utf8(bytes))).map_err(|error| wrong(&error))?;
+        let (times, signal) = self.samples(&String::from_utf8_lossy(&text(bytes))).map_err(|error| wrong(&error))?;
         let found = fit(&times, &signal).map_err(|error| wrong(&error))?;
         let Oscillation { period, deviation, decay, samples, periods, r_squared, drift, amplitude, .. } = found;
         let percent = 100.0 * (drift * period / amplitude).abs();

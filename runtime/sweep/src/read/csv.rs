@@ -26,13 +26,14 @@ pub struct Records {
 /// The bytes of a file.
 type Source = Box<dyn Read + Send>;
 
-/// As they are, or in UTF-8 if they are in UTF-16 with its mark, as spreadsheets write "Unicode text": all at once then.
+/// As they are, or in UTF-8 if they are in UTF-16, as spreadsheets write "Unicode text": all at once then. Of a table the first sign is
+/// none of those of which both halves count.
 fn source(path: &Path) -> std::io::Result<Source> {
     let mut file = File::open(path)?;
     let mut mark = Vec::new();
     file.by_ref().take(2).read_to_end(&mut mark)?;
     file.rewind()?;
-    if mark != b"\xff\xfe" && mark != b"\xfe\xff" {
+    if mark != b"\xff\xfe" && mark != b"\xfe\xff" && !mark.contains(&0) {
         return Ok(Box::new(file));
     }
     let mut bytes = Vec::new();

@@ -38,6 +38,12 @@ fn what_is_said_twice_is_judged_alike_everywhere() {
             format!("`trail` is 0.062 m, but 0.0597025 m {follows}, 2.3 mm off; `trail` is not used"),
         ),
         (printed("c = 0.055"), format!("`c` is 0.055 m, but 0.0597025 m {follows}, 4.7 mm off; `c` is not used")),
+        // Another name of what is not used is held against what is: (rF sin 17.5 deg - 45 mm)/cos 17.5 deg.
+        (printed("trail = 61 mm\nc = 0.0597"), format!("`c` says what {of_offset}, too")),
+        (
+            printed("trail = 61 mm\nc = 0.061"),
+            format!("`c` is 0.061 m, but 0.0597025 m {follows}, 1.3 mm off; `c` is not used"),
+        ),
         (paper("lambda = 18 deg"), "`lambda` says what the parameters of Whipple say, too".to_owned()),
         (
             paper("rear_wheel_circumference = 1.885"),
