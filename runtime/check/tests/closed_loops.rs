@@ -144,3 +144,14 @@ fn a_gain_is_told_from_complex_eigenvalues() {
     let found = causes(&checked(text));
     assert!(found[0].contains("by what --feedback 'Tdelta = -3*phi_rate' declares"), "{found:?}");
 }
+
+/// Tdelta = -2 v^2 phi in the printed matrices: eigenvalues of A - B K by NumPy.
+#[test]
+fn a_gain_with_the_square_of_the_speed_is_told_from_eigenvalues() {
+    let text = r#"eigenvalues = {
+        "4" = [-12.064401, 4.963076, "-2.8301136 ± 4.8478928i"],
+        "6" = [-16.139842, 6.8180642, "-4.9102748 ± 8.4559308i"],
+    }"#;
+    let found = causes(&checked(text));
+    assert!(found[0].ends_with("by what --feedback 'Tdelta = -2*v^2*phi' declares"), "{found:?}");
+}

@@ -94,3 +94,22 @@ fn the_equation_that_is_off_is_told() {
     assert!((force.parse::<f64>().expect("a force") - 2e-4).abs() < 2e-8, "{text}");
     assert_eq!(rest, "that of phi holds", "{text}");
 }
+
+/// A bicycle that lies flat, and equations with C-1/v at rest.
+#[test]
+fn where_there_are_none_the_reason_is_told() {
+    let flat = "accelerations = { speed = 5, equations = \"nonlinear\", state = { phi = \"pi/2\", delta = 0.1 }, values = { phi = 1, delta = 2 } }";
+    let reasons = checked(flat).reasons;
+    assert!(
+        reasons.len() == 1
+            && reasons[0].starts_with("in state 1 at 5 m/s: no position was found in which all wheels touch"),
+        "{reasons:?}"
+    );
+    let report = checked("model = \"CarTrailer\"\nspeed = 0\neigenvalues = [-1.2]");
+    assert!(
+        report
+            .to_string()
+            .contains("  None of ours at 0 m/s: the speed is 0 m/s, and the damping C-1/v has no value there"),
+        "{report}"
+    );
+}

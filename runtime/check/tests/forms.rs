@@ -237,6 +237,13 @@ fn states_that_are_none_are_told_with_the_reason() {
 }
 
 #[test]
+fn a_bracket_that_is_missing_is_one_problem() {
+    let text = "M = [[80.817, 2.3194], [2.3194, 0.29784]\nC1 = [[0.0, 33.866], [-0.85036, 1.6854]]\nK2 = [[0.0, 76.597], [0.0, 2.6543]]";
+    let told = read::read("mine.toml", text.into()).map(|_| ()).expect_err("no TOML").to_string();
+    assert_eq!(told, "mine.toml:1: this is not TOML: the list that begins here has no end, expected `]`");
+}
+
+#[test]
 fn a_speed_that_is_none_is_told_once() {
     let right = written(numbers(SPEED, |_, _, _| {}), &|entry| format!("{entry:.4}"));
     let text = format!("speed = -5\nA = {right}\neigenvalues = [-14.078]");

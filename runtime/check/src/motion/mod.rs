@@ -4,8 +4,10 @@ mod attributes;
 pub mod forms;
 mod program;
 
+use std::fmt::Display;
+
 use carvallo::motion::MotionInfo;
-use carvallo::simulation::{Drive, Machine, Moving, State};
+use carvallo::simulation::{Drive, Machine, Moving, SimulationError, State};
 use carvallo::{FormulaInfo, ModelInfo};
 use carvallo_design::feedback::{Closing, Law};
 use carvallo_design::{Shipped, WHIPPLE};
@@ -51,16 +53,23 @@ impl Nonlinear {
         self.by_attributes.depend_on(attribute)
     }
 
-    /// The accelerations of all coordinates of the linear equations; `None` where there are none, as where the wheels cannot all
-    /// touch the ground.
-    pub fn accelerations(&self, given: &Accelerations, parameters: &[f64], feedback: &[Law]) -> Option<Vec<f64>> {
-        let mut found = None;
+    /// The accelerations of all coordinates of the linear equations.
+    ///
+    /// # Errors
+    /// Why there are none, as where the wheels cannot all touch the ground.
+    pub fn accelerations(
+        &self,
+        given: &Accelerations,
+        parameters: &[f64],
+        feedback: &[Law],
+    ) -> Result<Vec<f64>, String> {
+        let mut found = Err("the model has no nonlinear equations".to_owned());
         let mut of = |machine: &dyn Machine| found = self.of(machine, given, feedback);
-        self.model.with_machine(&self.own(parameters), &mut of).ok()?;
+        self.model.with_machine(&self.own(parameters), &mut of)?;
         found
     }
 
-    /// The same of a mechanism with these attributes.
+    /// The same of a mechanism with these attributes; `None` where there are none.
     pub fn with_attributes(
         &self,
         given: &Accelerations,
@@ -69,34 +78,44 @@ impl Nonlinear {
         feedback: &[Law],
     ) -> Option<Vec<f64>> {
         let machine = self.by_attributes.machine(self.motion, attributes, &self.own(parameters));
-        self.of(&machine, given, feedback)
+        self.of(&machine, given, feedback).ok()
     }
 
     fn own(&self, parameters: &[f64]) -> Vec<f64> {
         self.parameters.iter().map(|&at| parameters[at]).collect()
     }
 
-    fn of(&self, machine: &dyn Moving, given: &Accelerations, feedback: &[Law]) -> Option<Vec<f64>> {
+    fn of(&self, machine: &dyn Moving, given: &Accelerations, feedback: &[Law]) -> Result<Vec<f64>, String> {
         let (info, names) = (machine.info(), self.info.coordinates.iter().map(|own| own.name));
         let positions: Vec<(&str, f64)> = names.clone().zip(given.positions.iter().copied()).collect();
         let mut rates: Vec<(&str, f64)> = names.clone().zip(given.rates.iter().copied()).collect();
         match Drive::of(machine) {
             Some(drive) => rates.push((info.positions[drive.position()].name, drive.rate(given.speed))),
-            None if given.speed != 0.0 => return None,
+            None if given.speed != 0.0 => return Err("nothing of it moves at a speed".to_owned()),
             None => {}
         }
-        let State { positions, speeds } = State::new(machine, &positions, &rates).ok()?;
+        let State { positions, speeds } = State::new(machine, &positions, &rates).map_err(|error| match error {
+            // No time passes.
+            SimulationError::Motion { error, .. } => told(error),
+            error => told(error),
+        })?;
         let mut forces = vec![0.0; info.forces.len()];
         for (name, value) in names.clone().zip(&given.forces).filter(|(_, value)| **value != 0.0) {
-            let place = info.forces.iter().position(|force| force.position == name)?;
-            forces[place] = *value;
+            let place = info.forces.iter().position(|force| force.position == name);
+            forces[place.ok_or_else(|| format!("nothing applies a force to {name}"))?] = *value;
         }
         if !feedback.is_empty() {
-            let closing = Closing::new(machine, self.info, feedback).ok()?;
-            forces = closing.forces(machine, &positions, &speeds, &forces).ok()?;
+            let closing = Closing::new(machine, self.info, feedback)
+                .map_err(|_| "the feedback cannot be a part of its nonlinear equations".to_owned())?;
+            forces = closing.forces(machine, &positions, &speeds, &forces).map_err(told)?;
         }
         let mut accelerations = vec![0.0; positions.len()];
-        machine.accelerations(&positions, &speeds, &forces, &mut accelerations).ok()?;
-        names.map(|name| Some(accelerations[info.position(name)?])).collect()
+        machine.accelerations(&positions, &speeds, &forces, &mut accelerations).map_err(told)?;
+        let place = |name: &str| info.position(name).ok_or_else(|| format!("there is no {name}"));
+        names.map(|name| Ok(accelerations[place(name)?])).collect()
     }
+}
+
+fn told(error: impl Display) -> String {
+    error.to_string()
 }

@@ -1,5 +1,6 @@
 //! By which equations of motion accelerations are.
 
+use carvallo_design::Equations;
 use carvallo_design::feedback::Law;
 
 use super::{Predictor, ROUNDING, World};
@@ -13,14 +14,14 @@ pub struct Exact<'a> {
     motion: &'a Nonlinear,
     parameters: &'a [f64],
     attributes: Vec<f64>,
-    accelerations: Option<Vec<f64>>,
+    accelerations: Result<Vec<f64>, String>,
 }
 
 impl Exact<'_> {
     /// The accelerations of a machine.
     pub fn accelerations(&self, given: &Accelerations, world: &World, feedback: &[Law]) -> Option<Vec<f64>> {
         if self.parameters == world.parameters && self.attributes == world.attributes {
-            return self.accelerations.clone();
+            return self.accelerations.clone().ok();
         }
         self.motion.with_attributes(given, &world.attributes, &world.parameters, feedback)
     }
@@ -64,8 +65,10 @@ impl<'a> Predictor<'a> {
             .iter()
             .map(|given| {
                 let exact = exact(given);
-                let off =
-                    [Off::of(given, self.linear(given, &world).as_ref()), Off::of(given, exact.accelerations.as_ref())];
+                let off = [
+                    Off::of(given, self.linear(given, &world).as_ref()),
+                    Off::of(given, exact.accelerations.as_ref().ok()),
+                ];
                 (exact, off)
             })
             .collect();
@@ -93,7 +96,7 @@ impl<'a> Predictor<'a> {
             given.forces[on] += 1.0;
         }
         match &self.nonlinear[state] {
-            Some(exact) => exact.motion.accelerations(&given, &world.parameters, self.feedback),
+            Some(exact) => exact.motion.accelerations(&given, &world.parameters, self.feedback).ok(),
             None => self.linear(&given, world),
         }
     }
@@ -114,6 +117,26 @@ impl<'a> Predictor<'a> {
             }
         }
         is_any.then_some(given)
+    }
+
+    /// Why there are none of some numbers of the machine as it is: of its motion in a state, or of its equations at a speed.
+    pub fn reasons(&self, world: &World) -> Vec<String> {
+        let states = self.nonlinear.iter().zip(&self.given.accelerations).enumerate();
+        let of_state = |(state, (exact, given)): (usize, (&Option<Exact>, &Accelerations))| {
+            let why = exact.as_ref()?.accelerations.as_ref().err()?;
+            Some(format!("in state {} at {} m/s: {why}", state + 1, given.speed))
+        };
+        let mut reasons: Vec<String> = states.filter_map(of_state).collect();
+        let mut of_speeds = |equations: &dyn Equations| {
+            for speed in self.given.speeds() {
+                let why = equations.state_space(speed, world.gravity).err();
+                reasons.extend(why.map(|why| format!("at {speed} m/s: {why}")));
+            }
+        };
+        if let Err(why) = self.visit(world, &mut of_speeds) {
+            reasons.push(why);
+        }
+        reasons
     }
 
     /// Whether the accelerations in a state are by the nonlinear equations.

@@ -29,6 +29,7 @@ impl Display for Report {
             }
             let mut states = self.states.clone();
             states.dedup();
+            self.reasons.iter().try_for_each(|why| writeln!(f, "  None of ours {why}"))?;
             states.iter().try_for_each(|own| writeln!(f, "  Rows and columns of A: {}", own.join(", ")))?;
             writeln!(f)?;
         }

@@ -38,6 +38,8 @@ pub struct Report {
     pub explanations: Vec<Group>,
     /// The states that the rows and columns of each state matrix stand for, in the order in which they were given.
     pub states: Vec<Vec<String>>,
+    /// Why there are none of ours where there are none, as of accelerations in a state in which no motion is determined.
+    pub reasons: Vec<String>,
     /// So many digits, where all numbers that do not agree do to them and have zeros behind: `46470.0` of 46473.2.
     pub padded: Option<usize>,
     /// Whether the search was stopped by what it costs before everything was tried.
@@ -100,7 +102,10 @@ impl Report {
         found: Vec<Found>,
         unexplained: Option<Suspects>,
     ) -> Self {
-        let here = predictor.predict(&machine.world());
+        let world = machine.world();
+        let here = predictor.predict(&world);
+        let has_all = here.iter().all(|own| own.is_finite());
+        let reasons = if has_all { Vec::new() } else { predictor.reasons(&world) };
         let numbers: Vec<Comparison> = predictor
             .numbers()
             .iter()
@@ -134,6 +139,7 @@ impl Report {
             numbers,
             explanations,
             states: (0..predictor.given().state_matrices.len()).map(|at| states(predictor, at, machine.info)).collect(),
+            reasons,
             padded: padded(predictor, &here),
             stopped_short: false,
             unexplained,

@@ -26,6 +26,8 @@ mod shipped;
 mod tables;
 mod texts;
 mod toml;
+#[cfg(feature = "full")]
+mod unclosed;
 mod value;
 
 use std::io::Read as _;

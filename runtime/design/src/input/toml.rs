@@ -27,6 +27,13 @@ pub fn is_whole(file: File) -> bool {
 /// What is in the file, whatever it is.
 pub fn members(file: File, problems: &mut Vec<Problem>) -> Vec<Named> {
     let (table, errors) = DeTable::parse_recoverable(file.text);
+    #[cfg(feature = "full")]
+    if let (Some((at, end)), false) = (super::unclosed::unclosed(file.text), errors.is_empty()) {
+        let what = if end == ']' { "list" } else { "table" };
+        let message = format!("this is not TOML: the {what} that begins here has no end, expected `{end}`");
+        problems.push(Problem { place: file.line_at(at), message });
+        return of_table(file, table.get_ref());
+    }
     for error in errors {
         let place = file.line_at(error.span().map_or(0, |span| span.start));
         problems.push(Problem { place, message: format!("this is not TOML: {}", error.message()) });
