@@ -23,6 +23,8 @@ pub struct Zero {
     pub number: usize,
     /// Whether it is.
     pub has_imaginary: bool,
+    /// In m/s.
+    pub speed: f64,
     /// Of each matrix whether its factor in the sum is 1, s or s^2, and what it is multiplied by besides.
     parts: Vec<(MatrixName, usize, f64)>,
     /// The eigenvalue, and what is as far away on either side as may be.
@@ -58,7 +60,7 @@ pub fn zeros(predictor: &Predictor, info: &ModelInfo, matrices: &[MatrixName]) -
         let points = [0.0, tolerance, -tolerance].map(|away| eigenvalue + away);
         let is_finite = parts.iter().all(|(.., factor)| factor.is_finite()) && eigenvalue.is_finite();
         if is_finite && im >= 0.0 && tolerance <= LARGEST * eigenvalue.norm() {
-            zeros.push(Zero { number: at, has_imaginary, parts, points, count: info.coordinates.len() });
+            zeros.push(Zero { number: at, has_imaginary, speed, parts, points, count: info.coordinates.len() });
         }
     }
     zeros

@@ -155,3 +155,14 @@ fn a_gain_with_the_square_of_the_speed_is_told_from_eigenvalues() {
     let found = causes(&checked(text));
     assert!(found[0].ends_with("by what --feedback 'Tdelta = -2*v^2*phi' declares"), "{found:?}");
 }
+
+/// Tdelta = 10 (4.7 - v) phi' in the printed matrices: eigenvalues of A - B K by NumPy.
+#[test]
+fn a_gain_with_two_powers_of_the_speed_is_told_from_eigenvalues() {
+    let text = r#"eigenvalues = {
+        "4" = [-11.932274, "-0.69564638 ± 6.7352658i", -0.30662913],
+        "6" = [8.2681475, -15.786277, -10.012847, 0.0018453346],
+    }"#;
+    let found = causes(&checked(text));
+    assert!(found[0].ends_with("by what --feedback 'Tdelta = 47*phi_rate - 10*v*phi_rate' declares"), "{found:?}");
+}

@@ -233,6 +233,10 @@ fn another_parameter_makes_nonlinear_accelerations() {
         )
     };
     assert!(checked(&of("theta1 = 7.1201022843, theta2 = -17.5745563682")).agrees);
+    // The angle of the upper link from the vertical: the sum of both.
+    let absolute = "model = \"DoublePendulum\"\naccelerations = { speed = 0, state = { theta1 = 0.7, theta2 = -0.4, theta1_rate = 0.3, \
+                    theta2_rate = 2.3 }, values = { theta1 = 7.1201022843, theta2 = -10.4544540839 } }";
+    assert_eq!(explained(absolute), ["theta2 is theta1 + theta2 of here: it is absolute"]);
     let causes = explained(&of("theta1 = 7.0650298850, theta2 = -18.9701534780"));
     assert!(
         causes.iter().any(|cause| cause.starts_with("m2 is ") && cause.contains("(m2 = 2 kg)")

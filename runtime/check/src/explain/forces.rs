@@ -3,7 +3,7 @@
 use carvallo_design::feedback::{Gain, Input};
 
 use super::gains::solution;
-use super::undeclared::{POWERS, Undeclared};
+use super::undeclared::{EXPONENTS, POWERS, Undeclared};
 use crate::given::{Accelerations, Quantity};
 use crate::machine::Machine;
 use crate::predict::Predictor;
@@ -95,8 +95,7 @@ fn law(machine: &Machine, predictor: &Predictor, on: usize) -> Option<Vec<Gain>>
         for (power, &matrix) in POWERS[usize::from(!is_rate)][..powers].iter().enumerate() {
             let of = |own: &Accelerations| {
                 let value = if is_rate { own.rates[column] } else { own.positions[column] };
-                let exponents = if is_rate { [0, 1, -1] } else { [0, 1, 2] };
-                value * own.speed.powi(exponents[power])
+                value * own.speed.powi(EXPONENTS[usize::from(!is_rate)][power])
             };
             let values: Vec<f64> = given.accelerations.iter().map(of).collect();
             let gain = Gain { matrix, input: Input::Coordinate(on), column, value: 0.0 };

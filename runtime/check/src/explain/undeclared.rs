@@ -6,7 +6,8 @@ use carvallo_design::feedback::{Gain, Input, Law};
 use carvallo_slips::{index, place};
 use serde::Serialize;
 
-use super::gains::solve;
+use super::PLAIN;
+use super::gains::{solution, solve};
 use super::solve::{digits, near, solve as value};
 use crate::conventions;
 use crate::machine::Machine;
@@ -36,6 +37,9 @@ const UNREAL: f64 = 0.1;
 /// What a gain may be multiplied by, of a rate and of a position.
 pub const POWERS: [[MatrixName; 3]; 2] =
     [[MatrixName::C0, MatrixName::C1, MatrixName::Cm1], [MatrixName::Kc, MatrixName::K1, MatrixName::K2]];
+
+/// The powers of the speed of these.
+pub const EXPONENTS: [[i32; 3]; 2] = [[0, 1, -1], [0, 1, 2]];
 
 /// Those forces, fewer than there are coordinates: all of them together span everything. None where nothing but entries of M, C1, … is
 /// given.
@@ -81,7 +85,60 @@ pub fn of_eigenvalues(machine: &Machine, predictor: &Predictor) -> Option<Undecl
             }
         }
     }
-    found.into_iter().min_by_key(|own| own.digits)
+    found.into_iter().min_by_key(|own| own.digits).or_else(|| of_two_powers(machine, predictor))
+}
+
+/// A gain of one state with two powers of the speed, from what it is at each speed of which there are eigenvalues.
+fn of_two_powers(machine: &Machine, predictor: &Predictor) -> Option<Undeclared> {
+    let speeds = predictor.given().speeds();
+    let [first, .., last] = speeds[..] else { return None };
+    for input in Input::all(machine.info) {
+        let shares = input.shares(machine.info, &machine.parameters);
+        for (is_rate, column) in states(machine.info) {
+            let (matrices, exponents) = (POWERS[usize::from(!is_rate)], EXPONENTS[usize::from(!is_rate)]);
+            let world = |gains: &[(MatrixName, f64)]| {
+                let mut own = machine.world();
+                for (row, share) in shares.iter().enumerate() {
+                    for (matrix, value) in gains {
+                        own.entries[index(*matrix, row, column, machine.formulas.count)] -= share * value;
+                    }
+                }
+                own
+            };
+            let at = |speed: f64| at_speed(predictor, speed, [&machine.world(), &world(&[(matrices[0], 1.0)])]);
+            let (Some(of_first), Some(of_last)) = (at(first), at(last)) else { continue };
+            for chosen in [[0, 1], [0, 2], [1, 2]] {
+                let row = |speed: f64| chosen.map(|at| speed.powi(exponents[at])).to_vec();
+                let Some(values) = solution(&[row(first), row(last)], &[of_first, of_last]) else { continue };
+                let rounded = (0..PLAIN).filter_map(|digits| {
+                    let values = values.iter().map(|value| format!("{value:.digits$e}").parse().ok());
+                    values.collect::<Option<Vec<f64>>>()
+                });
+                let powers =
+                    |values: Vec<f64>| chosen.map(|at| matrices[at]).into_iter().zip(values).collect::<Vec<_>>();
+                let mut fitting = rounded.map(powers).filter(|gains| predictor.fits(&world(gains)));
+                let Some(gains) = fitting.next() else { continue };
+                let gains = gains.into_iter().filter(|(_, value)| *value != 0.0);
+                let gains: Vec<Gain> = gains.map(|(matrix, value)| Gain { matrix, input, column, value }).collect();
+                if let Some(found) = Undeclared::new(machine, predictor, &gains) {
+                    return Some(found);
+                }
+            }
+        }
+    }
+    None
+}
+
+/// What a gain is at a speed, by an eigenvalue there that the machine has not without it; `None` where one is not real. Of the machine
+/// without it, and with a gain of one.
+fn at_speed(predictor: &Predictor, speed: f64, worlds: [&World; 2]) -> Option<f64> {
+    let entries = worlds.map(|own| predictor.closed_entries(own));
+    let gravity = worlds[0].gravity;
+    let mut own = predictor.zeros().iter().filter(|own| own.speed == speed);
+    let zero = own.find(|own| !own.holds(&entries[0], gravity))?;
+    let [off, further] = entries.map(|own| zero.determinant(&own, gravity));
+    let value = off / (off - further);
+    (value.re.is_finite() && value.im.abs() <= UNREAL * value.re.abs()).then_some(value.re)
 }
 
 /// A gain by an eigenvalue that the machine has not without it: each is multiplied with one column of one force, so that the

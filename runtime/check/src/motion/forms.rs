@@ -3,8 +3,8 @@
 
 use carvallo::ModelInfo;
 
-use crate::conventions;
-use crate::given::{Accelerations, Given};
+use crate::conventions::{self, Convention, Effect};
+use crate::given::{Accelerations, Given, Reading};
 
 /// For each way in which all states or accelerations of a file may be others: what they would be in ours, and what was done, in words.
 pub fn mended(given: &Given, info: &ModelInfo) -> Vec<(Given, String)> {
@@ -50,12 +50,37 @@ pub fn mended(given: &Given, info: &ModelInfo) -> Vec<(Given, String)> {
             });
         }
     }
+    for convention in conventions::coordinates(info) {
+        let Convention { what, effect: Effect::Coordinates(shares), .. } = convention else { continue };
+        add(what, &|own| transform(own, &shares));
+    }
     add("accelerations have the other sign".to_owned(), &|own| (0..names.len()).for_each(|at| scale(own, at, -1.0)));
     add("rates are left out".to_owned(), &|own| own.rates.fill(0.0));
     for (told, factor) in conventions::units() {
         add(told, &|own| own.speed *= factor);
     }
     found
+}
+
+/// Of a state in other coordinates, of which ours are these shares; as it is where forces are given or an acceleration is not.
+fn transform(own: &mut Accelerations, shares: &[f64]) {
+    let count = own.positions.len();
+    let Some(known) = own.values.iter().cloned().collect::<Option<Vec<Reading>>>() else { return };
+    if own.forces.iter().any(|force| *force != 0.0) {
+        return;
+    }
+    let sum = |row: usize, of: &dyn Fn(usize, f64) -> f64| -> f64 {
+        (0..count).map(|column| of(column, shares[row * count + column])).sum()
+    };
+    for values in [&mut own.positions, &mut own.rates] {
+        *values = (0..count).map(|row| sum(row, &|at, share| share * values[at])).collect();
+    }
+    let reading = |row: usize| Reading {
+        value: sum(row, &|at, share| share * known[at].value),
+        tolerance: sum(row, &|at, share| share.abs() * known[at].tolerance),
+        ..known[row].clone()
+    };
+    own.values = (0..count).map(|row| Some(reading(row))).collect();
 }
 
 fn scale(own: &mut Accelerations, at: usize, factor: f64) {
