@@ -137,7 +137,8 @@ pub struct Search<'a, 'b> {
     here: Vec<f64>,
     rounded: &'b Predictor<'b>,
     any: &'b Predictor<'b>,
-    singles: OnceCell<Vec<Found<'a>>>,
+    /// With the numbers that each makes: critical speeds of many coordinates take long.
+    singles: OnceCell<Vec<(Found<'a>, Vec<f64>)>>,
     conventions: OnceCell<Vec<&'a Convention>>,
     pairs: OnceCell<Vec<Found<'a>>>,
     slips: OnceCell<Vec<Found<'a>>>,
@@ -164,12 +165,13 @@ impl<'a, 'b> Search<'a, 'b> {
 
     /// Whether a slip or a convention alone reproduces all numbers, read in one way.
     pub fn has_one_cause(&self, predictor: &Predictor) -> bool {
-        self.singles().iter().any(|found| predictor.fits(&found.world))
+        self.singles().iter().any(|own| is_made(own, predictor))
     }
 
     /// What reproduces all numbers, read in one way, by a slip, a convention or another value of a parameter alone.
     pub fn by_one(&self, predictor: &Predictor) -> Vec<Found<'a>> {
-        let mut found = self.fitting(self.singles(), predictor);
+        let single = self.singles().iter().filter(|own| is_made(own, predictor));
+        let mut found: Vec<Found> = single.map(|(found, _)| found.clone()).collect();
         // Speeds in another unit are told with it.
         let has_unit = found.iter().any(|own| own.has_other_speeds());
         let solved = self.solved(predictor, self.parameters());
@@ -261,13 +263,12 @@ impl<'a, 'b> Search<'a, 'b> {
         causes.map(|causes| Found { causes, world: self.machine.world() }).into_iter().collect()
     }
 
-    fn singles(&self) -> &[Found<'a>] {
+    fn singles(&self) -> &[(Found<'a>, Vec<f64>)] {
         self.singles.get_or_init(|| {
             let mut found = Vec::new();
             let mut tell = |cause: Cause<'a>, world: &World| {
-                if self.any.fits(world) {
-                    found.push(Found { causes: vec![cause], world: world.clone() });
-                }
+                let made = || (Found { causes: vec![cause], world: world.clone() }, self.any.predict(world));
+                found.extend(self.any.may_fit(world).then(made).filter(|own| is_made(own, self.any)));
             };
             self.at_speeds().for_each(|own| tell(Cause::Convention(own), &self.machine.world_with(own)));
             self.machine.singles(&mut tell);
@@ -358,6 +359,11 @@ impl<'a, 'b> Search<'a, 'b> {
         }
         found
     }
+}
+
+/// Whether all numbers, read in one way, are those that something makes.
+fn is_made((found, numbers): &(Found, Vec<f64>), predictor: &Predictor) -> bool {
+    predictor.may_fit(&found.world) && predictor.agreeing(numbers) == numbers.len()
 }
 
 /// So many digits gains and forces have at most that were meant: some or other make any mistakes in one equation; by few digits, short
