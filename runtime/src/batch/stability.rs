@@ -65,6 +65,9 @@ enum Way {
     Alone,
 }
 
+/// As many lanes as the widest registers have, in `f64`.
+const LANES: usize = MOST / 2;
+
 #[inline(always)]
 fn of_designs<S: Simd>(
     simd: S,
@@ -76,8 +79,8 @@ fn of_designs<S: Simd>(
     let designs = coefficients.chunks(lanes).zip(gravity.chunks(lanes)).zip(stability.chunks_mut(lanes));
     for ((coefficients, gravity), stability) in designs {
         let last = coefficients.len() - 1;
-        let mut rows = [[[[0.0; 2]; 2]; 6]; MOST];
-        let mut ways = [Way::Alone; MOST];
+        let mut rows = [[[[0.0; 2]; 2]; 6]; LANES];
+        let mut ways = [Way::Alone; LANES];
         for (lane, (coefficients, gravity)) in coefficients.iter().zip(gravity).enumerate() {
             rows[lane] = entries(coefficients);
             let is_usual = !coefficients.has_odd_powers()

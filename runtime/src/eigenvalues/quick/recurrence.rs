@@ -1,5 +1,7 @@
 //! The characteristic polynomial of a Hessenberg matrix.
 
+use arrayvec::ArrayVec;
+
 use super::{first_meant, pairs, pairs_mut};
 use crate::number::lane::Lane;
 
@@ -37,24 +39,23 @@ impl<'a, T: Lane, const C: usize> Recurrence<'a, T, C> {
         assert!(*size <= C);
         let (zero, one) = (rows[0][0].like(0.0), rows[0][0].like(1.0));
         // All of one degree more than there are coefficients: those of p_k are one at k and zero beyond.
-        let mut leading = [[zero; C]; C];
+        let mut leading = ArrayVec::<[T; C], C>::new();
         let mut last = [zero; C];
-        leading[0][0] = one;
+        last[0] = one;
         for k in 0..*size {
             let mut next = [zero; C];
-            next[1..=k].copy_from_slice(&leading[k][..k]);
-            for i in 0..=k {
+            next[1..=k].copy_from_slice(&last[..k]);
+            leading.push(last);
+            for (i, leading) in leading.iter().enumerate() {
                 let (factor, even) = (rows[i][k], i / 2 * 2 + 2);
-                for (next, leading) in pairs_mut(&mut next[..even]).iter_mut().zip(pairs(&leading[i][..even])) {
+                for (next, leading) in pairs_mut(&mut next[..even]).iter_mut().zip(pairs(&leading[..even])) {
                     *next = [next[0] - factor * leading[0], next[1] - factor * leading[1]];
                 }
             }
             if k + 1 < *size {
                 next[k + 1] = one;
-                leading[k + 1] = next;
-            } else {
-                last = next;
             }
+            last = next;
         }
         last
     }

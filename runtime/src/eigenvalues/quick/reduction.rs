@@ -137,10 +137,21 @@ fn reflect<T: Lane, const C: usize>(k: usize, size: usize, a: &mut [[T; C]; C]) 
     // Two columns at a time, from one with an even number on: left of those that are meant nothing counts.
     let even = k.div_ceil(2) * 2;
     let direction = &direction[..size];
-    // From the left, in the columns after k.
+    // From the left, in the columns after k: two rows at a time, so that sums are read and written half as often.
     let mut sums = [zero; C];
     let sums = pairs_mut(&mut sums[even..size]);
-    for (row, along) in a[k + 1..size].iter().zip(&direction[k + 1..]) {
+    let (two_rows, last_row) = a[k + 1..size].as_chunks::<2>();
+    let (two_along, last_along) = direction[k + 1..].as_chunks::<2>();
+    for ([row, next], along) in two_rows.iter().zip(two_along) {
+        let entries = pairs(&row[even..size]).iter().zip(pairs(&next[even..size]));
+        for (sum, (entry, below)) in sums.iter_mut().zip(entries) {
+            *sum = [
+                sum[0] + along[0] * entry[0] + along[1] * below[0],
+                sum[1] + along[0] * entry[1] + along[1] * below[1],
+            ];
+        }
+    }
+    for (row, along) in last_row.iter().zip(last_along) {
         for (sum, entry) in sums.iter_mut().zip(pairs(&row[even..size])) {
             *sum = [sum[0] + *along * entry[0], sum[1] + *along * entry[1]];
         }
@@ -152,17 +163,19 @@ fn reflect<T: Lane, const C: usize>(k: usize, size: usize, a: &mut [[T; C]; C]) 
         }
     }
     a[k + 1][k] = T::select(is_reduced, head, zero - norm);
-    // From the right, in all rows.
+    // From the right, in all rows, of which there is an even number.
     let direction = pairs(&direction[even..]);
-    for row in &mut a[..size] {
-        let row = pairs_mut(&mut row[even..size]);
-        let mut sum = [zero; 2];
-        for (entry, along) in row.iter().zip(direction) {
-            sum = [sum[0] + entry[0] * along[0], sum[1] + entry[1] * along[1]];
+    for [first, second] in a[..size].as_chunks_mut::<2>().0 {
+        let (first, second) = (pairs_mut(&mut first[even..size]), pairs_mut(&mut second[even..size]));
+        let (mut of_first, mut of_second) = ([zero; 2], [zero; 2]);
+        for ((x, y), along) in first.iter().zip(&*second).zip(direction) {
+            of_first = [of_first[0] + x[0] * along[0], of_first[1] + x[1] * along[1]];
+            of_second = [of_second[0] + y[0] * along[0], of_second[1] + y[1] * along[1]];
         }
-        let sum = (sum[0] + sum[1]) * factor;
-        for (entry, along) in row.iter_mut().zip(direction) {
-            *entry = [entry[0] - sum * along[0], entry[1] - sum * along[1]];
+        let (of_first, of_second) = ((of_first[0] + of_first[1]) * factor, (of_second[0] + of_second[1]) * factor);
+        for ((x, y), along) in first.iter_mut().zip(second).zip(direction) {
+            *x = [x[0] - of_first * along[0], x[1] - of_first * along[1]];
+            *y = [y[0] - of_second * along[0], y[1] - of_second * along[1]];
         }
     }
 }
