@@ -94,10 +94,30 @@ fn write<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
         );
         return;
     }
+    // One half after the other: there are fewer registers than all of them have rows.
+    write_half::<S, N, M>(&mut matrices, zeros, coefficients, Half::First);
+    write_half::<S, N, M>(&mut matrices, zeros, coefficients, Half::Second);
+}
+
+/// Which four of the eight matrices.
+#[derive(Clone, Copy, PartialEq)]
+enum Half {
+    First,
+    Second,
+}
+
+/// Writes half of the matrices of all designs.
+#[inline(always)]
+fn write_half<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
+    matrices: &mut [Rows<Lanes<S, M::Scalar>, N>; 8],
+    zeros: &Lanes<S, M::Scalar>,
+    coefficients: &mut [Coefficients<M::Scalar, N>],
+    half: Half,
+) {
     let lanes = Lanes::<S, M::Scalar>::COUNT;
     let group = lanes.min(GROUP);
-    for (matrix, is_there) in matrices.iter_mut().zip(Matrices::<N, M>::ARE_THERE) {
-        if is_there {
+    for ((place, matrix), is_there) in matrices.iter_mut().enumerate().zip(Matrices::<N, M>::ARE_THERE) {
+        if is_there && (place < 4) == (half == Half::First) {
             // By columns, as matrices lie in memory.
             let mut columns = *matrix;
             for (row, numbers) in matrix.iter().enumerate() {
@@ -112,31 +132,35 @@ fn write<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
         }
     }
     // One after the other, not in a loop: what is in a lane is only known where the lane is.
-    write_four::<S, N, M>(&matrices, zeros, coefficients, 0);
+    write_four::<S, N, M>(matrices, zeros, coefficients, half, 0);
     if lanes > GROUP {
-        write_four::<S, N, M>(&matrices, zeros, coefficients, 1);
+        write_four::<S, N, M>(matrices, zeros, coefficients, half, 1);
     }
     if lanes > 2 * GROUP {
-        write_four::<S, N, M>(&matrices, zeros, coefficients, 2);
-        write_four::<S, N, M>(&matrices, zeros, coefficients, 3);
+        write_four::<S, N, M>(matrices, zeros, coefficients, half, 2);
+        write_four::<S, N, M>(matrices, zeros, coefficients, half, 3);
     }
 }
 
-/// Writes the matrices of four designs, or of as many as there are lanes.
+/// Writes them of four designs, or of as many as there are lanes.
 #[inline(always)]
 fn write_four<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
     matrices: &[Rows<Lanes<S, M::Scalar>, N>; 8],
     zeros: &Lanes<S, M::Scalar>,
     coefficients: &mut [Coefficients<M::Scalar, N>],
+    half: Half,
     four: usize,
 ) {
     let group = Lanes::<S, M::Scalar>::COUNT.min(GROUP);
     let states = core::array::from_fn(|coordinate| M::INFO.coordinates[coordinate].states);
     for (row, coefficients) in coefficients[four * group..][..group].iter_mut().enumerate() {
         let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, states: of_all } = coefficients;
-        for ((matrix, columns), is_there) in
-            [m, cm1, c0, c1, kc, k0, k1, k2].into_iter().zip(matrices).zip(Matrices::<N, M>::ARE_THERE)
+        for (((place, matrix), columns), is_there) in
+            [m, cm1, c0, c1, kc, k0, k1, k2].into_iter().enumerate().zip(matrices).zip(Matrices::<N, M>::ARE_THERE)
         {
+            if (place < 4) != (half == Half::First) {
+                continue;
+            }
             if !is_there {
                 let mut places = matrix.as_mut_slice().chunks_exact_mut(group);
                 places.by_ref().for_each(|places| places.copy_from_slice(&zeros.numbers()[..group]));
@@ -153,7 +177,9 @@ fn write_four<S: Simd, const N: usize, M: Model<N, Scalar: InLanes>>(
                 *place = numbers.lane(four * group + row);
             }
         }
-        *of_all = states;
+        if half == Half::Second {
+            *of_all = states;
+        }
     }
 }
 
