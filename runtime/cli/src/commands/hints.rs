@@ -25,6 +25,9 @@ pub fn hint(error: &clap::Error, command: &Command) -> Option<Failure> {
                         Failure::usage(format!("unexpected `{design}`: {one}, and lists have commas without spaces"))
                     });
                 }
+                "--format" if error.get(ContextKind::Usage)?.to_string().contains("carvallo sweep") => {
+                    "the format is that of --output, .csv or .parquet".to_owned()
+                }
                 "--format" => {
                     "this command writes TOML; `carvallo convert --to paper --format json` writes designs in other forms".to_owned()
                 }

@@ -305,6 +305,10 @@ fn what_was_meant_is_said() {
             "--format: this command writes TOML; `carvallo convert --to paper --format json` writes designs in other forms",
         ),
         (
+            &["sweep", "--vary", "c=0:0.1:0.1", "--format", "json"],
+            "--format: the format is that of --output, .csv or .parquet",
+        ),
+        (
             &["optimize", "--vary", "c=0:0.1", "--minimize", "weave"],
             "--minimize weave: `weave` is not a parameter of Whipple; did you mean `weave-speed`?; expected a parameter, or one of \
              stable-range, weave-speed, capsize-speed, divergence-speed, flutter-speed, wobble-speed",

@@ -15,6 +15,7 @@ mod critical;
 mod curves;
 mod eigenvalues;
 mod font;
+#[cfg(feature = "units")]
 mod graph;
 mod labels;
 #[cfg(feature = "control")]

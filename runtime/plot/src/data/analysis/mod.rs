@@ -5,4 +5,5 @@ mod json;
 
 pub use self::csv::write_csv;
 pub use self::json::write_json;
+#[cfg(feature = "units")]
 pub(super) use self::json::{Event, Range, events, ranges};
