@@ -32,7 +32,7 @@ pub fn compare_svg(py: Python<'_>, designs: Labelled<'_>, of: &str) -> PyResult<
     let units = Units::default();
     let scene = match of {
         "eigenvalues" => Some(picture::draw_overlay(&comparison, None, None, &units).map_err(raise)?),
-        "side views" => picture::draw_side_views(&comparison),
+        "side views" => picture::draw_side_views(&comparison, &units),
         _ => {
             let last = comparison.differences.len();
             let difference = &comparison.differences[last - 1];

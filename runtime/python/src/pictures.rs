@@ -1,6 +1,7 @@
 //! Pictures of one design.
 
 use carvallo_design::Failure;
+use carvallo_design::units::Units;
 use carvallo_plot::analysis::Analysis;
 use carvallo_plot::picture::{Limits, MOST_SPEEDS, draw_eigenvalues, draw_locus, draw_phasors, draw_side_view};
 use pyo3::prelude::*;
@@ -47,7 +48,7 @@ impl Designs {
     /// The side view of a bicycle, as SVG; none of other models.
     fn side_view_svg(&self, py: Python<'_>, about: About) -> PyResult<Option<String>> {
         let design = self.described(py, about)?.build().map_err(raise)?;
-        Ok(draw_side_view(&design).map(|(scene, _)| scene.svg()))
+        Ok(draw_side_view(&design, &Units::default()).map(|(scene, _)| scene.svg()))
     }
 
     /// The eigenvalues in the complex plane while the speed grows from one to another, as SVG.

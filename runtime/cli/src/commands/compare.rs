@@ -111,7 +111,7 @@ impl Pictures {
         if let Some(file) = &self.side_view {
             let none =
                 || file.problem_of("--side-view", "there is a side view of bicycles alone, and not all of these are");
-            file.write(&picture::draw_side_views(comparison).ok_or_else(none)?)?;
+            file.write(&picture::draw_side_views(comparison, units).ok_or_else(none)?)?;
         }
         if let Some(file) = &self.contributions {
             let (first, last) = (&comparison.designs[0], &comparison.designs[comparison.designs.len() - 1]);

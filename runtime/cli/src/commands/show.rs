@@ -35,7 +35,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let design = options.design.load()?;
     if let Some(picture) = &options.plot {
         let no_view = || Failure::Run(format!("the model {} has no side view", design.info().name));
-        let (scene, left_out) = picture::draw_side_view(&design).ok_or_else(no_view)?;
+        let (scene, left_out) = picture::draw_side_view(&design, &units).ok_or_else(no_view)?;
         if !left_out.is_empty() {
             note(WARNING, "note", &format!("the side view has no place for {}", left_out.join(", ")));
         }

@@ -575,6 +575,30 @@ fn pictures_of_comparisons_motions_and_turns_are_in_other_units() {
     }
 }
 
+/// Lengths, masses and the angle in side views: an inch is 0.0254 m, and a pound 0.45359237 kg.
+#[test]
+fn side_views_are_in_other_units() {
+    let directory = Directory::of_this_test();
+    let draw = |arguments: &[&str]| {
+        let run = directory.run(arguments);
+        assert!(run.code == Some(0) && !run.stderr.contains("--units"), "{arguments:?}: {}", run.stderr);
+        std::fs::read_to_string(directory.0.join("a.svg")).unwrap()
+    };
+    let shows = |picture: &str, texts: &[&str]| {
+        texts.iter().for_each(|text| assert!(picture.contains(&format!("\"{text}\"")), "no {text:?}: {picture}"));
+    };
+    let show = ["show", "benchmark", "--plot", "a.svg", "--units"];
+    let picture = draw(&[&show[..], &["in,lb,rad"]].concat());
+    shows(&picture, &["wheel base w = 40.157 in", "trail c = 3.15 in", "B  187.393 lb", "λ = 0.3142 rad"]);
+    let picture = draw(&[&show[..], &["mm"]].concat());
+    shows(&picture, &["wheel base w = 1020 mm", "trail c = 80 mm", "B  85 kg", "λ = 18.00°"]);
+    let compare = ["compare", "benchmark", "benchmark:lam=20deg", "--side-view", "a.svg", "--units"];
+    let picture = draw(&[&compare[..], &["imperial"]].concat());
+    shows(&picture, &["benchmark: wheel base 40.16 in, trail 3.15 in, tilt 18.00°"]);
+    let picture = draw(&[&compare[..], &["mm"]].concat());
+    shows(&picture, &["benchmark: wheel base 1020 mm, trail 80 mm, tilt 18.00°"]);
+}
+
 /// A torque of feedback, the forces of the ground and the energies, in what people have at hand.
 #[test]
 fn forces_and_energies_of_motions_have_units() {

@@ -41,7 +41,9 @@ mod response;
 mod scales;
 mod scene;
 mod series;
+#[cfg(feature = "units")]
 mod side_view;
+#[cfg(feature = "units")]
 mod side_views;
 #[cfg(feature = "control")]
 mod sigma;
@@ -77,7 +79,9 @@ pub use self::phasors::{MOST_SPEEDS, draw_phasors};
 pub use self::response::draw_response;
 pub use self::scene::{Color, Paint, Scene};
 pub use self::series::Series;
+#[cfg(feature = "units")]
 pub use self::side_view::draw_side_view;
+#[cfg(feature = "units")]
 pub use self::side_views::draw_side_views;
 #[cfg(feature = "control")]
 pub use self::sigma::draw_sigma;

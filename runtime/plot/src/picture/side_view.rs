@@ -1,7 +1,8 @@
 //! A bicycle from its right side, to scale: wheels, steer axis, trail, and centres of mass.
 
 use carvallo_design::number::shortest;
-use carvallo_design::{Design, body};
+use carvallo_design::units::Units;
+use carvallo_design::{Design, DisplayUnit, body};
 
 use super::axes::INK;
 use super::font;
@@ -146,7 +147,7 @@ impl Scale {
 }
 
 /// The side view, with what it leaves out; `None` for a model that has not the parameters of a bicycle.
-pub fn draw_side_view(design: &Design) -> Option<(Scene, LeftOut)> {
+pub fn draw_side_view(design: &Design, units: &Units) -> Option<(Scene, LeftOut)> {
     let geometry = Geometry::of(design)?;
     let (scale, height) = scale(std::slice::from_ref(&geometry));
     let left_out = geometry.left_out(design);
@@ -164,17 +165,18 @@ pub fn draw_side_view(design: &Design) -> Option<(Scene, LeftOut)> {
         scene.circle(center, pixels, line(3.0), INK);
         labels.avoid_line(&arc(center, pixels, 0.0, std::f32::consts::TAU), LINE);
     }
-    draw_dimensions(&geometry, &scale, &mut scene, &mut labels);
+    draw_dimensions(&geometry, &units.of("m"), &scale, &mut scene, &mut labels);
     for (_, _, position) in &geometry.bodies {
         let (x, y) = scale.place(*position);
         draw_center_of_mass((x, y), &mut scene);
         labels.avoid_box([x - 7.0, y - 7.0, x + 7.0, y + 7.0]);
     }
-    draw_steer_axis(&geometry, &scale, &mut scene, &mut labels);
+    draw_steer_axis(&geometry, &units.for_people("rad"), &scale, &mut scene, &mut labels);
     draw_hip(&geometry, &scale, &mut scene, &mut labels);
+    let of_mass = units.of("kg");
     for (name, mass, position) in &geometry.bodies {
         let (x, y) = scale.place(*position);
-        let text = format!("{name}  {} kg", three_decimals(*mass));
+        let text = format!("{name}  {}", written(*mass, &of_mass));
         if let Some(place) = labels.beside(&[(x, y), (x + 1.0, y)], &text, TEXT_SIZE) {
             scene.text(place, Anchor::Start, TEXT_SIZE, INK, &text);
         }
@@ -224,7 +226,7 @@ fn draw_frame(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mu
     labels.avoid_line(&bars, LINE);
 }
 
-fn draw_steer_axis(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mut Labels) {
+fn draw_steer_axis(geometry: &Geometry, unit: &DisplayUnit, scale: &Scale, scene: &mut Scene, labels: &mut Labels) {
     let length = geometry.axis_length();
     let foot = geometry.steer_axis(0.0);
     let ends = [scale.place(foot), scale.place(geometry.steer_axis(length))];
@@ -240,7 +242,7 @@ fn draw_steer_axis(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels
         arc(ends[0], (0.93 * upright * scale.factor) as f32, upwards, (-geometry.forward * geometry.tilt) as f32);
     scene.polyline(&angle, line(1.2), DIMENSION);
     labels.avoid_line(&angle, LINE);
-    let text = format!("λ = {:.2}°", geometry.tilt.to_degrees()).replace('-', "−");
+    let text = format!("λ = {}", angle_in(unit, geometry.tilt));
     if let Some(place) = labels.beside(&angle, &text, TEXT_SIZE) {
         scene.text(place, Anchor::Start, TEXT_SIZE, INK, &text);
     }
@@ -252,7 +254,7 @@ fn draw_steer_axis(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels
 }
 
 /// Wheel base and trail, each on a line of its own below the ground.
-fn draw_dimensions(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mut Labels) {
+fn draw_dimensions(geometry: &Geometry, unit: &DisplayUnit, scale: &Scale, scene: &mut Scene, labels: &mut Labels) {
     let ground = scale.place((0.0, 0.0)).1;
     let x = |metres: f64| scale.place((metres, 0.0)).0;
     let (rear, front, foot) = (x(0.0), x(geometry.wheel_base), x(geometry.wheel_base + geometry.trail));
@@ -261,7 +263,7 @@ fn draw_dimensions(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels
     }
     let (row, middle) = (ground + 36.0, (rear + front) / 2.0);
     draw_arrow(scene, (rear, row), (front, row));
-    let text = format!("wheel base w = {} m", three_decimals(geometry.wheel_base));
+    let text = format!("wheel base w = {}", written(geometry.wheel_base, unit));
     if font::width(&text, TEXT_SIZE) < (front - rear).abs() {
         scene.text((middle, row - 6.0), Anchor::Middle, TEXT_SIZE, INK, &text);
     } else {
@@ -269,15 +271,23 @@ fn draw_dimensions(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels
     }
     let row = ground + 72.0;
     draw_arrow(scene, (front, row), (foot, row));
-    let text = format!("trail c = {} m", three_decimals(geometry.trail)).replace('-', "−");
+    let text = format!("trail c = {}", written(geometry.trail, unit));
     scene.text((front.min(foot) - 10.0, row + 5.0), Anchor::End, TEXT_SIZE, INK, &text);
     labels.avoid_box([rear.min(front).min(foot), ground, rear.max(front).max(foot), ground + BELOW]);
 }
 
-/// At most three decimals, without zeros at the end.
-fn three_decimals(value: f64) -> String {
-    match value.abs() {
+/// In a unit, with at most three decimals, without zeros at the end.
+fn written(value: f64, unit: &DisplayUnit) -> String {
+    let value = unit.value(value);
+    let number = match value.abs() {
         1e-3..1e7 => shortest((1000.0 * value).round() / 1000.0),
         _ => shortest(value),
-    }
+    };
+    format!("{number}{}", unit.behind_number()).replace('-', "−")
+}
+
+/// An angle with two decimals of a degree, or four of a radian.
+pub(super) fn angle_in(unit: &DisplayUnit, angle: f64) -> String {
+    let decimals = if unit.is_declared() { 4 } else { 2 };
+    format!("{:.decimals$}{}", unit.value(angle), unit.behind_number()).replace('-', "−")
 }

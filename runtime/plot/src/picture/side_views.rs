@@ -1,12 +1,14 @@
 //! Several bicycles from their right sides, to one scale and laid over each other.
 
+use carvallo_design::units::Units;
+
 use super::axes::INK;
 use super::colors::{design, design_line};
 use super::font;
 use super::labels::{LINE, Labels};
 use super::marks::arc;
 use super::scene::{Anchor, Color, Paint, Scene, dashed, line};
-use super::side_view::{Geometry, Scale, WIDTH, scale};
+use super::side_view::{Geometry, Scale, WIDTH, angle_in, scale};
 use crate::analysis::compare::{Compared, Comparison};
 
 const TEXT_SIZE: f32 = 15.0;
@@ -16,7 +18,7 @@ const ROW: f32 = 22.0;
 const LEGEND_LEFT: f32 = 60.0;
 
 /// The side views; `None` if one of the models has not the parameters of a bicycle.
-pub fn draw_side_views(comparison: &Comparison) -> Option<Scene> {
+pub fn draw_side_views(comparison: &Comparison, units: &Units) -> Option<Scene> {
     let of = |compared: &Compared| Geometry::of(&compared.analysis.design);
     let geometries = comparison.designs.iter().map(of).collect::<Option<Vec<_>>>()?;
     let (scale, height) = scale(&geometries);
@@ -44,9 +46,14 @@ pub fn draw_side_views(comparison: &Comparison) -> Option<Scene> {
     for (index, geometry) in geometries.iter().enumerate() {
         draw_masses(geometry, &scale.of(geometry), most, design(index), &mut scene, &mut labels_taken);
     }
+    let (of_length, of_angle) = (units.of("m"), units.for_people("rad"));
+    // About a millimetre.
+    let decimals = (3.0 - of_length.value(1.0).log10().floor()).max(0.0) as usize;
     let dimensions = geometries.iter().map(|Geometry { wheel_base, trail, tilt, .. }| {
-        let text = format!(": wheel base {wheel_base:.3} m, trail {trail:.3} m, tilt {:.2}°", tilt.to_degrees());
-        text.replace('-', "−")
+        let [wheel_base, trail] = [wheel_base, trail].map(|&length| {
+            format!("{:.decimals$}{}", of_length.value(length), of_length.behind_number()).replace('-', "−")
+        });
+        format!(": wheel base {wheel_base}, trail {trail}, tilt {}", angle_in(&of_angle, *tilt))
     });
     let dimensions: Vec<String> = dimensions.collect();
     let longest = dimensions.iter().map(|text| font::width(text, TEXT_SIZE)).fold(0.0, f32::max);

@@ -1,4 +1,5 @@
 use carvallo_design::input::{self, Request};
+use carvallo_design::units::Units;
 use carvallo_design::{Design, MODELS};
 
 use super::scene::Color;
@@ -33,7 +34,7 @@ fn the_font_has_the_characters_of_every_picture() {
         if model.depends_on_speed() {
             scenes.push(eigenvalues(load()));
         }
-        scenes.extend(draw_side_view(&load()).map(|(scene, _)| scene));
+        scenes.extend(draw_side_view(&load(), &Units::default()).map(|(scene, _)| scene));
         scenes.extend(Changes::new(load()).ok().and_then(|changes| draw_tornado(&changes)));
         for scene in &scenes {
             count += 1;
