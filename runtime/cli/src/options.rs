@@ -6,7 +6,7 @@ use std::str::FromStr;
 use carvallo_design::input::{self, Request};
 use carvallo_design::units::Units;
 use carvallo_design::{Design, DisplayUnit, Failure, Place, Problem, speeds};
-use carvallo_plot::picture::Scene;
+use carvallo_plot::picture::{Scene, may_be_replaced};
 use clap::builder::{PathBufValueParser, PossibleValue, TypedValueParser as _, ValueParser, ValueParserFactory};
 use clap::{ArgMatches, Args, ValueEnum};
 
@@ -264,7 +264,7 @@ impl Picture {
     }
 
     /// # Errors
-    /// If the picture would replace the file that the parameters are read from.
+    /// If the picture would replace the file that the parameters are read from, or what is no picture.
     pub fn check(&self, design: &DesignOptions) -> Result<(), Failure> {
         self.check_request("--plot", &design.request())
     }
@@ -272,13 +272,15 @@ impl Picture {
     /// The same for a picture of another option than `--plot`.
     ///
     /// # Errors
-    /// If it would replace the file that the parameters are read from.
+    /// If it would replace the file that the parameters are read from, or what is no picture.
     pub fn check_request(&self, option: &str, request: &Request) -> Result<(), Failure> {
         if request.reads(&self.0) {
-            Err(self.problem_of(option, "the parameters are read from this file"))
-        } else {
-            Ok(())
+            return Err(self.problem_of(option, "the parameters are read from this file"));
         }
+        if may_be_replaced(&self.0) {
+            return Ok(());
+        }
+        Err(self.problem_of(option, "this file is there, and is no picture: give another name, or remove it"))
     }
 
     /// That it cannot be drawn as it was asked for.

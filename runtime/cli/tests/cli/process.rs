@@ -297,6 +297,28 @@ fn results_replace_results_alone() {
     }
 }
 
+/// A picture replaces a picture, and nothing else: not numbers that its name is a link to.
+#[cfg(unix)]
+#[test]
+fn pictures_replace_pictures_alone() {
+    let directory = Directory::of_this_test();
+    let steer = "t,delta\n0,1\n1,2\n";
+    directory.write("steer.csv", steer);
+    std::os::unix::fs::symlink("steer.csv", directory.0.join("steer.png")).unwrap();
+    let force = ["simulate", "--speed", "5", "--duration", "0.1", "--force", "delta=steer.csv", "--plot", "steer.png"];
+    let message = "this file is there, and is no picture: give another name, or remove it\n";
+    directory.run(&force).fails(2, &format!("error: --plot steer.png: {message}"));
+    assert_eq!(std::fs::read_to_string(directory.0.join("steer.csv")).unwrap(), steer);
+    let compare = ["compare", "benchmark", "pista", "--side-view", "notes.svg"];
+    directory.write("notes.svg", "none yet\n");
+    directory.run(&compare).fails(2, &format!("error: --side-view notes.svg: {message}"));
+    std::fs::remove_file(directory.0.join("notes.svg")).unwrap();
+    for _ in 0..2 {
+        let run = directory.run(&compare);
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+    }
+}
+
 /// Two names of one file are one file.
 #[cfg(unix)]
 #[test]

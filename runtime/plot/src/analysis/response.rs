@@ -69,8 +69,12 @@ impl<'a> Responses<'a> {
             Excitation::Impulse { input, size } => what("an", "impulse", *input, *size, "s"),
             Excitation::Initial(state) => {
                 let given = self.space.states.iter().zip(state).filter(|(_, value)| **value != 0.0);
-                let given: Vec<String> =
-                    given.map(|(state, value)| format!("{} = {}", state.name, six_digits(*value))).collect();
+                let given: Vec<String> = given
+                    .map(|(state, value)| {
+                        let shown = format!("{} = {} {}", state.name, six_digits(*value), unit(&state.unit));
+                        shown.trim_end().to_owned()
+                    })
+                    .collect();
                 format!("Response from {}", if given.is_empty() { "rest".to_owned() } else { given.join(", ") })
             }
         }

@@ -35,6 +35,7 @@ mod phasors;
 mod places;
 #[cfg(feature = "png")]
 mod png;
+mod replaced;
 #[cfg(feature = "control")]
 mod response;
 #[cfg(feature = "control")]
@@ -75,6 +76,7 @@ pub use self::nyquist::draw_nyquist;
 pub use self::overlay::draw_overlay;
 pub use self::panels::{Panel, panels};
 pub use self::phasors::{MOST_SPEEDS, draw_phasors};
+pub use self::replaced::may_be_replaced;
 #[cfg(feature = "control")]
 pub use self::response::draw_response;
 pub use self::scene::{Color, Paint, Scene};

@@ -7,7 +7,7 @@ use carvallo_design::conventions::{Naming, Varying};
 use carvallo_design::input::{given_twice, is_same_file};
 use carvallo_design::number::shortest;
 use carvallo_design::{Capacity, Failure, Place, Problem, Shipped, speeds};
-use carvallo_plot::picture::MOST_CELLS;
+use carvallo_plot::picture::{MOST_CELLS, may_be_replaced};
 
 use crate::generate::{Axis, MEASURED, Random};
 use crate::request::Request;
@@ -187,6 +187,8 @@ impl Problems {
         let path = path.display().to_string();
         if ![".svg", ".png"].iter().any(|ending| path.to_lowercase().ends_with(ending)) {
             self.option("--map", &path, "the name must end in .svg or .png");
+        } else if !may_be_replaced(Path::new(&path)) {
+            self.option("--map", &path, "this file is there, and is no picture: give another name, or remove it");
         }
         if request.vary.len() != 2 || !request.random.is_empty() {
             self.option("--map", &path, "a map needs two parameters that vary by --vary, and no others");
