@@ -31,7 +31,7 @@ pub fn find(machine: &Machine, predictor: &Predictor, most: usize) -> Vec<Force>
     let (all, count) = (missing(machine, predictor), machine.formulas.count);
     let wrong: Vec<usize> = (0..count).filter(|at| all.iter().any(|own| own.is_wrong(*at))).collect();
     let is_known = all.len() == given.accelerations.len() && (wrong.len() < count || all.len() > 1);
-    if !is_known {
+    if wrong.is_empty() || !is_known {
         return Vec::new();
     }
     let forces: Option<Vec<Force>> = wrong.into_iter().map(|on| constant(given, &all, on)).collect();
@@ -68,5 +68,5 @@ fn fit(machine: &Machine, predictor: &Predictor, forces: &[Force]) -> bool {
     }
     let own = Predictor::new(&given, machine);
     let here = own.predict(&machine.world());
-    !forces.is_empty() && own.agreeing(&here) == here.len()
+    own.agreeing(&here) == here.len()
 }
