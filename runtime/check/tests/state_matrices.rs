@@ -121,3 +121,19 @@ fn of_two_matrices_the_transposed_one_is_told_and_what_contradicts() {
     assert_eq!(suspects.contradictions, ["A_31 at 5 m/s is 9.48977445 and 10.48977445"], "{report}");
     assert_eq!(suspects.wrong, ["A_31 of A no. 2 at 5 m/s"], "{report}");
 }
+
+/// Positions under each other's names, and rates under their own: entries of the rates of positions are wrong as well, which no
+/// stiffness behind the matrix explains. By NumPy.
+#[test]
+fn positions_in_another_order_are_not_told_by_the_stiffness() {
+    let report = checked(
+        r#"{"speed": 5, "A": [[0.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 0.0],
+            [-22.8515, 9.48977, -0.527612, -1.65258], [-18.3841, 11.7195, 18.384, -15.4243]]}"#,
+    );
+    let text = report.to_string();
+    assert!(
+        text.contains("\nNothing that was tried explains all numbers") && !text.contains("each by itself"),
+        "{text}"
+    );
+    assert!(!text.contains("Behind A"), "{text}");
+}

@@ -9,6 +9,7 @@ use crate::explain::{Cause, Missing, Undeclared, missing, of_accelerations, unde
 use crate::given::{Quantity, contradictions};
 use crate::machine::Machine;
 use crate::predict::Predictor;
+use crate::states::states;
 use carvallo_slips::index;
 
 /// What is known of numbers that nothing explains as a whole.
@@ -102,8 +103,12 @@ impl Behind {
         are_explained(&self.wrong, &self.parts)
     }
 
-    /// None where no state matrix is given whole, or all is right behind it.
+    /// None where no state matrix is given whole, or all is right behind it, or where it says something else of the rates of
+    /// positions: it has no such form then.
     fn new(machine: &Machine, predictor: &Predictor) -> Option<Self> {
+        if has_wrong_rates(machine, predictor) {
+            return None;
+        }
         let given = behind::state_matrices(machine, predictor)?;
         let predictor = Predictor::new(&given, machine);
         let here = predictor.predict(&machine.world());
@@ -120,6 +125,17 @@ impl Behind {
         };
         (!own.wrong.is_empty()).then_some(own)
     }
+}
+
+/// Whether a row of a state matrix for a position does not say that its rate is the rate.
+fn has_wrong_rates(machine: &Machine, predictor: &Predictor) -> bool {
+    let (states, here) = (states(machine.info), predictor.predict(&machine.world()));
+    let is_of_position = |quantity: &Quantity| match *quantity {
+        Quantity::State(matrix, row, _) => !states[predictor.order(matrix)[row]].0,
+        _ => false,
+    };
+    let mut numbers = predictor.numbers().iter().zip(&here).enumerate();
+    numbers.any(|(at, ((quantity, _), &here))| is_of_position(quantity) && !predictor.agrees(at, here))
 }
 
 /// In which equations of motion accelerations are off, as `in state 1 at 5 m/s that of delta, by a force of 2.5`.
