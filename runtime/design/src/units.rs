@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use crate::display::DisplayUnit;
 use crate::failure::{Failure, Place};
 use crate::number::by_time;
+use crate::quantity::units::in_si;
 use crate::quantity::{Scale, scale};
 
 /// The units that `imperial` stands for.
@@ -23,8 +24,16 @@ struct Asked {
     by: Arc<(String, AtomicBool)>,
 }
 
+impl Asked {
+    /// Whether it was asked for by its own name, and not by `imperial`.
+    fn is_named(&self) -> bool {
+        self.by.0 == self.unit
+    }
+}
+
 impl Units {
-    /// From units that stand behind commas, such as `mm,deg,km/h`; `imperial` is `in,lb,deg,mph,lb*in,lb*in^2,ft/s^2`, and `si` none.
+    /// From units that stand behind commas, such as `mm,deg,km/h`; `imperial` is `in,lb,deg,mph,lb*in,lb*in^2,ft/s^2`, of which
+    /// units beside it replace some, as in `imperial,km/h`; and `si` is none.
     ///
     /// # Errors
     /// What is no unit; and two of one quantity.
@@ -46,8 +55,12 @@ impl Units {
             let by = Arc::new((part.to_owned(), AtomicBool::new(false)));
             units.extend(own.iter().map(|unit| Asked { unit: (*unit).to_owned(), by: by.clone() }));
         }
+        // What is asked for by its name goes before what `imperial` has of the quantity.
+        let named: Vec<String> =
+            units.iter().filter(|asked| asked.is_named()).map(|asked| asked.unit.clone()).collect();
+        units.retain(|asked| asked.is_named() || !named.iter().any(|own| is_same(own, &asked.unit)));
         for (at, Asked { unit, .. }) in units.iter().enumerate() {
-            if let Some(first) = units[..at].iter().find(|first| scale(&first.unit, unit).is_some()) {
+            if let Some(first) = units[..at].iter().find(|first| is_same(&first.unit, unit)) {
                 return Err(fail(format!("`{}` and `{unit}` are units of the same quantity", first.unit)));
             }
         }
@@ -110,7 +123,9 @@ impl Units {
 
     /// The unit that is asked for of a quantity, which is shown in it then.
     fn asked(&self, declared: &str) -> Option<(&str, Scale)> {
-        let (asked, scale) = self.0.iter().find_map(|asked| Some((asked, scale(declared, &asked.unit)?)))?;
+        let exact = self.0.iter().find(|asked| is_same(declared, &asked.unit));
+        let asked = exact.or_else(|| self.0.iter().find(|asked| scale(declared, &asked.unit).is_some()))?;
+        let scale = scale(declared, &asked.unit)?;
         asked.by.1.store(true, Ordering::Relaxed);
         Some((&asked.unit, scale))
     }
@@ -123,6 +138,12 @@ impl Units {
         let scale = scale(declared, &unit)?;
         (!angle.is_declared()).then(|| DisplayUnit::new(&unit, scale))
     }
+}
+
+/// Whether units are of one quantity where pounds are of mass: not `lb` and `N`.
+fn is_same(one: &str, other: &str) -> bool {
+    let powers = |unit: &str| in_si(unit, false).map(|(powers, _)| powers);
+    powers(one) == powers(other) && scale(one, other).is_some()
 }
 
 /// What people have angles in.

@@ -118,6 +118,22 @@ fn mistakes_in_units_are_told() {
     run.fails(2, "error: --units: this form has no place for units; toml, json, yaml and csv have\n");
 }
 
+/// Units by their names go before those of `imperial`, and pounds of mass stand beside newtons and pounds of force: an inch is 0.0254 m,
+/// and a pound 0.45359237 kg.
+#[test]
+fn units_stand_beside_imperial_and_pounds_beside_forces() {
+    let directory = Directory::of_this_test();
+    let analyze = directory.run(&["analyze", "--units", "imperial,km/h"]).stdout;
+    assert!(analyze.contains("15.452") && !analyze.contains("mph"), "{analyze}");
+    let show = directory.run(&["show", "--units", "imperial,mm"]).ok();
+    assert!(show.contains("w = \"1020 mm\"") && show.contains("mB = \"187.39292285714595 lb\""), "{show}");
+    let simulate = ["simulate", "--speed", "5", "--duration", "0", "--initial", "phi=0", "--format", "csv", "--units"];
+    for (units, force) in [("N,lb", "(N)"), ("lb,N", "(N)"), ("lb,lbf", "(lbf)"), ("lbf,lb", "(lbf)"), ("lb", "(lb)")] {
+        let motion = directory.run(&[&simulate[..], &[units]].concat());
+        assert!(motion.stdout.contains(&format!("force_R_z {force}")), "{units}: {}{}", motion.stdout, motion.stderr);
+    }
+}
+
 /// State spaces in degrees, millimetres and km/h are those in SI units, entry by entry, with every form saying so.
 #[test]
 fn control_is_in_other_units() {
