@@ -312,6 +312,8 @@ fn pictures_replace_pictures_alone() {
     let compare = ["compare", "benchmark", "pista", "--side-view", "notes.svg"];
     directory.write("notes.svg", "none yet\n");
     directory.run(&compare).fails(2, &format!("error: --side-view notes.svg: {message}"));
+    let sweep = ["sweep", "--vary", "c=0.05:0.1:0.05", "--vary", "w=1:1.1:0.1", "--map", "notes.svg"];
+    directory.run(&sweep).fails(2, &format!("error: --map notes.svg: {message}"));
     std::fs::remove_file(directory.0.join("notes.svg")).unwrap();
     for _ in 0..2 {
         let run = directory.run(&compare);

@@ -151,16 +151,17 @@ impl Problems {
         })
     }
 
-    /// Whether the results would replace what is read.
+    /// Whether the results would replace what is read, or a map what is no picture.
     fn paths(&mut self, request: &Request) {
         for (option, path) in [("--output", &request.output), ("--map", &request.map)] {
             let Some(path) = path else { continue };
             let shown = path.display().to_string();
             if request.designs.as_ref().is_some_and(|designs| is_same_file(designs, path)) {
                 self.option(option, &shown, "the designs are read from this file");
-            }
-            if request.base.reads(path) {
+            } else if request.base.reads(path) {
                 self.option(option, &shown, "the parameters are read from this file");
+            } else if option == "--map" && !may_be_replaced(path) {
+                self.option(option, &shown, "this file is there, and is no picture: give another name, or remove it");
             }
         }
     }
@@ -187,8 +188,6 @@ impl Problems {
         let path = path.display().to_string();
         if ![".svg", ".png"].iter().any(|ending| path.to_lowercase().ends_with(ending)) {
             self.option("--map", &path, "the name must end in .svg or .png");
-        } else if !may_be_replaced(Path::new(&path)) {
-            self.option("--map", &path, "this file is there, and is no picture: give another name, or remove it");
         }
         if request.vary.len() != 2 || !request.random.is_empty() {
             self.option("--map", &path, "a map needs two parameters that vary by --vary, and no others");
