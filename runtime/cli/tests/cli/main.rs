@@ -38,6 +38,7 @@ mod sweep;
 mod transfer;
 mod turns;
 mod units;
+mod units_of_pictures;
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
