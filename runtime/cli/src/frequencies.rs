@@ -11,6 +11,7 @@ use carvallo_plot::analysis::transfer::Frequencies;
 use crate::options::problem;
 
 const CONTEXT: Context = Context { unit: "rad/s", names: &no_names };
+const PURE: Context = Context { unit: "1", names: &no_names };
 
 /// Frequencies above zero.
 #[derive(Clone, Debug)]
@@ -20,6 +21,13 @@ impl FromStr for Given {
     type Err = Problem;
 
     fn from_str(text: &str) -> Result<Self, Problem> {
+        // `0.1 Hz:10` could be up to 10 Hz or 10 rad/s.
+        let is_bare = |part: &&str| quantity::number(part, PURE).is_ok();
+        if let Some(bare) = text.split([':', ',']).map(str::trim).find(is_bare)
+            && text.contains("Hz")
+        {
+            return Err(problem(format!("`{bare}` has no unit, but others are in Hz: write Hz or rad/s behind each")));
+        }
         match text.split(':').collect::<Vec<_>>()[..] {
             [list] => list.split(',').map(number).collect::<Result<_, _>>().map(Frequencies::List).map(Self),
             [low, high] => {

@@ -46,7 +46,7 @@ pub struct Options {
         long,
         value_name = "LOW:HIGH",
         allow_hyphen_values = true,
-        help = "The frequencies of responses, in rad/s or Hz; or a list of them [default: all that there is to see]"
+        help = "The frequencies of responses, in rad/s, or all with Hz behind them; or a list of them [default: all that there is to see]"
     )]
     frequencies: Option<Given>,
     #[arg(

@@ -1,5 +1,6 @@
 //! Motions in time: what is asked for, and from what it is computed.
 
+mod extremes;
 mod options;
 mod progress;
 pub mod times;
@@ -7,7 +8,7 @@ pub mod times;
 use std::ops::ControlFlow;
 use std::path::Path;
 
-use carvallo_design::input::is_same_file;
+use carvallo_design::input::{is_folder, is_same_file};
 use carvallo_design::quantity::{self, Mistake, Reason};
 use carvallo_design::speeds::CONTEXT as SPEED;
 use carvallo_design::units::Units;
@@ -46,14 +47,14 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         Err(Failure::Input(found)) => return Err(Failure::Input([problems, found].concat())),
         design => design?,
     };
-    let asked = Asked { design: &design, options, format, times, speed, problems };
+    let asked = Asked { design: &design, options, format, is_nonlinear: false, times, speed, problems };
     if options.linear {
         return asked.simulate(&Linear::new(&design));
     }
     let mut done = None;
     let machine = design.with_machine(&mut |machine| {
-        let asked =
-            Asked { problems: asked.problems.clone(), times: asked.times.clone(), speed: asked.speed.clone(), ..asked };
+        let (problems, times, speed) = (asked.problems.clone(), asked.times.clone(), asked.speed.clone());
+        let asked = Asked { is_nonlinear: true, problems, times, speed, ..asked };
         done = Some(asked.simulate(&Nonlinear::new(machine)));
     });
     if let Err(without) = machine {
@@ -67,6 +68,7 @@ struct Asked<'a> {
     design: &'a Design,
     options: &'a Options,
     format: Format,
+    is_nonlinear: bool,
     times: Result<Vec<f64>, Vec<Problem>>,
     speed: Result<Option<f64>, Problem>,
     problems: Vec<Problem>,
@@ -75,13 +77,20 @@ struct Asked<'a> {
 impl Asked<'_> {
     /// Solves the equations of motion, and tells the motion.
     fn simulate(self, solver: &dyn Solver) -> Result<(), Failure> {
-        let Self { design, options, format, times, speed, mut problems } = self;
+        let Self { design, options, format, is_nonlinear, times, speed, mut problems } = self;
         let (Ok(times), Ok(speed), true) = (times, speed, problems.is_empty()) else {
             problems.extend(read(solver, design, &options.initial, &options.force, 0.0).err().into_iter().flatten());
             return Err(Failure::Input(problems));
         };
         let end = times[times.len() - 1];
         let given = read(solver, design, &options.initial, &options.force, end).map_err(Failure::Input)?;
+        let mut problems = extremes::problems(solver, &given, speed, &times, is_nonlinear);
+        if is_nonlinear {
+            problems.extend(times::integrable(&options.duration, end).err());
+        }
+        if !problems.is_empty() {
+            return Err(Failure::Input(problems));
+        }
         if let Some(picture) = options.plot.as_ref().filter(|_| end == 0.0) {
             return Err(picture.problem("a picture needs a duration above 0"));
         }
@@ -151,6 +160,9 @@ fn tell(motion: &Motion, units: &Units, format: Format, path: Option<&Path>) -> 
 fn readable(forces: &[String]) -> Result<(), Failure> {
     let files = forces.iter().filter_map(|force| Some(force.split_once('=')?.1.trim()));
     for file in files.filter(|file| Path::new(file).exists()) {
+        if Path::new(file).is_dir() {
+            return Err(Failure::usage(is_folder(file)));
+        }
         std::fs::read(file).map_err(|error| Failure::Run(format!("cannot read {file}: {error}")))?;
     }
     Ok(())

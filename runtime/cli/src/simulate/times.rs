@@ -7,6 +7,9 @@ use carvallo_design::{Place, Problem};
 /// More rows than these are taken for a slip in the step.
 const MOST_ROWS: f64 = 1_000_000.0;
 
+/// Longer motions, in s, are taken for a slip where each second is integrated in some hundred steps.
+const LONGEST: f64 = 1e6;
+
 const TIME: Context = Context { unit: "s", names: &no_names };
 
 /// From zero to the duration in equal steps, the last of which may be shorter.
@@ -67,6 +70,22 @@ pub fn times(duration: &str, step: Option<&str>, default_rows: u32) -> Result<Ve
     Ok(times)
 }
 
+/// That equations which are integrated are not asked for more than they can be.
+///
+/// # Errors
+/// A duration that is too long.
+pub fn integrable(duration: &str, end: f64) -> Result<(), Problem> {
+    if end <= LONGEST {
+        return Ok(());
+    }
+    let message = format!(
+        "the duration is {} s; by nonlinear equations, of which each second takes some hundred steps, it must be at most {LONGEST} \
+         s; linear equations have none (--linear)",
+        shortest(end)
+    );
+    Err(problem("--duration", duration, message))
+}
+
 fn number(text: &str, what: &str) -> Result<f64, String> {
     let text = text.trim();
     quantity::number(text, TIME).map_err(|Mistake { reason, .. }| match reason {
@@ -83,7 +102,15 @@ fn problem(option: &str, text: &str, message: String) -> Problem {
 
 #[cfg(test)]
 mod tests {
-    use super::times;
+    use super::{integrable, times};
+
+    #[test]
+    fn what_would_be_integrated_for_days_is_refused() {
+        assert_eq!(integrable("10 h", 36_000.0), Ok(()));
+        let message = "--duration 1e9: the duration is 1000000000 s; by nonlinear equations, of which each second takes some \
+                       hundred steps, it must be at most 1000000 s; linear equations have none (--linear)";
+        assert_eq!(integrable("1e9", 1e9).map_err(|problem| problem.to_string()), Err(message.to_owned()));
+    }
 
     #[test]
     fn the_end_belongs_to_the_times() {

@@ -124,15 +124,14 @@ fn a_singular_mass_matrix_is_a_failure_of_the_analysis() {
 #[test]
 fn files_that_cannot_be_read_or_written_are_failures() {
     let directory = Directory::new("io");
-    let run = directory.run(&["analyze", "."]);
-    assert_eq!((run.code, run.stderr.starts_with("error: cannot read .: ")), (Some(1), true), "{}", run.stderr);
+    directory.run(&["analyze", "."]).fails(2, "error: there is no file .: it is a folder\n");
     let run = directory.run(&["analyze", "--plot", "missing/plot.svg"]);
     assert_eq!((run.code, run.stdout.as_str()), (Some(1), ""));
     assert!(run.stderr.starts_with("error: cannot write missing/plot.svg: "), "{}", run.stderr);
 }
 
-/// A name that is nothing is a mistake of the command line, 2; a file that is there but cannot be read is none, 1, and neither is one that
-/// cannot be written. So it is in every command.
+/// A name that is no file is a mistake of the command line, 2, whether it is nothing or a folder; that one cannot be written is
+/// none, 1. So it is in every command.
 #[test]
 fn exit_codes_of_files_are_the_same_everywhere() {
     let directory = Directory::of_this_test();
@@ -164,9 +163,7 @@ fn exit_codes_of_files_are_the_same_everywhere() {
         directory.run(&arguments.iter().map(String::as_str).collect::<Vec<_>>())
     };
     for arguments in reading {
-        for (file, code, message) in
-            [("missing.csv", 2, "file"), ("folder.csv", 1, "cannot read folder.csv: Is a directory")]
-        {
+        for (file, code, message) in [("missing.csv", 2, "file"), ("folder.csv", 2, "folder")] {
             let found = run(arguments, file);
             assert_eq!(found.code, Some(code), "{arguments:?} {file}: {}", found.stderr);
             assert!(found.stderr.contains(message), "{arguments:?} {file}: {}", found.stderr);
@@ -177,7 +174,7 @@ fn exit_codes_of_files_are_the_same_everywhere() {
     let line = example.lines().find(|line| line.trim_start().starts_with("TtR1")).unwrap();
     for (file, code, message) in [
         ("missing.csv", 2, "`TtR1`: there is no file missing.csv"),
-        ("folder.csv", 1, "`TtR1`: cannot read folder.csv: Is a directory"),
+        ("folder.csv", 2, "`TtR1`: there is no file folder.csv: it is a folder"),
     ] {
         directory.write("measured.toml", example.replace(line, &format!("TtR1 = '{file}'")));
         let found = directory.run(&["measure", "measured.toml"]);

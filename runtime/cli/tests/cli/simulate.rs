@@ -219,6 +219,47 @@ fn what_leaves_the_range_of_doubles_ends_early() {
     assert_eq!(run.stdout.lines().count(), 9);
 }
 
+/// Up to 2^53 doubles have every whole number, beyond it every second one.
+#[test]
+fn what_is_beyond_computing_is_refused_with_its_name() {
+    let directory = Directory::of_this_test();
+    let run =
+        ["--initial", "phi=1e308", "--initial", "delta_rate=-1e200", "--force", "Tphi=-1e308", "--speed", "1e120"];
+    let range =
+        "it must be at most 1e100 in size, or what is computed of it leaves the range of floating-point numbers";
+    let angle = "it must be at most 9007199254740992 in size, beyond which floating-point numbers tell no angle";
+    let told = |lean: &str| {
+        format!(
+            "error: 4 problems\n\
+             --initial phi=1e308: the lean is 1e308 rad; {lean}\n\
+             --initial delta_rate=-1e200: the rate of steer is -1e200 rad/s; {range}\n\
+             --speed 1e120: the speed is 1e120 m/s; {range}\n\
+             --force Tphi=-1e308: the force is -1e308 N m; {}\n",
+            range.replace("1e100", "1e300")
+        )
+    };
+    simulate(&directory, &[&run[..], &["--duration", "1"]].concat()).fails(2, &told(angle));
+    simulate(&directory, &[&run[..], &["--duration", "1", "--linear"]].concat()).fails(2, &told(range));
+}
+
+/// (1e100)^2 is in the range of doubles, and the accelerations by it are; their squares are not.
+#[test]
+fn an_overflow_is_told_as_that() {
+    let directory = Directory::of_this_test();
+    let run = simulate(&directory, &["--speed", "5", "--initial", "phi_rate=1e100", "--duration", "1"]);
+    let told = "note: the motion ends at 0 s: the motion then leaves the range of floating-point numbers; accelerations are up to";
+    assert!(run.code == Some(0) && run.stderr.starts_with(told) && !run.stderr.contains("flat"), "{}", run.stderr);
+}
+
+/// A thousand million seconds are days of computing; the exact solution has no steps.
+#[test]
+fn what_would_be_integrated_for_days_is_refused() {
+    let directory = Directory::of_this_test();
+    let run = simulate(&directory, &["--speed", "5", "--duration", "1e9"]);
+    assert!(run.code == Some(2) && run.stderr.contains("it must be at most 1000000 s"), "{}", run.stderr);
+    simulate(&directory, &["--speed", "5", "--duration", "1e9", "--linear"]).ok();
+}
+
 /// The state of Table 1 of Basu-Mandal, Chatterjee & Papadopoulos (2007), and the accelerations and contact forces there, at
 /// 80 digits from nine coordinates and six velocity constraints.
 #[test]

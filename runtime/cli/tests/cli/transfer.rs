@@ -107,6 +107,8 @@ fn mistakes_are_told() {
         ("-1:1", "a frequency is -1; it must be > 0"),
         ("10:1", "the range goes from 10 to 1 rad/s; it must ascend"),
         ("1:2:3", "expected a list such as 1,2,5 or a range LOW:HIGH such as 0.1:100"),
+        ("0.1 Hz:10", "`10` has no unit, but others are in Hz: write Hz or rad/s behind each"),
+        ("1,2 Hz", "`1` has no unit, but others are in Hz: write Hz or rad/s behind each"),
         ("1 kg", "`kg` is no unit for a frequency: it is in rad/s, or in Hz"),
     ] {
         let message = format!("error: --frequencies {text}: {message}\n");

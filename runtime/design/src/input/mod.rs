@@ -193,6 +193,11 @@ fn open<'a>(shipped: Option<&Shipped>, name: &'a str) -> Result<(&'a str, Docume
     }
 }
 
+/// That a folder stands where a file is expected.
+pub fn is_folder(name: &str) -> String {
+    format!("there is no file {name}: it is a folder")
+}
+
 /// What is in a file or the standard input, with what it is called; `None` if there is no such file.
 fn contents(name: &str) -> Result<Option<(&str, Vec<u8>)>, Failure> {
     if name == "-" {
@@ -201,6 +206,9 @@ fn contents(name: &str) -> Result<Option<(&str, Vec<u8>)>, Failure> {
         read.map_err(|error| Failure::Run(format!("cannot read the standard input: {error}")))?;
         Ok(Some(("<stdin>", bytes)))
     } else if Path::new(name).exists() {
+        if Path::new(name).is_dir() {
+            return Err(Failure::usage(is_folder(name)));
+        }
         let bytes = std::fs::read(name).map_err(|error| Failure::Run(format!("cannot read {name}: {error}")))?;
         Ok(Some((name, bytes)))
     } else {

@@ -17,7 +17,7 @@ pub fn read(option: &str, text: &str) -> Result<Body, Failure> {
         return of_members(inline(text, &place)?, place).map_err(Failure::Input);
     }
     let raw = load_raw(text).map_err(|failure| match failure {
-        Failure::Input(problems) if problems.iter().all(|problem| problem.place == Place::Nowhere) => {
+        Failure::Input(_) if !Path::new(text).exists() => {
             let expected = "; expected a file, or a body such as `mass=5 kg, at=(0.3, 0, -0.9), to=rear`";
             Failure::at(place, format!("there is no file `{text}`{expected}"))
         }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use carvallo_design::Failure;
-use carvallo_design::input::{Named, Node, Value, text};
+use carvallo_design::input::{Named, Node, Value, is_folder, text};
 use carvallo_design::number::{fixed, shortest};
 use carvallo_design::quantity::{Context, Mistake, Reason, no_names, number};
 
@@ -92,6 +92,9 @@ impl Recording {
         let wrong = |error: &dyn std::fmt::Display| Failure::usage(format!("{shown}: {error}"));
         if !path.exists() {
             return Err(Failure::usage(format!("there is no file {shown}")));
+        }
+        if path.is_dir() {
+            return Err(Failure::usage(is_folder(&shown.to_string())));
         }
         let bytes = std::fs::read(&path).map_err(|error| Failure::Run(format!("cannot read {shown}: {error}")))?;
         let (times, signal) = self.samples(&String::from_utf8_lossy(&text(bytes))).map_err(|error| wrong(&error))?;

@@ -248,7 +248,9 @@ pub fn largest(values: impl Iterator<Item = Complex<f64>>) -> f64 {
     values.map(|value| value.norm()).fold(0.0, f64::max)
 }
 
-/// Why a motion that stays within the range of doubles is told no further.
+/// Why a motion that grows is told no further.
+const OUT_OF_RANGE: &str = "the motion then leaves the range of floating-point numbers";
+/// Why one that stays within the range of doubles is.
 const TOO_LONG: &str = "the steps to it are too long for floating-point numbers to tell what moves fastest in them";
 
 /// The parameters that are probably to blame where there is no answer, as the end of a sentence.

@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 
 use carvallo::ModelInfo;
 use carvallo_design::conventions::{Naming, Varying};
+use carvallo_design::input::is_folder;
 use carvallo_design::quantity::scale;
 use carvallo_design::{Failure, Place, Problem};
 
@@ -18,6 +19,7 @@ pub use self::rows::Named;
 
 use self::heading::Heading;
 use self::rows::{Rows, Unit};
+use super::plan::ERROR;
 use super::table::{Designs, Format};
 
 /// Columns that are no parameters; they are copied to the result.
@@ -61,11 +63,19 @@ impl File {
         if !path.exists() {
             return Err(Failure::usage(format!("there is no file {label}")));
         }
+        if path.is_dir() {
+            return Err(Failure::usage(is_folder(&label)));
+        }
         // Files are read more than once, and reading others may never end.
         if std::fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
             return Err(Failure::Run(format!("cannot read {label}: expected a regular file")));
         }
         let names = names(path, format)?;
+        if is_result(&names) {
+            let message =
+                "it is the result of a sweep; expected a table of designs, whose columns are parameters alone";
+            return Err(Failure::at(Place::File(label), message));
+        }
         let mut problems = Vec::new();
         let mut problem = |message| problems.push(Problem { place: Place::File(label.clone()), message });
         let mut columns: Vec<Named> = Vec::new();
@@ -161,6 +171,13 @@ impl File {
         }
         Ok(rows.designs)
     }
+}
+
+/// Whether columns are those of a result: the last one says why a design has none, and one before it how often something
+/// happens, or a verdict.
+fn is_result(names: &[String]) -> bool {
+    let is_of_results = |name: &String| name == "stable_count" || name.starts_with("verdict_at_");
+    names.last().is_some_and(|name| name == ERROR) && names.iter().any(is_of_results)
 }
 
 /// `in m`, or what has no unit is.

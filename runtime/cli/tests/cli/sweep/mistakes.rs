@@ -93,8 +93,14 @@ fn files_of_designs_that_cannot_be_used() {
     let message = "error: --set w=2: `w` is given twice; also by a column of bikes.csv\n";
     directory.run(&["sweep", "--designs", "bikes.csv", "--set", "w=2"]).fails(2, message);
     std::fs::create_dir(directory.0.join("folder.csv")).unwrap();
-    let message = "error: cannot read folder.csv: expected a regular file\n";
-    directory.run(&["sweep", "--designs", "folder.csv"]).fails(1, message);
+    let message = "error: there is no file folder.csv: it is a folder\n";
+    directory.run(&["sweep", "--designs", "folder.csv"]).fails(2, message);
+    directory.run(&["sweep", "--vary", "w=0.9:1.1:0.1", "--output", "result.csv"]);
+    directory.run(&["sweep", "--vary", "w=1:1.1:0.1", "--eigenvalues", "5", "--units", "km/h", "--output", "at.csv"]);
+    for file in ["result.csv", "at.csv"] {
+        let message = "it is the result of a sweep; expected a table of designs, whose columns are parameters alone";
+        directory.run(&["sweep", "--designs", file]).fails(2, &format!("error: {file}: {message}\n"));
+    }
     directory
         .run(&["sweep", "--designs", "bikes.txt"])
         .fails(2, "error: --designs bikes.txt: the name must end in .csv or .parquet\n");

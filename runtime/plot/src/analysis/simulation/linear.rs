@@ -13,7 +13,7 @@ use super::initial::Givable;
 use super::motion::{Motion, Quantity, Row, fed_back, order, time};
 use super::solver::{Given, Solver};
 use super::watch::{Happened, happened, looked_at};
-use crate::analysis::{TOO_LONG, extremes};
+use crate::analysis::{OUT_OF_RANGE, TOO_LONG, extremes};
 
 /// What the path of a bicycle is told by, behind its lean and steer; the first is its yaw.
 const PATH: [Quantity; 5] = [
@@ -105,7 +105,7 @@ impl Solver for Linear {
                 let snapshots = run(&motion, &times[..reached]).map_err(|error| fail(error.to_string()))?;
                 let reason = match error {
                     SimulationError::TooLong { .. } => TOO_LONG,
-                    _ => "the motion then leaves the range of floating-point numbers",
+                    _ => OUT_OF_RANGE,
                 };
                 (snapshots, Some(format!("the motion ends before {} s: {reason}", shortest(time))))
             }

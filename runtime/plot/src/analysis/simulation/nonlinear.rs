@@ -1,5 +1,6 @@
 //! The motion of the nonlinear equations.
 
+use std::fmt::Display;
 use std::ops::ControlFlow;
 
 use carvallo::motion::{MotionInfo, PositionKind};
@@ -14,6 +15,7 @@ use super::linear::OF_SPEED;
 use super::motion::{Motion, Quantity, Row, fed_back, order, time};
 use super::solver::{Given, Solver};
 use super::watch::{Happened, Watch};
+use crate::analysis::OUT_OF_RANGE;
 
 /// A machine whose lean has a cosine below this lies on the ground.
 const FLAT: f64 = 1e-6;
@@ -37,6 +39,8 @@ const WATCHED: &str = "watched ";
 const MOST_STOPS: usize = 3;
 /// Accelerations beyond this are those of forces in other units than were meant.
 const ENORMOUS: f64 = 1e9;
+/// And what is computed of these in a step leaves the range of doubles.
+const OVERFLOWING: f64 = 1e100;
 
 /// A position that ends a motion.
 struct Ending {
@@ -205,9 +209,12 @@ fn told<'a>(
             let what = watched.unwrap_or_else(|| format!("{name} by {degrees} degrees"));
             Some(format!("the motion ends at {} s: {what}", time(*end)))
         }
-        End::Singular { time: end, error } => Some(format!("the motion ends at {} s: {error}{enormous}", time(*end))),
+        End::Singular { time: end, error } => {
+            let error: &dyn Display = if most > OVERFLOWING { &OUT_OF_RANGE } else { error };
+            Some(format!("the motion ends at {} s: {error}{enormous}", time(*end)))
+        }
         End::Stalled { time: end, steps } => {
-            let hint = "what moves so fast takes steps as short, and only linear equations have a solution without any (--linear)";
+            let hint = "what moves so fast takes steps as short; linear equations need none (--linear)";
             Some(format!(
                 "the motion ends at {} s: it hardly goes on, with {steps} steps so far; {hint}{enormous}",
                 time(*end)
