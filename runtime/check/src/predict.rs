@@ -371,8 +371,15 @@ impl<'a> Predictor<'a> {
     /// The same in the order of [`Given::numbers`].
     fn each_other(&self, equations: &dyn Equations, world: &World, tell: &mut dyn FnMut(f64) -> bool) {
         let gravity = world.gravity;
-        let Given { matrices: _, system_matrices, state_matrices, eigenvalues, critical_speeds, accelerations: _ } =
-            self.given;
+        let Given {
+            matrices: _,
+            system_matrices,
+            state_matrices,
+            eigenvalues,
+            critical_speeds,
+            accelerations: _,
+            unknown: _,
+        } = self.given;
         for SystemMatrix { speed, is_stiffness, rows } in system_matrices {
             let own = equations.system(*speed, gravity).ok().map(|[_, c, k]| if *is_stiffness { k } else { c });
             for (row, entries) in rows.iter().enumerate() {

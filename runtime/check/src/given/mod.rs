@@ -24,6 +24,8 @@ pub struct Given {
     pub critical_speeds: Vec<CriticalSpeed>,
     /// Accelerations in states of motion.
     pub accelerations: Vec<Accelerations>,
+    /// What is said not to be known, beside entries of matrices that are left out.
+    pub unknown: Vec<String>,
 }
 
 /// The rows of a matrix; entries that are not known are left out.
@@ -144,6 +146,26 @@ impl Given {
         numbers
     }
 
+    /// What is not known, by its names: entries of matrices, then all others.
+    pub fn unknown(&self, info: &ModelInfo) -> Vec<String> {
+        let matrices = self
+            .matrices
+            .iter()
+            .flat_map(|(matrix, rows)| left_out(rows).map(move |(row, column)| Quantity::Entry(*matrix, row, column)));
+        let systems = self
+            .system_matrices
+            .iter()
+            .enumerate()
+            .flat_map(|(at, own)| left_out(&own.rows).map(move |(row, column)| Quantity::System(at, row, column)));
+        let states = self
+            .state_matrices
+            .iter()
+            .enumerate()
+            .flat_map(|(at, own)| left_out(&own.rows).map(move |(row, column)| Quantity::State(at, row, column)));
+        let entries = matrices.chain(systems).chain(states).map(|own| self.name(own, info));
+        entries.chain(self.unknown.iter().cloned()).collect()
+    }
+
     /// The speeds in m/s that numbers are of, each once.
     pub fn speeds(&self) -> Vec<f64> {
         let mut all: Vec<f64> = self.system_matrices.iter().map(|own| own.speed).collect();
@@ -229,6 +251,14 @@ impl Given {
     }
 }
 
+/// The places of entries that are not known.
+fn left_out(rows: &Rows) -> impl Iterator<Item = (usize, usize)> {
+    let of_row = |(row, entries): (usize, &Vec<Option<Reading>>)| -> Vec<(usize, usize)> {
+        (0..entries.len()).filter(|column| entries[*column].is_none()).map(|column| (row, column)).collect()
+    };
+    rows.iter().enumerate().flat_map(of_row)
+}
+
 fn entries(rows: &Rows) -> impl Iterator<Item = (usize, usize, &Reading)> {
     rows.iter().enumerate().flat_map(|(row, entries)| {
         entries.iter().enumerate().filter_map(move |(column, entry)| Some((row, column, entry.as_ref()?)))
@@ -245,11 +275,14 @@ impl Given {
             return Err("there are no numbers to check".to_owned());
         }
         let square = |name: &str, rows: &Rows, count: usize, of: &str| {
-            let columns = rows.iter().map(Vec::len).find(|columns| *columns != count);
+            let columns = rows.iter().map(Vec::len).enumerate().find(|(_, columns)| *columns != count);
             match (rows.len(), columns) {
                 (found, None) if found == count => Ok(()),
-                (_, Some(found)) => {
-                    Err(format!("a row of {name} has {found} numbers; expected {count}, one for each {of}"))
+                (_, Some((row, found))) => {
+                    let is_each = rows.iter().all(|own| own.len() == found);
+                    let which = if is_each { "a row".to_owned() } else { format!("row {}", row + 1) };
+                    let s = if found == 1 { "" } else { "s" };
+                    Err(format!("{which} of {name} has {found} number{s}; expected {count}, one for each {of}"))
                 }
                 (found, None) => Err(format!("{name} has {found} rows; expected {count}, one for each {of}")),
             }

@@ -97,8 +97,12 @@ impl Reader {
 
     fn eigenvalues_at(&mut self, speed: f64, node: &Node) {
         match eigenvalues::values(node) {
-            Ok(values) if values.is_empty() => {}
-            Ok(values) => self.given.eigenvalues.push(Eigenvalues { speed, values }),
+            Ok((values, unknown)) => {
+                self.given.unknown.extend((0..unknown).map(|_| format!("an eigenvalue at {speed} m/s")));
+                if !values.is_empty() {
+                    self.given.eigenvalues.push(Eigenvalues { speed, values });
+                }
+            }
             Err(problems) => self.problems.extend(problems),
         }
     }
@@ -148,7 +152,7 @@ impl Reader {
                 self.problems.push(problem(&node.place, message));
             }
             Ok(Some(speed)) => self.given.critical_speeds.push(CriticalSpeed { kind, name: what, speed }),
-            Ok(None) => {}
+            Ok(None) => self.given.unknown.push(what),
             Err(problem) => self.problems.push(problem),
         }
     }

@@ -8,20 +8,24 @@ use crate::given::{Reading, level};
 
 type Parts = (Reading, Option<Reading>);
 
-/// The eigenvalues of a list.
+/// The eigenvalues of a list, and how many of them are not known.
 ///
 /// # Errors
 /// Everything in it that is none.
-pub fn values(node: &Node) -> Result<Vec<Parts>, Vec<Problem>> {
+pub fn values(node: &Node) -> Result<(Vec<Parts>, usize), Vec<Problem>> {
     let nodes = match &node.value {
         Value::List(nodes) => nodes.as_slice(),
         _ => std::slice::from_ref(node),
     };
     let mut values = Vec::new();
+    let mut unknown = 0;
     let mut problems = Vec::new();
     for node in nodes {
         match value(node) {
-            Ok(found) => values.extend(found),
+            Ok(found) => {
+                unknown += usize::from(found.is_empty());
+                values.extend(found);
+            }
             Err(found) => problems.push(found),
         }
     }
@@ -31,7 +35,7 @@ pub fn values(node: &Node) -> Result<Vec<Parts>, Vec<Problem>> {
             im.get_or_insert_with(|| Reading { value: 0.0, digits: 0, written: "0".to_owned(), ..re.clone() });
         }
     }
-    if problems.is_empty() { Ok(values) } else { Err(problems) }
+    if problems.is_empty() { Ok((values, unknown)) } else { Err(problems) }
 }
 
 /// One, a conjugate pair, or none where it is not known.
@@ -114,7 +118,7 @@ mod tests {
         let place = Place::File("mine.toml".to_owned());
         let node = |value: Value| Node { place: place.clone(), value };
         let parts = ["-18.97821", "0"].map(|text| node(Value::Number(text.to_owned())));
-        let found = values(&node(Value::List(vec![node(Value::List(parts.into()))]))).expect("one value");
+        let (found, _) = values(&node(Value::List(vec![node(Value::List(parts.into()))]))).expect("one value");
         assert_eq!(found[0].1.as_ref().map(|im| im.tolerance), Some(0.000_005));
     }
 

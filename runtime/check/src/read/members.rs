@@ -49,6 +49,12 @@ const KNOWN: [&str; 23] = [
     "capsize_speed",
 ];
 
+/// The matrix whose number was written as the letters that look like it: `KO`, `Cl`.
+fn of_digits(name: &str) -> Option<&'static str> {
+    let digits = name.replace(['O', 'o'], "0").replace(['l', 'I', 'i'], "1");
+    matrix_of_rows(&digits).map(|matrix| matrix.name())
+}
+
 /// What was read so far.
 #[derive(Default)]
 pub struct Reader {
@@ -120,7 +126,10 @@ impl Reader {
             (name, _) if IGNORED.contains(&name) => {}
             (name, _) if matrix_of_rows(name).is_some() => self.matrix(name, &node),
             (name, _) => {
-                let hint = nearest(name, KNOWN).map(|known| format!("; did you mean `{known}`?")).unwrap_or_default();
+                let hint = of_digits(name)
+                    .or_else(|| nearest(name, KNOWN))
+                    .map(|known| format!("; did you mean `{known}`?"))
+                    .unwrap_or_default();
                 let message = format!("`{name}` is not known in a file to check; expected {}{hint}", KNOWN.join(", "));
                 self.problems.push(problem(&node.place, message));
             }

@@ -11,7 +11,7 @@ use carvallo_design::{Design, Failure, Place, Shipped, WHIPPLE};
 
 use self::members::Reader;
 use self::numbers::problem;
-use crate::given::Given;
+use crate::given::{Given, Quantity};
 
 /// A file with somebody's numbers.
 #[derive(Debug)]
@@ -103,7 +103,11 @@ impl File {
     pub fn given(&self, design: &Design) -> Result<Given, Failure> {
         let mut given = self.given.clone();
         if let Some(node) = &self.accelerations {
-            given.accelerations = motion::accelerations(node, design.info(), self.speed).map_err(Failure::Input)?;
+            let (found, unknown) = motion::accelerations(node, design.info(), self.speed).map_err(Failure::Input)?;
+            given.accelerations = found;
+            let of = |(state, of)| given.name(Quantity::Acceleration(state, of), design.info());
+            let unknown: Vec<String> = unknown.into_iter().map(of).collect();
+            given.unknown.extend(unknown);
         }
         Ok(given)
     }

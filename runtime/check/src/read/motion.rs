@@ -13,17 +13,25 @@ const ACCELERATIONS: [&str; 9] =
 const FORCES: [&str; 6] = ["_torque", " torque", "_moment", " moment", "_force", " force"];
 
 /// Each a table `{ speed = 5, state = { phi = 0.1, phi_rate = 0 }, forces = { delta = 1 }, values = { phi = 2.3, delta = … } }`;
-/// those without a speed at that of the file.
+/// those without a speed at that of the file. And which values are said not to be known, by their state and coordinate.
 ///
 /// # Errors
 /// Everything that is wrong with them.
-pub fn accelerations(node: &Node, info: &ModelInfo, of_file: Option<f64>) -> Result<Vec<Accelerations>, Vec<Problem>> {
+pub fn accelerations(
+    node: &Node,
+    info: &ModelInfo,
+    of_file: Option<f64>,
+) -> Result<(Vec<Accelerations>, Vec<(usize, usize)>), Vec<Problem>> {
     let nodes = match &node.value {
         Value::List(nodes) => nodes.as_slice(),
         _ => std::slice::from_ref(node),
     };
+    if !nodes.iter().any(|node| matches!(node.value, Value::Table(_))) {
+        let message = "`accelerations` has no tables; expected `speed`, `state` and `values` in each";
+        return Err(vec![problem(&node.place, message)]);
+    }
     let mut problems = Vec::new();
-    let mut found = Vec::new();
+    let (mut found, mut unknown) = (Vec::new(), Vec::new());
     for node in nodes {
         let mut own = Accelerations {
             equations: None,
@@ -34,7 +42,7 @@ pub fn accelerations(node: &Node, info: &ModelInfo, of_file: Option<f64>) -> Res
             values: vec![None; info.coordinates.len()],
         };
         let Value::Table(members) = &node.value else {
-            let message = "`accelerations` has no tables; expected `speed`, `state` and `values` in each";
+            let message = "one of `accelerations` is no table; expected `speed`, `state` and `values` in each";
             problems.push(problem(&node.place, message));
             continue;
         };
@@ -60,23 +68,20 @@ pub fn accelerations(node: &Node, info: &ModelInfo, of_file: Option<f64>) -> Res
                         Some(at) => (&mut own.positions, at),
                         None => (&mut own.rates, of_rate(written).and_then(|stem| position(stem, info))?),
                     };
-                    Some(
-                        reading(node, &format!("`{written}`"))
-                            .map(|value| values[at] = value.map_or(0.0, |reading| reading.value)),
-                    )
+                    Some(known(node, written).map(|value| values[at] = value))
                 }),
                 ("forces", Value::Table(members)) => each(members, info, "NAME", &mut |written, node| {
                     let stem = FORCES.iter().find_map(|ending| written.strip_suffix(ending)).unwrap_or(written);
                     let at = position(stem, info).or_else(|| position(stem.strip_prefix('T')?, info))?;
-                    Some(
-                        reading(node, &format!("`{written}`"))
-                            .map(|value| own.forces[at] = value.map_or(0.0, |own| own.value)),
-                    )
+                    Some(known(node, written).map(|value| own.forces[at] = value))
                 }),
                 ("values", Value::Table(members)) => each(members, info, "NAME", &mut |written, node| {
                     let stem = ACCELERATIONS.iter().find_map(|ending| written.strip_suffix(ending));
                     let at = position(written, info).or_else(|| position(stem?, info))?;
-                    Some(reading(node, &format!("`{written}`")).map(|value| own.values[at] = value))
+                    Some(reading(node, &format!("`{written}`")).map(|value| {
+                        unknown.extend(value.is_none().then_some((found.len(), at)));
+                        own.values[at] = value;
+                    }))
                 }),
                 ("state" | "forces" | "values", _) => {
                     let coordinate = info.coordinates.first().map_or("", |own| own.name);
@@ -103,7 +108,14 @@ pub fn accelerations(node: &Node, info: &ModelInfo, of_file: Option<f64>) -> Res
         }
         found.push(own);
     }
-    if problems.is_empty() { Ok(found) } else { Err(problems) }
+    if problems.is_empty() { Ok((found, unknown)) } else { Err(problems) }
+}
+
+/// A number of what accelerations are in, or under: what is not known has none.
+fn known(node: &Node, written: &str) -> Result<f64, Problem> {
+    let unknown =
+        || problem(&node.place, format!("`{written}` is not known; accelerations are those of one number, such as 0"));
+    reading(node, &format!("`{written}`"))?.map(|own| own.value).ok_or_else(unknown)
 }
 
 /// What takes the number of a name, if it knows this.

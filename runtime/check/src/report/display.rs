@@ -33,6 +33,11 @@ impl Display for Report {
             states.iter().try_for_each(|own| writeln!(f, "  Rows and columns of A: {}", own.join(", ")))?;
             writeln!(f)?;
         }
+        match &self.unknown[..] {
+            [] => {}
+            [one] => writeln!(f, "Not known, and not compared, is {one}.")?,
+            all => writeln!(f, "Not known, and not compared, are {}.", all.join(", "))?,
+        }
         let first = numbers.iter().find_map(|own| Some((own, own.ours?, own.cut_off.as_ref()?)));
         if let Some((Comparison { yours, .. }, value, rounded)) = first {
             match (cut, numbers.len()) {

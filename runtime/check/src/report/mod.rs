@@ -38,6 +38,8 @@ pub struct Report {
     pub explanations: Vec<Group>,
     /// The states that the rows and columns of each state matrix stand for, in the order in which they were given.
     pub states: Vec<Vec<String>>,
+    /// What is said not to be known, and was not compared: `M_12`, as numbers have their names.
+    pub unknown: Vec<String>,
     /// Why there are none of ours where there are none, as of accelerations in a state in which no motion is determined.
     pub reasons: Vec<String>,
     /// So many digits, where all numbers that do not agree do to them and have zeros behind: `46470.0` of 46473.2.
@@ -139,6 +141,7 @@ impl Report {
             numbers,
             explanations,
             states: (0..predictor.given().state_matrices.len()).map(|at| states(predictor, at, machine.info)).collect(),
+            unknown: predictor.given().unknown(machine.info),
             reasons,
             padded: padded(predictor, &here),
             stopped_short: false,
