@@ -5,6 +5,7 @@ pub mod conventions;
 mod critical;
 pub mod explain;
 mod form;
+mod frequencies;
 pub mod given;
 mod kinds;
 pub mod machine;
@@ -126,11 +127,13 @@ fn compare(given: &Given, machine: &Machine) -> Report {
     Report { stopped_short: is_short, ..Report::new(machine, &own, meant, found, suspects) }
 }
 
-/// What makes all numbers, of what was done to accelerations by the nonlinear equations as a whole and to the names of critical speeds:
+/// What makes all numbers, of what was done to accelerations by the nonlinear equations as a whole, to the names of critical speeds and to
+/// the unit of eigenvalues:
 /// such causes change no parameters and no matrices, in which others are searched.
 fn in_another_form<'a>(given: &Given, own: &Predictor, machine: &Machine) -> Vec<Found<'a>> {
     let motions = if own.has_nonlinear() { motion::forms::mended(given, machine.info) } else { Vec::new() };
-    let forms: Vec<_> = motions.into_iter().chain(kinds::exchanged(given)).collect();
+    let forms = motions.into_iter().chain(kinds::exchanged(given)).chain(frequencies::in_seconds(given));
+    let forms: Vec<_> = forms.collect();
     if forms.is_empty() {
         return Vec::new();
     }

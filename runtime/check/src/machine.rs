@@ -44,6 +44,7 @@ pub struct Machine {
     attributes: Vec<usize>,
     /// The text of the attributes that are among the formulas.
     by_attributes: &'static [FormulaInfo],
+    wholes: OnceLock<[Vec<Convention>; 2]>,
     slips: OnceLock<Vec<FormulaSlip>>,
     worlds: OnceLock<Worlds>,
     others: OnceLock<Vec<Machine>>,
@@ -121,7 +122,7 @@ impl Machine {
         single.extend(conventions::shipped(info, parameters));
         single.extend(conventions::gains(info, feedback));
         let (parameters, feedback) = (parameters.to_vec(), feedback.to_vec());
-        let (slips, worlds, others, with_mechanism) = Default::default();
+        let (wholes, slips, worlds, others, with_mechanism) = Default::default();
         let (units, motion) = (Units::default(), Nonlinear::new(info));
         let entry = |at: usize| {
             let (matrix, row, column) = place(at, formulas.count);
@@ -145,10 +146,22 @@ impl Machine {
             places,
             attributes,
             by_attributes,
+            wholes,
             slips,
             worlds,
             others,
             with_mechanism,
+        })
+    }
+
+    /// Whole matrices that are others, where these are given; and one coordinate in degrees, where matrices of any kind are.
+    pub fn wholes(&self) -> &[Vec<Convention>; 2] {
+        self.wholes.get_or_init(|| {
+            let gravity = self.gravity(&self.parameters);
+            let gains = self.gains().flat_map(|gain| entries_of(gain, self.info, &self.parameters));
+            let closed: Vec<usize> = gains.map(|(entry, _)| entry).collect();
+            let all = [conventions::wholes(self.info, &self.values.entries, gravity), conventions::degrees(self.info)];
+            all.map(|own| own.into_iter().map(|own| own.of_open_loop(&closed)).collect())
         })
     }
 

@@ -10,6 +10,7 @@ mod powers;
 mod shipped;
 mod speeds;
 mod usual;
+mod wholes;
 
 use std::borrow::Cow;
 
@@ -24,8 +25,9 @@ pub use self::matrices::{matrices, sums};
 pub use self::parameters::parameters;
 pub use self::powers::powers;
 pub use self::shipped::shipped;
-pub use self::speeds::{speeds, units};
+pub use self::speeds::{power, speeds, units};
 pub use self::usual::usual;
+pub use self::wholes::{degrees, wholes};
 
 /// What is said of a cause that is none of the closed loop's number, but of what feedback is added to.
 pub const BEFORE_CLOSING: &str = ", before the loop is closed";

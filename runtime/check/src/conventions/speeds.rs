@@ -42,7 +42,7 @@ pub(super) fn assignments(factor: f64, count: usize) -> Vec<Assignment> {
 }
 
 /// The power of the speed that stands before a matrix.
-fn power(matrix: MatrixName) -> i32 {
+pub fn power(matrix: MatrixName) -> i32 {
     match matrix {
         MatrixName::Cm1 => -1,
         MatrixName::C1 | MatrixName::K1 => 1,

@@ -9,6 +9,7 @@ mod forces;
 mod gains;
 mod pairs;
 mod readings;
+mod scaled;
 mod set;
 mod slips;
 mod solve;
@@ -33,6 +34,7 @@ pub use self::constant::Force;
 pub use self::forces::{Missing, find as of_accelerations, missing, off};
 
 pub use self::readings::{Explained, explain};
+pub use self::scaled::Scaled;
 pub use self::solve::{digits, relation};
 use self::undeclared::of_eigenvalues;
 pub use self::undeclared::{Undeclared, find as undeclared};
@@ -99,6 +101,8 @@ pub enum Cause<'a> {
     Definition(usize, f64),
     /// The speeds are others by this factor.
     Speed(f64),
+    /// Matrices are multiplied by something.
+    Scaled(Scaled),
     /// The loop is closed, by feedback that was not declared.
     Feedback(Undeclared),
     /// A force is not declared, or another one than is.
@@ -172,6 +176,11 @@ impl<'a, 'b> Search<'a, 'b> {
     pub fn by_one(&self, predictor: &Predictor) -> Vec<Found<'a>> {
         let single = self.singles().iter().filter(|own| is_made(own, predictor));
         let mut found: Vec<Found> = single.map(|(found, _)| found.clone()).collect();
+        if found.is_empty()
+            && let Some(own) = scaled::find(self.machine, predictor, &self.here)
+        {
+            return vec![own];
+        }
         // Speeds in another unit are told with it.
         let has_unit = found.iter().any(|own| own.has_other_speeds());
         let solved = self.solved(predictor, self.parameters());
@@ -270,7 +279,8 @@ impl<'a, 'b> Search<'a, 'b> {
                 let made = || (Found { causes: vec![cause], world: world.clone() }, self.any.predict(world));
                 found.extend(self.any.may_fit(world).then(made).filter(|own| is_made(own, self.any)));
             };
-            self.at_speeds().for_each(|own| tell(Cause::Convention(own), &self.machine.world_with(own)));
+            let all = self.at_speeds().chain(self.of_matrices());
+            all.for_each(|own| tell(Cause::Convention(own), &self.machine.world_with(own)));
             self.machine.singles(&mut tell);
             found
         })
@@ -291,6 +301,15 @@ impl<'a, 'b> Search<'a, 'b> {
         let has_powers = given.speeds().iter().any(|speed| *speed > 0.0);
         let of = |has_any: bool, all: &'a [Convention]| if has_any { all } else { &[] };
         of(has_sums, &self.machine.sums).iter().chain(of(has_powers, &self.machine.powers))
+    }
+
+    /// Those of whole matrices, where any is given.
+    fn of_matrices(&self) -> impl Iterator<Item = &'a Convention> + use<'a> {
+        let given = self.rounded.given();
+        let (has_matrices, has_states) = (!given.matrices.is_empty(), !given.state_matrices.is_empty());
+        let has_any = has_matrices || has_states || !given.system_matrices.is_empty();
+        let of = |has_any: bool, at: usize| if has_any { &self.machine.wholes()[at][..] } else { &[] };
+        of(has_matrices, 0).iter().chain(of(has_any, 1))
     }
 
     fn pairs(&self) -> &[Found<'a>] {

@@ -214,7 +214,7 @@ fn middle(predictor: &Predictor, x: f64, scale: f64, predict: &dyn Fn(f64) -> Op
 }
 
 /// With the fewest digits that fit; `None` if it fits with none. What is nothing beside the scale is zero or nobody's value.
-fn simplest(x: f64, scale: f64, fits: &dyn Fn(f64) -> bool) -> Option<f64> {
+pub fn simplest(x: f64, scale: f64, fits: &dyn Fn(f64) -> bool) -> Option<f64> {
     const NOTHING: f64 = 1e-9;
     if x.abs() <= NOTHING * scale.abs() {
         return fits(0.0).then_some(0.0);

@@ -12,8 +12,11 @@ const ACCELERATIONS: [&str; 9] =
     ["''", "_ddot", "ddot", "_dd", "dd", "_acceleration", " acceleration", "_accel", "_acc"];
 const FORCES: [&str; 6] = ["_torque", " torque", "_moment", " moment", "_force", " force"];
 
+/// Accelerations that are said not to be known, by their state and coordinate.
+pub type Unknown = Vec<(usize, usize)>;
+
 /// Each a table `{ speed = 5, state = { phi = 0.1, phi_rate = 0 }, forces = { delta = 1 }, values = { phi = 2.3, delta = … } }`;
-/// those without a speed at that of the file. And which values are said not to be known, by their state and coordinate.
+/// those without a speed at that of the file. And what is not known.
 ///
 /// # Errors
 /// Everything that is wrong with them.
@@ -21,7 +24,7 @@ pub fn accelerations(
     node: &Node,
     info: &ModelInfo,
     of_file: Option<f64>,
-) -> Result<(Vec<Accelerations>, Vec<(usize, usize)>), Vec<Problem>> {
+) -> Result<(Vec<Accelerations>, Unknown), Vec<Problem>> {
     let nodes = match &node.value {
         Value::List(nodes) => nodes.as_slice(),
         _ => std::slice::from_ref(node),

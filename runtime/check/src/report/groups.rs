@@ -120,7 +120,7 @@ pub fn rank(machine: &Machine, cause: &Cause) -> u32 {
             None => 7,
         },
         Cause::Definition(..) => 8,
-        Cause::Speed(_) => 3,
+        Cause::Speed(_) | Cause::Scaled(_) => 3,
         Cause::CutOff(rank, _) => *rank,
         Cause::Force(own) if own.is_of_declared() => 0,
         Cause::Written(_) | Cause::Feedback(_) | Cause::Force(_) => 4,
@@ -202,6 +202,7 @@ fn world(other: &Machine, machine: &Machine, found: &Found) -> Option<World> {
             Cause::Parameter(..)
             | Cause::Definition(..)
             | Cause::Speed(_)
+            | Cause::Scaled(_)
             | Cause::Feedback(_)
             | Cause::Force(_)
             | Cause::Written(_) => return None,

@@ -60,6 +60,7 @@ pub fn words(machine: &Machine, cause: &Cause) -> String {
             )
         }
         Cause::Force(own) => force(machine, own),
+        Cause::Scaled(own) => own.to_string(),
         Cause::Speed(factor) => {
             format!("the speeds are {} times what is given as the speed", shortest(*factor))
         }

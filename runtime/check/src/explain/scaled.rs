@@ -1,0 +1,187 @@
+//! Matrices that are multiplied by a unit, or by the speed that stands before them.
+
+use std::fmt::{self, Display};
+
+use carvallo::MatrixName;
+use carvallo_design::number::shortest;
+
+use super::solve::{digits, simplest};
+use super::{Cause, Found};
+use crate::conventions::power;
+use crate::given::Quantity;
+use crate::machine::Machine;
+use crate::predict::{Predictor, World};
+
+/// What matrices are multiplied by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Scaled {
+    /// All of them by a factor.
+    All(f64),
+    /// Those before which a power of the speed stands by that power of a speed in m/s.
+    Speed(f64),
+    /// One of these alone.
+    One(MatrixName, f64),
+}
+
+/// A pound in kg, an inch and a foot in m, a pound of force in N.
+const LB: f64 = 0.453_592_37;
+const INCH: f64 = 0.0254;
+const FOOT: f64 = 0.3048;
+const LBF: f64 = 4.448_221_615_260_5;
+
+/// What a factor may be of: by how much numbers in these units are larger.
+const UNITS: [(f64, &str); 13] = [
+    (1.0 / LB, "lb in the place of kg"),
+    (1.0 / (LB * INCH * INCH), "lb*in^2 in the place of kg*m^2"),
+    (1.0 / (LB * FOOT * FOOT), "lb*ft^2 in the place of kg*m^2"),
+    (1.0 / LBF, "lbf in the place of N"),
+    (1.0 / (LBF * INCH), "lbf*in in the place of N*m"),
+    (1.0 / (LBF * FOOT), "lbf*ft in the place of N*m"),
+    (1.0 / 9.806_65, "kgf in the place of N"),
+    (1e3, "N*mm in the place of N*m"),
+    (1e4, "kg*cm^2 in the place of kg*m^2"),
+    (1e6, "kg*mm^2 in the place of kg*m^2"),
+    (1e7, "g*cm^2 in the place of kg*m^2"),
+    (1e9, "g*mm^2 in the place of kg*m^2"),
+    (1e-3, "kN in the place of N"),
+];
+
+/// Conversions that people remember are off by so much, as 2.2 lb.
+const CONVERTED: f64 = 2.5e-3;
+
+/// A speed by which one matrix alone is multiplied has so many digits at most.
+const PLAIN: usize = 3;
+
+/// What a factor may be, from the numbers of one matrix.
+#[derive(Clone, Copy)]
+struct Range {
+    matrix: MatrixName,
+    low: f64,
+    high: f64,
+}
+
+impl Range {
+    fn has_one(&self) -> bool {
+        self.low <= 1.0 && 1.0 <= self.high
+    }
+
+    /// What the speed is by it.
+    fn of_speed(self) -> Option<Self> {
+        let root = 1.0 / f64::from(power(self.matrix));
+        let [a, b] = [self.low, self.high].map(|own| own.powf(root));
+        (self.low > 0.0).then_some(Self { low: a.min(b), high: a.max(b), ..self })
+    }
+}
+
+/// A factor of all matrices that are given, or a speed in them, that makes all numbers. Several matrices tell that alone.
+pub fn find<'a>(machine: &'a Machine, predictor: &Predictor, here: &[f64]) -> Option<Found<'a>> {
+    let ranges = ranges(predictor, here)?;
+    if ranges.len() < 2 || !machine.feedback.is_empty() {
+        return None;
+    }
+    let (with_speed, others): (Vec<Range>, Vec<Range>) = ranges.iter().partition(|own| power(own.matrix) != 0);
+    let speeds = || with_speed.iter().map(|own| own.of_speed()).collect::<Option<Vec<Range>>>();
+    let all = middle(&ranges).and_then(|factor| fitting(machine, predictor, factor, Scaled::All));
+    let is_of_speed = || with_speed.len() > 1 && others.iter().all(Range::has_one);
+    let by_speed = || fitting(machine, predictor, middle(&speeds().filter(|_| is_of_speed())?)?, Scaled::Speed);
+    let by_one = || {
+        let mut wrong = ranges.iter().filter(|own| !own.has_one());
+        let own = wrong.next().filter(|own| power(own.matrix) != 0)?;
+        let speed = middle(&[own.of_speed()?]).filter(|_| wrong.next().is_none())?;
+        let found = fitting(machine, predictor, speed, |speed| Scaled::One(own.matrix, speed))?;
+        let is_plain = matches!(found.causes[..], [Cause::Scaled(Scaled::One(_, speed))] if digits(speed) <= PLAIN);
+        is_plain.then_some(found)
+    };
+    all.or_else(by_speed).or_else(by_one)
+}
+
+/// By which factor the entries of each matrix may be larger than those here; `None` where that is none of one.
+fn ranges(predictor: &Predictor, here: &[f64]) -> Option<Vec<Range>> {
+    let mut ranges: Vec<Range> = Vec::new();
+    for (at, ((quantity, reading), ours)) in predictor.numbers().iter().zip(here).enumerate() {
+        let Quantity::Entry(matrix, ..) = *quantity else { continue };
+        let tolerance = predictor.tolerances()[at];
+        // What is lost in rounding tells nothing.
+        if ours.abs() <= tolerance {
+            continue;
+        }
+        let [a, b] = [reading.value - tolerance, reading.value + tolerance].map(|own| own / ours);
+        let [low, high] = [a.min(b), a.max(b)];
+        match ranges.iter_mut().find(|own| own.matrix == matrix) {
+            Some(own) => (own.low, own.high) = (own.low.max(low), own.high.min(high)),
+            None => ranges.push(Range { matrix, low, high }),
+        }
+    }
+    ranges.iter().all(|own| own.low <= own.high).then_some(ranges)
+}
+
+/// The middle of what all of them allow.
+fn middle(ranges: &[Range]) -> Option<f64> {
+    let low = ranges.iter().fold(f64::NEG_INFINITY, |low, own| low.max(own.low));
+    let high = ranges.iter().fold(f64::INFINITY, |high, own| high.min(own.high));
+    (low <= high && low.is_finite() && high.is_finite()).then_some(f64::midpoint(low, high))
+}
+
+/// With the value of the fewest digits, or that of a unit, with which everything fits.
+fn fitting<'a>(
+    machine: &'a Machine,
+    predictor: &Predictor,
+    x: f64,
+    scaled: impl Fn(f64) -> Scaled,
+) -> Option<Found<'a>> {
+    let world = |x: f64| scaled(x).world(machine);
+    let fits = |x: f64| predictor.fits(&world(x));
+    let of_unit = UNITS.into_iter().map(|(factor, _)| factor);
+    let of_unit = of_unit.filter(|factor| (factor / x - 1.0).abs() < CONVERTED && matches!(scaled(x), Scaled::All(_)));
+    let plain = simplest(x, x, &fits);
+    // A seventh is a division by 7.
+    let inverse = simplest(1.0 / x, 1.0 / x, &|own| fits(1.0 / own));
+    let inverse = inverse.filter(|own| x.abs() < 1.0 && plain.is_none_or(|plain| digits(*own) < digits(plain)));
+    let x = of_unit.chain(inverse.map(|own| 1.0 / own)).chain(plain).find(|x| fits(*x))?;
+    Some(Found { causes: vec![Cause::Scaled(scaled(x))], world: world(x) })
+}
+
+impl Scaled {
+    /// The matrices.
+    fn world(self, machine: &Machine) -> World {
+        let mut world = machine.world();
+        let square = machine.formulas.count * machine.formulas.count;
+        for (matrix, entries) in MatrixName::ALL.into_iter().zip(world.entries.chunks_exact_mut(square)) {
+            let factor = match self {
+                Self::All(factor) => factor,
+                Self::Speed(speed) => speed.powi(power(matrix)),
+                Self::One(own, speed) => speed.powi(if own == matrix { power(matrix) } else { 0 }),
+            };
+            entries.iter_mut().for_each(|entry| *entry *= factor);
+        }
+        world
+    }
+}
+
+impl Display for Scaled {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::All(factor) => {
+                // Those of units to as many digits as conversions have.
+                let unit = UNITS.iter().find(|(of_unit, _)| (of_unit / factor - 1.0).abs() < CONVERTED);
+                let rounded = |x: f64, digits: usize| -> f64 { format!("{x:.digits$e}").parse().unwrap_or(x) };
+                let inverse = rounded(1.0 / factor, 14);
+                match unit {
+                    Some((_, unit)) => {
+                        write!(f, "all matrices are multiplied by {}, as for {unit}", shortest(rounded(factor, 5)))
+                    }
+                    None if factor.abs() < 1.0 && digits(inverse) < digits(factor) => {
+                        write!(f, "all matrices are divided by {}", shortest(inverse))
+                    }
+                    None => write!(f, "all matrices are multiplied by {}", shortest(factor)),
+                }
+            }
+            Self::Speed(speed) => {
+                write!(f, "the speed is in the matrices, as {} m/s: they are multiplied already", shortest(speed))
+            }
+            Self::One(matrix, speed) => {
+                write!(f, "the speed is in {matrix}, as {} m/s: it is multiplied already", shortest(speed))
+            }
+        }
+    }
+}
