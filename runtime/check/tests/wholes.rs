@@ -59,6 +59,16 @@ fn a_factor_of_all_matrices_is_one_cause() {
     ] {
         only(&matrices(&all(factor), 11), &format!("all matrices are {expected}"));
     }
+    // One matrix, or M with C and K at a speed.
+    only(&matrices(&all(2.20462)[..1], 11), "all matrices are multiplied by 2.20462, as for lb in the place of kg");
+    let of_speed = [
+        ("M", M),
+        ("C", times(SPEED, C1)),
+        ("K", [0, 1].map(|row| [0, 1].map(|at| K0[row][at] * 9.81 + 25.0 * K2[row][at]))),
+    ];
+    let text = matrices(&of_speed.map(|(name, own)| (name, times(1e7, own))), 11);
+    let expected = "all matrices are multiplied by 10000000, as for g*cm^2 in the place of kg*m^2";
+    only(&format!("speed = {SPEED}\n{text}"), expected);
     let mut wrong = all(12.5);
     wrong[3].1[1][1] *= 1.01;
     let report = checked(&matrices(&wrong, 11));

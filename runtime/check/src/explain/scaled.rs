@@ -52,12 +52,24 @@ const CONVERTED: f64 = 2.5e-3;
 /// A speed by which one matrix alone is multiplied has so many digits at most.
 const PLAIN: usize = 3;
 
+/// One matrix alone tells a factor by so many numbers, if it is that of a unit.
+const ENOUGH: usize = 3;
+
 /// What a factor may be, from the numbers of one matrix.
 #[derive(Clone, Copy)]
 struct Range {
-    matrix: MatrixName,
+    of: Of,
     low: f64,
     high: f64,
+    /// How many numbers tell it.
+    count: usize,
+}
+
+/// Which matrix: one of M, C1, …, or a C or K at a speed.
+#[derive(Clone, Copy, PartialEq)]
+enum Of {
+    Matrix(MatrixName),
+    System(usize),
 }
 
 impl Range {
@@ -65,30 +77,46 @@ impl Range {
         self.low <= 1.0 && 1.0 <= self.high
     }
 
+    /// The matrix and the power of the speed that stands before it; `None` where that is none, or in it.
+    fn power(&self) -> Option<(MatrixName, i32)> {
+        match self.of {
+            Of::Matrix(matrix) => Some((matrix, power(matrix))).filter(|(_, power)| *power != 0),
+            Of::System(_) => None,
+        }
+    }
+
     /// What the speed is by it.
     fn of_speed(self) -> Option<Self> {
-        let root = 1.0 / f64::from(power(self.matrix));
+        let root = 1.0 / f64::from(self.power()?.1);
         let [a, b] = [self.low, self.high].map(|own| own.powf(root));
         (self.low > 0.0).then_some(Self { low: a.min(b), high: a.max(b), ..self })
     }
 }
 
-/// A factor of all matrices that are given, or a speed in them, that makes all numbers. Several matrices tell that alone.
+/// A factor of all matrices that are given, or a speed in them, that makes all numbers.
 pub fn find<'a>(machine: &'a Machine, predictor: &Predictor, here: &[f64]) -> Option<Found<'a>> {
     let ranges = ranges(predictor, here)?;
-    if ranges.len() < 2 || !machine.feedback.is_empty() {
+    if !machine.feedback.is_empty() || ranges.iter().all(Range::has_one) {
         return None;
     }
-    let (with_speed, others): (Vec<Range>, Vec<Range>) = ranges.iter().partition(|own| power(own.matrix) != 0);
-    let speeds = || with_speed.iter().map(|own| own.of_speed()).collect::<Option<Vec<Range>>>();
     let all = middle(&ranges).and_then(|factor| fitting(machine, predictor, factor, Scaled::All));
-    let is_of_speed = || with_speed.len() > 1 && others.iter().all(Range::has_one);
-    let by_speed = || fitting(machine, predictor, middle(&speeds().filter(|_| is_of_speed())?)?, Scaled::Speed);
+    if let [own] = ranges[..] {
+        let is_told = |found: &Found| matches!(found.causes[..], [Cause::Scaled(Scaled::All(x))] if unit(x).is_some());
+        return all.filter(|found| own.count >= ENOUGH && is_told(found));
+    }
+    let (with_speed, others): (Vec<Range>, Vec<Range>) = ranges.iter().partition(|own| own.power().is_some());
+    let is_beside = || others.iter().all(Range::has_one);
+    let by_speed = || {
+        let speeds: Vec<Range> = with_speed.iter().map(|own| own.of_speed()).collect::<Option<_>>()?;
+        let speed = middle(&speeds).filter(|_| speeds.len() > 1 && is_beside())?;
+        fitting(machine, predictor, speed, Scaled::Speed)
+    };
     let by_one = || {
-        let mut wrong = ranges.iter().filter(|own| !own.has_one());
-        let own = wrong.next().filter(|own| power(own.matrix) != 0)?;
+        let mut wrong = with_speed.iter().filter(|own| !own.has_one());
+        let own = wrong.next().filter(|_| is_beside())?;
+        let (matrix, _) = own.power()?;
         let speed = middle(&[own.of_speed()?]).filter(|_| wrong.next().is_none())?;
-        let found = fitting(machine, predictor, speed, |speed| Scaled::One(own.matrix, speed))?;
+        let found = fitting(machine, predictor, speed, |speed| Scaled::One(matrix, speed))?;
         let is_plain = matches!(found.causes[..], [Cause::Scaled(Scaled::One(_, speed))] if digits(speed) <= PLAIN);
         is_plain.then_some(found)
     };
@@ -99,7 +127,11 @@ pub fn find<'a>(machine: &'a Machine, predictor: &Predictor, here: &[f64]) -> Op
 fn ranges(predictor: &Predictor, here: &[f64]) -> Option<Vec<Range>> {
     let mut ranges: Vec<Range> = Vec::new();
     for (at, ((quantity, reading), ours)) in predictor.numbers().iter().zip(here).enumerate() {
-        let Quantity::Entry(matrix, ..) = *quantity else { continue };
+        let of = match *quantity {
+            Quantity::Entry(matrix, ..) => Of::Matrix(matrix),
+            Quantity::System(at, ..) => Of::System(at),
+            _ => continue,
+        };
         let tolerance = predictor.tolerances()[at];
         // What is lost in rounding tells nothing.
         if ours.abs() <= tolerance {
@@ -107,12 +139,18 @@ fn ranges(predictor: &Predictor, here: &[f64]) -> Option<Vec<Range>> {
         }
         let [a, b] = [reading.value - tolerance, reading.value + tolerance].map(|own| own / ours);
         let [low, high] = [a.min(b), a.max(b)];
-        match ranges.iter_mut().find(|own| own.matrix == matrix) {
-            Some(own) => (own.low, own.high) = (own.low.max(low), own.high.min(high)),
-            None => ranges.push(Range { matrix, low, high }),
+        match ranges.iter_mut().find(|own| own.of == of) {
+            Some(own) => *own = Range { of, low: own.low.max(low), high: own.high.min(high), count: own.count + 1 },
+            None => ranges.push(Range { of, low, high, count: 1 }),
         }
     }
     ranges.iter().all(|own| own.low <= own.high).then_some(ranges)
+}
+
+/// What a factor is of.
+fn unit(factor: f64) -> Option<&'static str> {
+    let is_near = |(of_unit, _): &&(f64, &str)| (of_unit / factor - 1.0).abs() < CONVERTED;
+    UNITS.iter().find(is_near).map(|(_, unit)| *unit)
 }
 
 /// The middle of what all of them allow.
@@ -163,11 +201,10 @@ impl Display for Scaled {
         match *self {
             Self::All(factor) => {
                 // Those of units to as many digits as conversions have.
-                let unit = UNITS.iter().find(|(of_unit, _)| (of_unit / factor - 1.0).abs() < CONVERTED);
                 let rounded = |x: f64, digits: usize| -> f64 { format!("{x:.digits$e}").parse().unwrap_or(x) };
                 let inverse = rounded(1.0 / factor, 14);
-                match unit {
-                    Some((_, unit)) => {
+                match unit(factor) {
+                    Some(unit) => {
                         write!(f, "all matrices are multiplied by {}, as for {unit}", shortest(rounded(factor, 5)))
                     }
                     None if factor.abs() < 1.0 && digits(inverse) < digits(factor) => {

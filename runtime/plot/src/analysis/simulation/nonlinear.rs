@@ -216,7 +216,7 @@ fn told<'a>(
         End::Stalled { time: end, steps } => {
             let hint = "what moves so fast takes steps as short; linear equations need none (--linear)";
             Some(format!(
-                "the motion ends at {} s: it hardly goes on, with {steps} steps so far; {hint}{enormous}",
+                "the motion ends at {} s: it hardly goes on, after {steps} steps; {hint}{enormous}",
                 time(*end)
             ))
         }
