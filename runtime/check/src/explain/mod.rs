@@ -5,6 +5,7 @@ mod beside;
 mod constant;
 mod curve;
 mod double;
+mod factor;
 mod forces;
 mod gains;
 mod pairs;
@@ -33,8 +34,8 @@ pub use carvallo_slips::DoubleSlip;
 pub use self::constant::Force;
 pub use self::forces::{Missing, find as of_accelerations, missing, off};
 
+pub use self::factor::Scaled;
 pub use self::readings::{Explained, explain};
-pub use self::scaled::Scaled;
 pub use self::solve::{digits, relation};
 use self::undeclared::of_eigenvalues;
 pub use self::undeclared::{Undeclared, find as undeclared};
