@@ -9,7 +9,7 @@ use std::sync::OnceLock;
 
 use benchmark::{C1, K0, K2, M, Matrix, SPEED, causes, numbers, written};
 use carvallo_check::machine::Machine;
-use carvallo_check::{Report, check_machine, read};
+use carvallo_check::{Report, check, check_machine, read};
 use carvallo_design::input::Request;
 
 /// The bicycle, of which everything that may be mistaken is made once.
@@ -118,6 +118,22 @@ fn a_matrix_under_the_key_of_another_one_is_told_as_a_whole() {
     under(&[("M", M), ("C1", K0), ("K0", K0), ("K2", K2)], "K0 stands under C1");
     let exchanged = "C1 and K2 are exchanged: each stands under the other";
     under(&[("M", M), ("C1", K2), ("K0", K0), ("K2", C1)], exchanged);
+}
+
+/// Of a pendulum M = m l^2, C0 = c and K0 = m l.
+#[test]
+fn numbers_of_one_coordinate_are_exchanged_as_well() {
+    let pendulum = "model = \"Pendulum\"\nparameters = { m = 2, l = 1.5, c = 0.3, g = 9.81 }\n";
+    let file = |matrices: &str| read::read("mine.toml", format!("{pendulum}{matrices}").into()).expect("a file");
+    for (matrices, expected) in [
+        ("M = 3.0000\nC0 = 0.30000\nK0 = 4.5000", "M and K0 are exchanged: each stands under the other"),
+        ("M = 4.5000\nC0 = 0.30000\nKc = 3.0000", "K0 stands under Kc"),
+    ] {
+        let file = file(matrices);
+        let design = file.design(&Request::default()).expect("a design");
+        let report = check(&file.given(&design).expect("numbers"), &design).expect("a report");
+        assert_eq!(causes(&report), [expected], "{report}");
+    }
 }
 
 /// With q in degrees its column is by pi/180 smaller, and with its equation by degree its row as well.

@@ -27,10 +27,8 @@ pub fn wholes(info: &ModelInfo, entries: &[f64], gravity: f64) -> Vec<Convention
             Convention::of_entries(what, build.from(MatrixName::K0, MatrixName::K0, own))
         }));
     }
-    if build.count > 1 {
-        found.extend(build.under_others(gravity));
-        found.extend(build.degrees(true));
-    }
+    found.extend(build.under_others(gravity));
+    found.extend(if build.count > 1 { build.degrees(true) } else { Vec::new() });
     found
 }
 
@@ -73,7 +71,9 @@ impl Build<'_> {
         let own: Vec<MatrixName> = self.info.matrices.iter().copied().filter(|own| has_any(*own)).collect();
         let mut found = Vec::new();
         for &from in &own {
-            for to in MatrixName::ALL.into_iter().filter(|to| *to != from) {
+            // One entry of another matrix may as well be a slip in its formula.
+            let is_meant = |to: &MatrixName| *to != from && (self.count > 1 || !own.contains(to));
+            for to in MatrixName::ALL.into_iter().filter(is_meant) {
                 found.push(Convention::of_entries(format!("{from} stands under {to}"), self.from(to, from, 1.0)));
             }
         }
