@@ -104,167 +104,167 @@ const char *balance_assist_validity_text(balance_assist_validity_t validity)
 }
 
 const carvallo_partial_t balance_assist_partials[BALANCE_ASSIST_PARTIALS] = {
-    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 1U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 2U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 3U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 4U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 5U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 5U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 6U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 7U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 8U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 1U, 9U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 1U, 9U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 10U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 11U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 1U, 12U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 13U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 1U, 14U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 1U, 14U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 15U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 16U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 17U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 17U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 18U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 19U, true},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 2U, 20U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 21U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 2U, 22U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 2U, 22U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 23U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 2U, 24U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 25U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 4U, 26U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 4U, 27U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 4U, 28U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 4U, 29U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 4U, 30U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 5U, 31U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 5U, 32U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 5U, 33U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 5U, 34U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 6U, 35U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 6U, 36U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 6U, 37U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 7U, 38U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 7U, 38U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 7U, 39U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 8U, 40U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 8U, 40U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 8U, 41U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 8U, 42U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 8U, 43U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 8U, 44U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 8U, 44U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 8U, 45U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 8U, 46U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 9U, 47U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 9U, 48U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 9U, 48U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 9U, 49U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 9U, 50U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 9U, 51U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 10U, 52U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 10U, 53U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 10U, 53U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 10U, 54U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 10U, 55U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 10U, 56U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 10U, 57U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 10U, 58U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 10U, 58U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 10U, 59U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 10U, 60U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 10U, 61U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 11U, 35U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 13U, 36U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 13U, 37U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 14U, 62U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 14U, 62U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 14U, 63U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 15U, 64U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 15U, 64U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 65U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 15U, 66U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 15U, 67U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 15U, 68U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 15U, 68U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 15U, 69U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 15U, 70U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 16U, 71U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 16U, 72U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 16U, 72U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 73U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 74U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 16U, 75U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 16U, 76U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 16U, 77U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 16U, 77U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 16U, 78U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 16U, 79U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 16U, 80U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 17U, 81U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 82U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 82U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 17U, 83U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 84U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 85U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 17U, 86U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 87U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 87U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 88U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 17U, 89U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 90U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 18U, 35U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 18U, 91U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 18U, 91U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 18U, 92U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 20U, 93U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 20U, 94U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 21U, 95U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 21U, 95U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 21U, 96U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 21U, 63U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 21U, 97U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 22U, 98U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 22U, 99U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 22U, 99U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 22U, 100U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 22U, 101U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 22U, 102U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 22U, 103U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 22U, 104U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 22U, 105U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 22U, 105U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 22U, 106U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 107U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 108U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 23U, 109U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 110U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 110U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 23U, 111U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 23U, 112U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 113U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 23U, 114U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 115U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 115U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 116U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 23U, 117U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 118U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 24U, 35U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 24U, 91U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 24U, 91U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 24U, 119U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 24U, 94U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 25U, 120U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 25U, 120U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 25U, 121U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 25U, 122U, false},
-    {CARVALLO_MATRIX_C0, 1U, 0U, 26U, 123U, true},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 26U, 35U, false},
-    {CARVALLO_MATRIX_C0, 1U, 0U, 27U, 124U, true}
+    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 41U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 41U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 73U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 42U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 48U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 79U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 54U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 54U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 58U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 38U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 59U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 1U, 27U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 1U, 27U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 74U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 36U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 1U, 47U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 78U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 1U, 51U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 1U, 51U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 52U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 53U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 62U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 62U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 45U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 43U, true},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 2U, 63U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 66U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 2U, 64U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 2U, 64U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 67U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 2U, 35U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 65U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 4U, 13U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 4U, 75U, true},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 4U, 72U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 4U, 1U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 4U, 76U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 5U, 14U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 5U, 80U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 5U, 0U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 5U, 77U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 6U, 10U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 6U, 81U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 6U, 83U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 7U, 71U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 7U, 71U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 7U, 28U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 8U, 86U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 8U, 86U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 8U, 34U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 8U, 23U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 8U, 89U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 8U, 85U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 8U, 85U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 8U, 87U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 8U, 84U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 9U, 15U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 9U, 33U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 9U, 33U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 9U, 91U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 9U, 3U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 9U, 24U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 10U, 16U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 10U, 30U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 10U, 30U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 10U, 31U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 10U, 92U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 10U, 90U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 10U, 2U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 10U, 29U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 10U, 29U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 10U, 32U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 10U, 25U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 10U, 88U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 11U, 10U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 13U, 81U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 13U, 83U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 14U, 21U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 14U, 21U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 14U, 22U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 15U, 40U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 15U, 40U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 61U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 15U, 26U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 15U, 82U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 15U, 49U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 15U, 49U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 15U, 50U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 15U, 94U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 16U, 17U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 16U, 60U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 16U, 60U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 96U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 99U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 16U, 101U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 16U, 5U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 16U, 20U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 16U, 20U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 16U, 103U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 16U, 93U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 16U, 100U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 17U, 18U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 55U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 55U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 17U, 56U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 105U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 98U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 17U, 4U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 44U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 44U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 95U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 17U, 104U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 97U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 18U, 10U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 18U, 11U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 18U, 11U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 18U, 102U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 20U, 106U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 20U, 39U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 21U, 37U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 21U, 37U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 21U, 46U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 21U, 22U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 21U, 110U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 22U, 19U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 22U, 68U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 22U, 68U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 22U, 114U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 22U, 118U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 22U, 109U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 22U, 119U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 22U, 7U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 22U, 120U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 22U, 120U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 22U, 121U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 117U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 124U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 23U, 12U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 69U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 69U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 23U, 70U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 23U, 123U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 116U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 23U, 6U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 57U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 57U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 113U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 23U, 122U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 115U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 24U, 10U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 24U, 11U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 24U, 11U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 24U, 107U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 24U, 39U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 25U, 108U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 25U, 108U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 25U, 112U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 25U, 111U, false},
+    {CARVALLO_MATRIX_C0, 1U, 0U, 26U, 9U, true},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 26U, 10U, false},
+    {CARVALLO_MATRIX_C0, 1U, 0U, 27U, 8U, true}
 };
 
 const balance_assist_f64_t balance_assist_f64_sets[BALANCE_ASSIST_SETS] = {
@@ -600,232 +600,211 @@ void balance_assist_f64_kinematics(const balance_assist_f64_t *p, balance_assist
 void balance_assist_f64_derivatives(const balance_assist_f64_t *p,
     balance_assist_f64_matrices_t *matrices, balance_assist_f64_derivatives_t *derivatives)
 {
-    const double M_11_mB = p->zB * p->zB;
-    const double t10 = p->rF * p->mF;
-    const double t14 = p->zH * p->mH;
-    const double Jxx_delta = p->IFxx + p->IHxx + (p->rF * t10) + (p->zH * t14);
-    const double M_11_mR = p->rR * p->rR;
-    const double M_11 = p->IBxx + p->IRxx + (p->mB * M_11_mB) + Jxx_delta + (p->mR * M_11_mR);
     double sin_lam = 0.0;
     double cos_lam = 0.0;
     carvallo_sin_cos_f64(p->lam, &sin_lam, &cos_lam);
-    const double t32 = t10 - t14;
-    const double t36 = p->w - p->xH;
-    const double t39 = p->IHxz + (t14 * t36) - (p->c * t32);
-    const double t41 = t39 * cos_lam;
-    const double hx_delta = (Jxx_delta * sin_lam) + t41;
-    const double t44 = p->c + p->w;
-    const double M_22_hz_delta = t32 * t44;
-    const double t47 = p->mB * p->zB;
-    const double t51 = t39 + p->IBxz + M_22_hz_delta - (p->xB * t47);
-    const double t52 = 1.0 / p->w;
-    const double yaw_per_v_delta = cos_lam * t52;
-    const double mu = p->c * yaw_per_v_delta;
-    const double M_12 = hx_delta + (t51 * mu);
-    const double t59 = p->mF * p->c;
-    const double t60 = t44 - p->xH;
-    const double t61 = p->mH * t60;
-    const double t62 = t59 + t61;
-    const double t64 = (sin_lam * t32) - (cos_lam * t62);
-    const double t65 = t44 * t64;
-    const double t66 = sin_lam * t39;
-    const double Jzz_delta = p->IFxx + p->IHzz + (p->c * t59) + (t60 * t61);
-    const double t74 = t66 + (cos_lam * Jzz_delta);
-    const double t75 = p->mB * p->xB;
-    const double mA = p->mF + p->mH;
-    const double t80 = t62 - (t44 * mA);
-    const double t86 = p->IRxx + Jzz_delta + (p->xB * t75) + p->IBzz - (t44 * (t62 + t80));
-    const double t87 = mu * t86;
-    const double t89 = t65 + t74 + t87;
-    const double M_12_Jxz_delta = cos_lam + mu;
-    const double M_22 = (sin_lam * hx_delta) + (mu * (t65 + t89)) + (t74 * M_12_Jxz_delta);
-    const double t101 = 1.0 / p->rF;
-    const double SF = p->IFyy * t101;
-    const double t104 = 1.0 / p->rR;
-    const double t105 = p->IRyy * t104;
-    const double ST = SF + t105;
-    const double t107 = p->mR * p->rR;
-    const double K0_11 = t47 - (t32 + t107);
-    const double t111 = t52 * (ST - K0_11);
-    const double t113 = t51 * t52;
-    const double t114 = (p->c * t111) + t113;
-    const double t115 = SF + t114;
-    const double C1_12 = cos_lam * t115;
-    const double t117 = cos_lam * SF;
-    const double t118 = mu * ST;
-    const double C1_21 = p->kappa - t117 - t118;
-    const double t121 = mu * t75;
-    const double t122 = mu * t80;
-    const double t123 = t121 - t122;
-    const double t124 = t64 + t123;
-    const double t126 = t89 + (p->c * t124);
-    const double C1_22 = yaw_per_v_delta * t126;
-    const double K2_12 = cos_lam * t111;
-    const double t130 = sin_lam * SF;
-    const double t131 = t124 + t130;
-    const double K2_22 = yaw_per_v_delta * t131;
-    const double t133 = t32 - t113;
-    const double t135 = t14 * M_12_Jxz_delta;
-    const double M_12_w = (mu * t133) + t135;
-    const double t137 = t52 * t89;
-    const double t138 = t137 + t137;
-    const double t140 = t60 * M_12_Jxz_delta;
-    const double t141 = M_12_Jxz_delta * t140;
-    const double t142 = t44 * mu;
-    const double t143 = M_12_Jxz_delta + M_12_Jxz_delta;
-    const double t144 = t142 * t143;
-    const double t145 = t141 - t144;
-    const double t146 = p->zH * sin_lam;
-    const double t150 = p->mH * (t141 + t145 + (t143 * t146));
-    const double t151 = mu + mu;
-    const double t152 = t64 - t122;
-    const double P_delta_yaw_xB = t151 * t152;
-    const double t154 = t150 + P_delta_yaw_xB;
-    const double M_22_w = t154 - (mu * t138);
-    const double C1_12_w = yaw_per_v_delta * (t10 - t114);
-    const double C1_21_w = t52 * t118;
-    const double t161 = (p->mF * mu) - (p->mH * cos_lam);
-    const double t162 = t52 * t123;
-    const double P_delta_lateral_w = t161 - t162;
-    const double t165 = t142 - t140;
-    const double K0_12_mH = t146 - t165;
-    const double t167 = t165 - K0_12_mH;
-    const double t168 = cos_lam * t44;
-    const double t169 = t167 + t168;
-    const double t172 = t122 + (p->mH * t169) - t152;
-    const double t174 = t52 * (t87 + t126);
-    const double C1_22_w = yaw_per_v_delta * ((p->c * P_delta_lateral_w) - t172 - t174);
-    const double t178 = sin_lam * P_delta_lateral_w;
-    const double t179 = yaw_per_v_delta * t111;
-    const double t180 = t52 * t131;
-    const double K2_22_w = yaw_per_v_delta * (P_delta_lateral_w - t180);
-    const double t183 = cos_lam * t133;
-    const double M_22_Jzz_delta = M_12_Jxz_delta * M_12_Jxz_delta;
-    const double t185 = p->c * M_22_Jzz_delta;
-    const double t186 = t185 - t144;
-    const double t190 = p->mF * M_12_Jxz_delta;
-    const double t191 = p->rF * sin_lam;
-    const double t193 = (cos_lam * t137) - (t190 * t191);
-    const double M_22_c = t154 + (p->mF * (t185 + t186)) + t193 + t193;
-    const double t197 = yaw_per_v_delta * ST;
-    const double t198 = p->c * M_12_Jxz_delta;
-    const double t200 = t142 + t191 - t198;
-    const double t201 = t142 + t200;
-    const double t205 = t75 - t80;
-    const double t207 = t161 + (yaw_per_v_delta * t205);
-    const double t212 = t172 + (p->mF * (t168 + t201)) - t124 - (yaw_per_v_delta * t86) - (p->c *
-        t207);
-    const double t213 = yaw_per_v_delta * t212;
-    const double K0_12_c = t190 - t207;
-    const double t218 = t66 - (Jxx_delta * cos_lam);
-    const double t220 = sin_lam * p->c * t52;
-    const double t222 = t218 + (t51 * t220);
-    const double t229 = (t32 * cos_lam) + (sin_lam * t62);
-    const double t232 = t41 - (sin_lam * Jzz_delta);
-    const double t233 = (t44 * t229) + t232;
-    const double M_22_lam = (t151 * t233) + (cos_lam * (hx_delta + t232)) - (sin_lam * (t74 + t218 +
-        (p->c * t138)));
-    const double t239 = sin_lam * t115;
-    const double C1_21_lam = t130 + (ST * t220);
-    const double t242 = t205 * t220;
-    const double t243 = t229 - t242;
-    const double C1_22_lam = (yaw_per_v_delta * (t233 + (p->c * t243))) - (sin_lam * t174);
-    const double t251 = (sin_lam * t243) + (cos_lam * t124);
-    const double t252 = sin_lam * t111;
-    const double K2_22_lam = (yaw_per_v_delta * (t117 + t243)) - (sin_lam * t180);
-    const double M_11_rR = t107 + t107;
-    const double K2_12_IRyy = yaw_per_v_delta * t104;
-    const double K2_12_rR = (p->mR * yaw_per_v_delta) - (t105 * K2_12_IRyy);
-    const double C1_12_rR = p->c * K2_12_rR;
-    const double C1_12_IRyy = mu * t104;
-    const double C1_21_rR = t105 * C1_12_IRyy;
-    const double K2_12_mR = p->rR * yaw_per_v_delta;
-    const double C1_12_mR = p->c * K2_12_mR;
-    const double C1_22_IRxx = yaw_per_v_delta * mu;
-    const double M_22_IRxx = p->c * C1_22_IRxx;
-    const double t270 = p->mB * p->c;
-    const double t271 = p->zB * yaw_per_v_delta;
-    const double t272 = t270 * t271;
-    const double M_22_xB = t121 * t151;
-    const double t274 = p->mB * yaw_per_v_delta;
-    const double t275 = p->zB * t274;
-    const double t276 = p->c + p->xB;
-    const double t277 = p->c * t274;
-    const double K2_22_xB = yaw_per_v_delta * t277;
-    const double t280 = p->xB * mu;
-    const double C1_22_xB = (t276 * K2_22_xB) + (t274 * t280);
-    const double C1_22_Jxz_delta = sin_lam * yaw_per_v_delta;
-    const double t284 = t270 * C1_22_Jxz_delta;
-    const double M_11_zB = t47 + t47;
-    const double t286 = t274 * t276;
-    const double t287 = p->zB * t280;
-    const double M_22_mB = t280 * t280;
-    const double t289 = t271 * t276;
-    const double K2_22_mB = p->xB * C1_22_IRxx;
-    const double C1_22_mB = t276 * K2_22_mB;
-    const double t292 = sin_lam * t280;
-    const double t293 = p->mH * yaw_per_v_delta;
-    const double t294 = p->zH * t293;
-    const double C1_22_xH = t293 * (t169 + t198);
-    const double t297 = p->mH * M_12_Jxz_delta;
-    const double t298 = sin_lam * t297;
-    const double K2_22_xH = M_12_Jxz_delta * t293;
-    const double M_11_zH = t14 + t14;
-    const double t301 = t146 + K0_12_mH;
-    const double M_12_zH = p->mH * t301;
-    const double K0_12_zH = p->mH * sin_lam;
-    const double t305 = (t165 - t301) * K0_12_zH;
-    const double t306 = p->c + p->xH;
-    const double t307 = t293 * t306;
-    const double t308 = sin_lam * t307;
-    const double K0_22_zH = sin_lam * K0_12_zH;
-    const double t310 = yaw_per_v_delta * K0_12_zH;
-    const double M_11_mH = p->zH * p->zH;
-    const double M_12_mH = p->zH * K0_12_mH;
-    const double t313 = t44 * yaw_per_v_delta;
-    const double C1_22_mA = t142 * t313;
-    const double M_22_mH = (p->c * C1_22_mA) + (t60 * t145) - (t146 * t167);
-    const double t320 = p->zH * yaw_per_v_delta;
-    const double t321 = t306 * t320;
-    const double C1_22_mH = C1_22_mA - (yaw_per_v_delta * ((t44 * t140) + (t36 * t165) + (t146 *
-        t306)));
-    const double K0_22_mH = sin_lam * K0_12_mH;
-    const double t330 = yaw_per_v_delta * K0_12_mH;
-    const double M_22_Jxx_delta = sin_lam * sin_lam;
-    const double C1_22_Jzz_delta = yaw_per_v_delta * M_12_Jxz_delta;
-    const double M_22_Jxz_delta = sin_lam * t143;
-    const double M_11_rF = t10 + t10;
-    const double M_12_rF = p->mF * (t191 + t200);
-    const double P_delta_lateral_rF = p->mF * sin_lam;
-    const double t338 = t200 * P_delta_lateral_rF;
-    const double M_22_rF = t338 + t338;
-    const double t340 = p->mF * t313;
-    const double t341 = t101 * SF;
-    const double C1_21_rF = M_12_Jxz_delta * t341;
-    const double C1_12_rF = t340 - C1_21_rF;
-    const double C1_22_rF = sin_lam * t340;
-    const double t345 = sin_lam * P_delta_lateral_rF;
-    const double K2_12_rF = yaw_per_v_delta * (p->mF - t341);
-    const double K2_22_rF = sin_lam * K2_12_rF;
     const double M_11_mF = p->rF * p->rF;
-    const double M_12_mF = p->rF * t200;
-    const double M_22_mF = (p->c * (t186 + C1_22_mA)) - (t191 * (t198 - t201));
-    const double C1_12_mF = p->rF * t313;
-    const double C1_22_mF = t200 * t313;
-    const double t358 = sin_lam * t200;
-    const double K2_12_mF = p->rF * yaw_per_v_delta;
-    const double K2_22_mF = yaw_per_v_delta * t200;
-    const double M_22_IFxx = M_22_Jzz_delta + M_22_Jxx_delta;
-    const double C1_12_IFyy = M_12_Jxz_delta * t101;
-    const double K2_12_IFyy = yaw_per_v_delta * t101;
-    const double K2_22_IFyy = t101 * C1_22_Jxz_delta;
+    const double t30 = p->zH * p->mH;
+    const double Jxx_delta = p->IFxx + (p->mF * M_11_mF) + p->IHxx + (p->zH * t30);
+    const double t36 = p->zB * p->mB;
+    const double t37 = p->rR * p->mR;
+    const double t38 = p->c + p->w;
+    const double M_11_rR = t37 + t37;
+    const double M_11_mR = p->rR * p->rR;
+    const double M_11_zB = t36 + t36;
+    const double M_11_mB = p->zB * p->zB;
+    const double M_11_zH = t30 + t30;
+    const double M_11_mH = p->zH * p->zH;
     const double C0_21 = -(p->kappa * p->vo);
-    const double K0_12 = -t124;
-    const double K0_22 = -(sin_lam * t124);
-    const double K0_12_w = t162 - t161;
-    const double t369 = -(sin_lam * K0_12_c);
-    const double K2_22_c = -(yaw_per_v_delta * K0_12_c);
-    const double K0_12_lam = t242 - t229;
+    const double t47 = t38 - p->xH;
+    const double t48 = p->mH * t47;
+    const double t49 = p->mF * p->c;
+    const double t53 = (p->zH * t48) + p->IHxz - (p->rF * t49);
+    const double t54 = 1.0 / p->w;
+    const double t55 = p->mF * p->rF;
+    const double M_11_rF = t55 + t55;
+    const double t57 = t55 - t30;
+    const double M_11 = p->IRxx + p->IBxx + Jxx_delta + (p->zB * t36) + (p->rR * t37);
+    const double K0_11 = t36 - (t37 + t57);
+    const double Jzz_delta = p->IFxx + p->IHzz + (p->c * t49) + (t47 * t48);
+    const double t71 = p->c * t54;
+    const double t72 = p->mB * p->xB;
+    const double t73 = t48 + t49;
+    const double t75 = t38 * (p->mF + p->mH);
+    const double t77 = t48 - t72 - t75;
+    const double t78 = t73 - t75;
+    const double t83 = t53 + p->IBxz + (t38 * t57) - (t36 * p->xB);
+    const double t90 = p->IRxx + Jzz_delta + (p->xB * t72) + p->IBzz - (t38 * (t73 + t78));
+    const double K0_12_zH = p->mH * sin_lam;
+    const double t92 = t49 + t77;
+    const double t93 = t53 * cos_lam;
+    const double t94 = t53 * sin_lam;
+    const double mu = cos_lam * t71;
+    const double t98 = (sin_lam * t57) - (cos_lam * t73);
+    const double t99 = t78 * mu;
+    const double t100 = cos_lam * t57;
+    const double t102 = t100 + (sin_lam * t73);
+    const double hx_delta = t93 + (Jxx_delta * sin_lam);
+    const double t106 = (cos_lam * Jzz_delta) + t94;
+    const double t107 = t54 * t83;
+    const double t108 = 1.0 / p->rF;
+    const double t109 = 1.0 / p->rR;
+    const double yaw_per_v_delta = cos_lam * t54;
+    const double t111 = t36 * yaw_per_v_delta;
+    const double t112 = p->mB * yaw_per_v_delta;
+    const double t113 = p->zB * yaw_per_v_delta;
+    const double t114 = t30 * yaw_per_v_delta;
+    const double SF = p->IFyy * t108;
+    const double t116 = cos_lam * t107;
+    const double t121 = yaw_per_v_delta * (t93 + (t38 * t102) - (sin_lam * Jzz_delta));
+    const double t122 = t90 * mu;
+    const double t124 = t106 + (t38 * t98);
+    const double t125 = t98 - t99;
+    const double M_12 = hx_delta + (p->c * t116);
+    const double M_12_c = t116 - t100;
+    const double t129 = p->IRyy * t109;
+    const double K2_12_IRyy = t109 * yaw_per_v_delta;
+    const double ST = SF + t129;
+    const double t132 = cos_lam * SF;
+    const double t133 = p->xB * mu;
+    const double t135 = t54 * (ST - K0_11);
+    const double C1_21 = p->kappa - (mu * ST) - t132;
+    const double t139 = p->zB * t133;
+    const double M_22_mB = t133 * t133;
+    const double t141 = sin_lam * t133;
+    const double t142 = t122 + t124;
+    const double t143 = p->mB * t133;
+    const double t144 = t125 + t143;
+    const double t145 = mu * t143;
+    const double M_22_xB = t145 + t145;
+    const double t148 = t106 + (t71 * t142);
+    const double K0_12 = -t144;
+    const double K0_22 = -(sin_lam * t144);
+    const double t153 = t142 + (p->c * t144);
+    const double t155 = t107 + (p->c * t135);
+    const double t156 = t142 * yaw_per_v_delta;
+    const double t157 = t156 + t156;
+    const double t158 = sin_lam * t135;
+    const double K2_12 = cos_lam * t135;
+    const double t160 = sin_lam * SF;
+    const double t162 = t54 * (t144 + t160);
+    const double M_12_Jxz_delta = cos_lam + mu;
+    const double t164 = t54 * K2_12;
+    const double C1_22_Jzz_delta = yaw_per_v_delta * M_12_Jxz_delta;
+    const double t166 = t30 * M_12_Jxz_delta;
+    const double M_12_w = t166 - (t71 * M_12_c);
+    const double M_22 = (sin_lam * hx_delta) + (cos_lam * (t148 + (t71 * t124)));
+    const double C1_12_w = yaw_per_v_delta * (t55 - t155);
+    const double t180 = (sin_lam * t148) - (cos_lam * hx_delta) - (p->c * t121);
+    const double t181 = SF + t155;
+    const double C1_22 = yaw_per_v_delta * t153;
+    const double t184 = t54 * (t122 + t153);
+    const double C1_12 = cos_lam * t181;
+    const double t186 = sin_lam * t181;
+    const double K2_22 = cos_lam * t162;
+    const double t190 = cos_lam * (p->mF + (t54 * t92));
+    const double t191 = t38 * mu;
+    const double K0_12_mH = (p->zH * sin_lam) + (t47 * M_12_Jxz_delta) - t191;
+    const double t196 = M_12_Jxz_delta + M_12_Jxz_delta;
+    const double t197 = t180 + t180;
+    const double M_22_Jxz_delta = sin_lam * t196;
+    const double t199 = ST * yaw_per_v_delta;
+    const double C1_21_w = t71 * t199;
+    const double t201 = t71 * t190;
+    const double t202 = p->mH * M_12_Jxz_delta;
+    const double t203 = sin_lam * t202;
+    const double t204 = p->mH * cos_lam;
+    const double K0_12_c = t190 + t204;
+    const double K0_22_c = sin_lam * K0_12_c;
+    const double t207 = yaw_per_v_delta * K0_12_c;
+    const double K0_12_w = t204 - t201;
+    const double M_12_mH = p->zH * K0_12_mH;
+    const double M_22_mH = K0_12_mH * K0_12_mH;
+    const double t211 = p->mH * K0_12_mH;
+    const double t212 = p->rF * sin_lam;
+    const double t213 = t191 + t212;
+    const double K0_12_mF = (p->c * M_12_Jxz_delta) - t213;
+    const double K0_22_w = sin_lam * K0_12_w;
+    const double t218 = yaw_per_v_delta * (t162 + K0_12_w);
+    const double M_22_hz_delta = (p->xH * t202) + (p->c * t204) - t211;
+    const double M_12_zH = t211 + (t30 * sin_lam);
+    const double t225 = t211 * t196;
+    const double t226 = sin_lam * t71;
+    const double M_12_lam = (Jxx_delta * cos_lam) - t94 - (t83 * t226);
+    const double C1_21_lam = t160 + (ST * t226);
+    const double t234 = t102 + (t92 * t226);
+    const double K2_22_lam = (yaw_per_v_delta * (t132 + t234)) - (sin_lam * t162);
+    const double C1_22_lam = t121 + (mu * t234) - (sin_lam * t184);
+    const double t245 = (cos_lam * t144) + (sin_lam * t234);
+    const double M_12_rF = p->mF * (t212 - K0_12_mF);
+    const double t250 = (mu * (t125 + t125)) + t225;
+    const double t252 = t125 - t99 - M_22_hz_delta;
+    const double t253 = p->rF * K0_12_mF;
+    const double M_22_mF = K0_12_mF * K0_12_mF;
+    const double t255 = t129 * K2_12_IRyy;
+    const double C1_12_IRyy = p->c * K2_12_IRyy;
+    const double C1_21_rR = t129 * C1_12_IRyy;
+    const double t258 = p->mR * yaw_per_v_delta;
+    const double M_22_w = t250 - (t71 * t157);
+    const double M_22_c = t250 + t157 + (p->mF * t196 * K0_12_mF);
+    const double t266 = p->c * (t255 - t258);
+    const double K2_12_rR = t258 - t255;
+    const double K2_12_mR = p->rR * yaw_per_v_delta;
+    const double C1_22_c = yaw_per_v_delta * (t144 + t252 + (t90 * yaw_per_v_delta) - (p->mF *
+        (t213 + (p->w * M_12_Jxz_delta))) - (mu * t77));
+    const double C1_22_w = yaw_per_v_delta * ((p->c * t201) + t252 - t184);
+    const double C1_12_mR = p->c * K2_12_mR;
+    const double M_22_IRxx = mu * mu;
+    const double C1_22_xH = (yaw_per_v_delta * M_22_hz_delta) + (p->mH * M_22_IRxx);
+    const double C1_22_IRxx = mu * yaw_per_v_delta;
+    const double K2_22_xB = p->mB * C1_22_IRxx;
+    const double t290 = p->mB * mu;
+    const double t291 = p->zB * t290;
+    const double t292 = sin_lam * t290;
+    const double t293 = p->xB * yaw_per_v_delta;
+    const double K2_22_mB = mu * t293;
+    const double t295 = mu + t293;
+    const double C1_22_xB = t290 * (t293 + t295);
+    const double C1_22_mB = t133 * t295;
+    const double t299 = p->mB * t295;
+    const double t300 = p->zB * t295;
+    const double t301 = p->mH * yaw_per_v_delta;
+    const double K2_22_xH = M_12_Jxz_delta * t301;
+    const double K0_22_mH = sin_lam * K0_12_mH;
+    const double t304 = p->mH * K0_22_mH;
+    const double M_22_zH = t304 + t304;
+    const double t306 = yaw_per_v_delta * K0_12_mH;
+    const double t307 = p->c + p->xH;
+    const double t308 = t307 * t306;
+    const double t309 = t301 * t307;
+    const double t310 = sin_lam * t301;
+    const double t311 = t307 * t310;
+    const double M_22_Jxx_delta = sin_lam * sin_lam;
+    const double K0_22_zH = p->mH * M_22_Jxx_delta;
+    const double t314 = p->zH * yaw_per_v_delta;
+    const double t315 = t307 * t314;
+    const double M_22_Jzz_delta = M_12_Jxz_delta * M_12_Jxz_delta;
+    const double M_22_IFxx = M_22_Jxx_delta + M_22_Jzz_delta;
+    const double C1_12_IFyy = t108 * M_12_Jxz_delta;
+    const double C1_21_rF = SF * C1_12_IFyy;
+    const double C1_22_Jxz_delta = sin_lam * yaw_per_v_delta;
+    const double K2_22_IFyy = t108 * C1_22_Jxz_delta;
+    const double K2_12_IFyy = t108 * yaw_per_v_delta;
+    const double K0_22_mF = sin_lam * K0_12_mF;
+    const double t324 = p->mF * K0_22_mF;
+    const double t325 = t324 + t324;
+    const double t326 = yaw_per_v_delta * K0_12_mF;
+    const double t327 = t38 * t326;
+    const double t328 = p->mF * yaw_per_v_delta;
+    const double K2_12_rF = t328 - (SF * K2_12_IFyy);
+    const double t331 = t38 * t328;
+    const double C1_12_rF = t331 - C1_21_rF;
+    const double C1_22_rF = sin_lam * t331;
+    const double P_delta_lateral_rF = p->mF * sin_lam;
+    const double t335 = sin_lam * P_delta_lateral_rF;
+    const double K2_12_mF = p->rF * yaw_per_v_delta;
+    const double C1_12_mF = t38 * K2_12_mF;
+    const double t339 = -(sin_lam * K2_12_rF);
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -846,131 +825,131 @@ void balance_assist_f64_derivatives(const balance_assist_f64_t *p,
     matrices->k2[0][1] = K2_12;
     matrices->k2[1][0] = 0.0;
     matrices->k2[1][1] = K2_22;
-    derivatives->values[0] = M_12_w;
-    derivatives->values[1] = M_22_w;
-    derivatives->values[2] = C1_12_w;
-    derivatives->values[3] = C1_21_w;
-    derivatives->values[4] = C1_22_w;
-    derivatives->values[5] = K0_12_w;
-    derivatives->values[6] = t178;
-    derivatives->values[7] = t179;
-    derivatives->values[8] = K2_22_w;
-    derivatives->values[9] = t183;
-    derivatives->values[10] = M_22_c;
-    derivatives->values[11] = K2_12;
-    derivatives->values[12] = t197;
-    derivatives->values[13] = t213;
-    derivatives->values[14] = K0_12_c;
-    derivatives->values[15] = t369;
-    derivatives->values[16] = K2_22_c;
-    derivatives->values[17] = t222;
-    derivatives->values[18] = M_22_lam;
-    derivatives->values[19] = t239;
-    derivatives->values[20] = C1_21_lam;
-    derivatives->values[21] = C1_22_lam;
-    derivatives->values[22] = K0_12_lam;
-    derivatives->values[23] = t251;
-    derivatives->values[24] = t252;
-    derivatives->values[25] = K2_22_lam;
-    derivatives->values[26] = M_11_rR;
-    derivatives->values[27] = C1_12_rR;
-    derivatives->values[28] = C1_21_rR;
-    derivatives->values[29] = p->mR;
-    derivatives->values[30] = K2_12_rR;
-    derivatives->values[31] = M_11_mR;
-    derivatives->values[32] = C1_12_mR;
-    derivatives->values[33] = p->rR;
-    derivatives->values[34] = K2_12_mR;
-    derivatives->values[35] = 1.0;
-    derivatives->values[36] = M_22_IRxx;
-    derivatives->values[37] = C1_22_IRxx;
-    derivatives->values[38] = C1_12_IRyy;
-    derivatives->values[39] = K2_12_IRyy;
-    derivatives->values[40] = t272;
-    derivatives->values[41] = M_22_xB;
-    derivatives->values[42] = t275;
-    derivatives->values[43] = C1_22_xB;
-    derivatives->values[44] = t277;
-    derivatives->values[45] = t284;
-    derivatives->values[46] = K2_22_xB;
-    derivatives->values[47] = M_11_zB;
-    derivatives->values[48] = t121;
-    derivatives->values[49] = t286;
-    derivatives->values[50] = p->mB;
-    derivatives->values[51] = t274;
-    derivatives->values[52] = M_11_mB;
-    derivatives->values[53] = t287;
-    derivatives->values[54] = M_22_mB;
-    derivatives->values[55] = t289;
-    derivatives->values[56] = C1_22_mB;
-    derivatives->values[57] = p->zB;
-    derivatives->values[58] = t280;
-    derivatives->values[59] = t292;
-    derivatives->values[60] = t271;
-    derivatives->values[61] = K2_22_mB;
-    derivatives->values[62] = mu;
-    derivatives->values[63] = yaw_per_v_delta;
-    derivatives->values[64] = t135;
-    derivatives->values[65] = t150;
-    derivatives->values[66] = t294;
-    derivatives->values[67] = C1_22_xH;
-    derivatives->values[68] = t297;
-    derivatives->values[69] = t298;
-    derivatives->values[70] = K2_22_xH;
-    derivatives->values[71] = M_11_zH;
-    derivatives->values[72] = M_12_zH;
-    derivatives->values[73] = t305;
-    derivatives->values[74] = t307;
-    derivatives->values[75] = t308;
-    derivatives->values[76] = p->mH;
-    derivatives->values[77] = K0_12_zH;
-    derivatives->values[78] = K0_22_zH;
-    derivatives->values[79] = t293;
-    derivatives->values[80] = t310;
-    derivatives->values[81] = M_11_mH;
-    derivatives->values[82] = M_12_mH;
-    derivatives->values[83] = M_22_mH;
-    derivatives->values[84] = t321;
-    derivatives->values[85] = C1_22_mH;
-    derivatives->values[86] = p->zH;
-    derivatives->values[87] = K0_12_mH;
-    derivatives->values[88] = K0_22_mH;
-    derivatives->values[89] = t320;
-    derivatives->values[90] = t330;
-    derivatives->values[91] = sin_lam;
-    derivatives->values[92] = M_22_Jxx_delta;
-    derivatives->values[93] = M_22_Jzz_delta;
-    derivatives->values[94] = C1_22_Jzz_delta;
-    derivatives->values[95] = M_12_Jxz_delta;
-    derivatives->values[96] = M_22_Jxz_delta;
-    derivatives->values[97] = C1_22_Jxz_delta;
-    derivatives->values[98] = M_11_rF;
-    derivatives->values[99] = M_12_rF;
-    derivatives->values[100] = M_22_rF;
-    derivatives->values[101] = C1_12_rF;
-    derivatives->values[102] = C1_21_rF;
-    derivatives->values[103] = C1_22_rF;
-    derivatives->values[104] = p->mF;
-    derivatives->values[105] = P_delta_lateral_rF;
-    derivatives->values[106] = t345;
-    derivatives->values[107] = K2_12_rF;
-    derivatives->values[108] = K2_22_rF;
-    derivatives->values[109] = M_11_mF;
-    derivatives->values[110] = M_12_mF;
-    derivatives->values[111] = M_22_mF;
-    derivatives->values[112] = C1_12_mF;
-    derivatives->values[113] = C1_22_mF;
-    derivatives->values[114] = p->rF;
-    derivatives->values[115] = t200;
-    derivatives->values[116] = t358;
-    derivatives->values[117] = K2_12_mF;
-    derivatives->values[118] = K2_22_mF;
-    derivatives->values[119] = M_22_IFxx;
-    derivatives->values[120] = C1_12_IFyy;
-    derivatives->values[121] = K2_12_IFyy;
-    derivatives->values[122] = K2_22_IFyy;
-    derivatives->values[123] = p->vo;
-    derivatives->values[124] = p->kappa;
+    derivatives->values[0] = p->rR;
+    derivatives->values[1] = p->mR;
+    derivatives->values[2] = p->zB;
+    derivatives->values[3] = p->mB;
+    derivatives->values[4] = p->zH;
+    derivatives->values[5] = p->mH;
+    derivatives->values[6] = p->rF;
+    derivatives->values[7] = p->mF;
+    derivatives->values[8] = p->kappa;
+    derivatives->values[9] = p->vo;
+    derivatives->values[10] = 1.0;
+    derivatives->values[11] = sin_lam;
+    derivatives->values[12] = M_11_mF;
+    derivatives->values[13] = M_11_rR;
+    derivatives->values[14] = M_11_mR;
+    derivatives->values[15] = M_11_zB;
+    derivatives->values[16] = M_11_mB;
+    derivatives->values[17] = M_11_zH;
+    derivatives->values[18] = M_11_mH;
+    derivatives->values[19] = M_11_rF;
+    derivatives->values[20] = K0_12_zH;
+    derivatives->values[21] = mu;
+    derivatives->values[22] = yaw_per_v_delta;
+    derivatives->values[23] = t111;
+    derivatives->values[24] = t112;
+    derivatives->values[25] = t113;
+    derivatives->values[26] = t114;
+    derivatives->values[27] = M_12_c;
+    derivatives->values[28] = K2_12_IRyy;
+    derivatives->values[29] = t133;
+    derivatives->values[30] = t139;
+    derivatives->values[31] = M_22_mB;
+    derivatives->values[32] = t141;
+    derivatives->values[33] = t143;
+    derivatives->values[34] = M_22_xB;
+    derivatives->values[35] = t158;
+    derivatives->values[36] = K2_12;
+    derivatives->values[37] = M_12_Jxz_delta;
+    derivatives->values[38] = t164;
+    derivatives->values[39] = C1_22_Jzz_delta;
+    derivatives->values[40] = t166;
+    derivatives->values[41] = M_12_w;
+    derivatives->values[42] = C1_12_w;
+    derivatives->values[43] = t186;
+    derivatives->values[44] = K0_12_mH;
+    derivatives->values[45] = t197;
+    derivatives->values[46] = M_22_Jxz_delta;
+    derivatives->values[47] = t199;
+    derivatives->values[48] = C1_21_w;
+    derivatives->values[49] = t202;
+    derivatives->values[50] = t203;
+    derivatives->values[51] = K0_12_c;
+    derivatives->values[52] = K0_22_c;
+    derivatives->values[53] = t207;
+    derivatives->values[54] = K0_12_w;
+    derivatives->values[55] = M_12_mH;
+    derivatives->values[56] = M_22_mH;
+    derivatives->values[57] = K0_12_mF;
+    derivatives->values[58] = K0_22_w;
+    derivatives->values[59] = t218;
+    derivatives->values[60] = M_12_zH;
+    derivatives->values[61] = t225;
+    derivatives->values[62] = M_12_lam;
+    derivatives->values[63] = C1_21_lam;
+    derivatives->values[64] = t234;
+    derivatives->values[65] = K2_22_lam;
+    derivatives->values[66] = C1_22_lam;
+    derivatives->values[67] = t245;
+    derivatives->values[68] = M_12_rF;
+    derivatives->values[69] = t253;
+    derivatives->values[70] = M_22_mF;
+    derivatives->values[71] = C1_12_IRyy;
+    derivatives->values[72] = C1_21_rR;
+    derivatives->values[73] = M_22_w;
+    derivatives->values[74] = M_22_c;
+    derivatives->values[75] = t266;
+    derivatives->values[76] = K2_12_rR;
+    derivatives->values[77] = K2_12_mR;
+    derivatives->values[78] = C1_22_c;
+    derivatives->values[79] = C1_22_w;
+    derivatives->values[80] = C1_12_mR;
+    derivatives->values[81] = M_22_IRxx;
+    derivatives->values[82] = C1_22_xH;
+    derivatives->values[83] = C1_22_IRxx;
+    derivatives->values[84] = K2_22_xB;
+    derivatives->values[85] = t290;
+    derivatives->values[86] = t291;
+    derivatives->values[87] = t292;
+    derivatives->values[88] = K2_22_mB;
+    derivatives->values[89] = C1_22_xB;
+    derivatives->values[90] = C1_22_mB;
+    derivatives->values[91] = t299;
+    derivatives->values[92] = t300;
+    derivatives->values[93] = t301;
+    derivatives->values[94] = K2_22_xH;
+    derivatives->values[95] = K0_22_mH;
+    derivatives->values[96] = M_22_zH;
+    derivatives->values[97] = t306;
+    derivatives->values[98] = t308;
+    derivatives->values[99] = t309;
+    derivatives->values[100] = t310;
+    derivatives->values[101] = t311;
+    derivatives->values[102] = M_22_Jxx_delta;
+    derivatives->values[103] = K0_22_zH;
+    derivatives->values[104] = t314;
+    derivatives->values[105] = t315;
+    derivatives->values[106] = M_22_Jzz_delta;
+    derivatives->values[107] = M_22_IFxx;
+    derivatives->values[108] = C1_12_IFyy;
+    derivatives->values[109] = C1_21_rF;
+    derivatives->values[110] = C1_22_Jxz_delta;
+    derivatives->values[111] = K2_22_IFyy;
+    derivatives->values[112] = K2_12_IFyy;
+    derivatives->values[113] = K0_22_mF;
+    derivatives->values[114] = t325;
+    derivatives->values[115] = t326;
+    derivatives->values[116] = t327;
+    derivatives->values[117] = K2_12_rF;
+    derivatives->values[118] = C1_12_rF;
+    derivatives->values[119] = C1_22_rF;
+    derivatives->values[120] = P_delta_lateral_rF;
+    derivatives->values[121] = t335;
+    derivatives->values[122] = K2_12_mF;
+    derivatives->values[123] = C1_12_mF;
+    derivatives->values[124] = t339;
 }
 
 void balance_assist_f64_with_respect_to(const balance_assist_f64_derivatives_t *derivatives,
@@ -1347,232 +1326,211 @@ void balance_assist_f32_kinematics(const balance_assist_f32_t *p, balance_assist
 void balance_assist_f32_derivatives(const balance_assist_f32_t *p,
     balance_assist_f32_matrices_t *matrices, balance_assist_f32_derivatives_t *derivatives)
 {
-    const float M_11_mB = p->zB * p->zB;
-    const float t10 = p->rF * p->mF;
-    const float t14 = p->zH * p->mH;
-    const float Jxx_delta = p->IFxx + p->IHxx + (p->rF * t10) + (p->zH * t14);
-    const float M_11_mR = p->rR * p->rR;
-    const float M_11 = p->IBxx + p->IRxx + (p->mB * M_11_mB) + Jxx_delta + (p->mR * M_11_mR);
     float sin_lam = 0.0F;
     float cos_lam = 0.0F;
     carvallo_sin_cos_f32(p->lam, &sin_lam, &cos_lam);
-    const float t32 = t10 - t14;
-    const float t36 = p->w - p->xH;
-    const float t39 = p->IHxz + (t14 * t36) - (p->c * t32);
-    const float t41 = t39 * cos_lam;
-    const float hx_delta = (Jxx_delta * sin_lam) + t41;
-    const float t44 = p->c + p->w;
-    const float M_22_hz_delta = t32 * t44;
-    const float t47 = p->mB * p->zB;
-    const float t51 = t39 + p->IBxz + M_22_hz_delta - (p->xB * t47);
-    const float t52 = 1.0F / p->w;
-    const float yaw_per_v_delta = cos_lam * t52;
-    const float mu = p->c * yaw_per_v_delta;
-    const float M_12 = hx_delta + (t51 * mu);
-    const float t59 = p->mF * p->c;
-    const float t60 = t44 - p->xH;
-    const float t61 = p->mH * t60;
-    const float t62 = t59 + t61;
-    const float t64 = (sin_lam * t32) - (cos_lam * t62);
-    const float t65 = t44 * t64;
-    const float t66 = sin_lam * t39;
-    const float Jzz_delta = p->IFxx + p->IHzz + (p->c * t59) + (t60 * t61);
-    const float t74 = t66 + (cos_lam * Jzz_delta);
-    const float t75 = p->mB * p->xB;
-    const float mA = p->mF + p->mH;
-    const float t80 = t62 - (t44 * mA);
-    const float t86 = p->IRxx + Jzz_delta + (p->xB * t75) + p->IBzz - (t44 * (t62 + t80));
-    const float t87 = mu * t86;
-    const float t89 = t65 + t74 + t87;
-    const float M_12_Jxz_delta = cos_lam + mu;
-    const float M_22 = (sin_lam * hx_delta) + (mu * (t65 + t89)) + (t74 * M_12_Jxz_delta);
-    const float t101 = 1.0F / p->rF;
-    const float SF = p->IFyy * t101;
-    const float t104 = 1.0F / p->rR;
-    const float t105 = p->IRyy * t104;
-    const float ST = SF + t105;
-    const float t107 = p->mR * p->rR;
-    const float K0_11 = t47 - (t32 + t107);
-    const float t111 = t52 * (ST - K0_11);
-    const float t113 = t51 * t52;
-    const float t114 = (p->c * t111) + t113;
-    const float t115 = SF + t114;
-    const float C1_12 = cos_lam * t115;
-    const float t117 = cos_lam * SF;
-    const float t118 = mu * ST;
-    const float C1_21 = p->kappa - t117 - t118;
-    const float t121 = mu * t75;
-    const float t122 = mu * t80;
-    const float t123 = t121 - t122;
-    const float t124 = t64 + t123;
-    const float t126 = t89 + (p->c * t124);
-    const float C1_22 = yaw_per_v_delta * t126;
-    const float K2_12 = cos_lam * t111;
-    const float t130 = sin_lam * SF;
-    const float t131 = t124 + t130;
-    const float K2_22 = yaw_per_v_delta * t131;
-    const float t133 = t32 - t113;
-    const float t135 = t14 * M_12_Jxz_delta;
-    const float M_12_w = (mu * t133) + t135;
-    const float t137 = t52 * t89;
-    const float t138 = t137 + t137;
-    const float t140 = t60 * M_12_Jxz_delta;
-    const float t141 = M_12_Jxz_delta * t140;
-    const float t142 = t44 * mu;
-    const float t143 = M_12_Jxz_delta + M_12_Jxz_delta;
-    const float t144 = t142 * t143;
-    const float t145 = t141 - t144;
-    const float t146 = p->zH * sin_lam;
-    const float t150 = p->mH * (t141 + t145 + (t143 * t146));
-    const float t151 = mu + mu;
-    const float t152 = t64 - t122;
-    const float P_delta_yaw_xB = t151 * t152;
-    const float t154 = t150 + P_delta_yaw_xB;
-    const float M_22_w = t154 - (mu * t138);
-    const float C1_12_w = yaw_per_v_delta * (t10 - t114);
-    const float C1_21_w = t52 * t118;
-    const float t161 = (p->mF * mu) - (p->mH * cos_lam);
-    const float t162 = t52 * t123;
-    const float P_delta_lateral_w = t161 - t162;
-    const float t165 = t142 - t140;
-    const float K0_12_mH = t146 - t165;
-    const float t167 = t165 - K0_12_mH;
-    const float t168 = cos_lam * t44;
-    const float t169 = t167 + t168;
-    const float t172 = t122 + (p->mH * t169) - t152;
-    const float t174 = t52 * (t87 + t126);
-    const float C1_22_w = yaw_per_v_delta * ((p->c * P_delta_lateral_w) - t172 - t174);
-    const float t178 = sin_lam * P_delta_lateral_w;
-    const float t179 = yaw_per_v_delta * t111;
-    const float t180 = t52 * t131;
-    const float K2_22_w = yaw_per_v_delta * (P_delta_lateral_w - t180);
-    const float t183 = cos_lam * t133;
-    const float M_22_Jzz_delta = M_12_Jxz_delta * M_12_Jxz_delta;
-    const float t185 = p->c * M_22_Jzz_delta;
-    const float t186 = t185 - t144;
-    const float t190 = p->mF * M_12_Jxz_delta;
-    const float t191 = p->rF * sin_lam;
-    const float t193 = (cos_lam * t137) - (t190 * t191);
-    const float M_22_c = t154 + (p->mF * (t185 + t186)) + t193 + t193;
-    const float t197 = yaw_per_v_delta * ST;
-    const float t198 = p->c * M_12_Jxz_delta;
-    const float t200 = t142 + t191 - t198;
-    const float t201 = t142 + t200;
-    const float t205 = t75 - t80;
-    const float t207 = t161 + (yaw_per_v_delta * t205);
-    const float t212 = t172 + (p->mF * (t168 + t201)) - t124 - (yaw_per_v_delta * t86) - (p->c *
-        t207);
-    const float t213 = yaw_per_v_delta * t212;
-    const float K0_12_c = t190 - t207;
-    const float t218 = t66 - (Jxx_delta * cos_lam);
-    const float t220 = sin_lam * p->c * t52;
-    const float t222 = t218 + (t51 * t220);
-    const float t229 = (t32 * cos_lam) + (sin_lam * t62);
-    const float t232 = t41 - (sin_lam * Jzz_delta);
-    const float t233 = (t44 * t229) + t232;
-    const float M_22_lam = (t151 * t233) + (cos_lam * (hx_delta + t232)) - (sin_lam * (t74 + t218 +
-        (p->c * t138)));
-    const float t239 = sin_lam * t115;
-    const float C1_21_lam = t130 + (ST * t220);
-    const float t242 = t205 * t220;
-    const float t243 = t229 - t242;
-    const float C1_22_lam = (yaw_per_v_delta * (t233 + (p->c * t243))) - (sin_lam * t174);
-    const float t251 = (sin_lam * t243) + (cos_lam * t124);
-    const float t252 = sin_lam * t111;
-    const float K2_22_lam = (yaw_per_v_delta * (t117 + t243)) - (sin_lam * t180);
-    const float M_11_rR = t107 + t107;
-    const float K2_12_IRyy = yaw_per_v_delta * t104;
-    const float K2_12_rR = (p->mR * yaw_per_v_delta) - (t105 * K2_12_IRyy);
-    const float C1_12_rR = p->c * K2_12_rR;
-    const float C1_12_IRyy = mu * t104;
-    const float C1_21_rR = t105 * C1_12_IRyy;
-    const float K2_12_mR = p->rR * yaw_per_v_delta;
-    const float C1_12_mR = p->c * K2_12_mR;
-    const float C1_22_IRxx = yaw_per_v_delta * mu;
-    const float M_22_IRxx = p->c * C1_22_IRxx;
-    const float t270 = p->mB * p->c;
-    const float t271 = p->zB * yaw_per_v_delta;
-    const float t272 = t270 * t271;
-    const float M_22_xB = t121 * t151;
-    const float t274 = p->mB * yaw_per_v_delta;
-    const float t275 = p->zB * t274;
-    const float t276 = p->c + p->xB;
-    const float t277 = p->c * t274;
-    const float K2_22_xB = yaw_per_v_delta * t277;
-    const float t280 = p->xB * mu;
-    const float C1_22_xB = (t276 * K2_22_xB) + (t274 * t280);
-    const float C1_22_Jxz_delta = sin_lam * yaw_per_v_delta;
-    const float t284 = t270 * C1_22_Jxz_delta;
-    const float M_11_zB = t47 + t47;
-    const float t286 = t274 * t276;
-    const float t287 = p->zB * t280;
-    const float M_22_mB = t280 * t280;
-    const float t289 = t271 * t276;
-    const float K2_22_mB = p->xB * C1_22_IRxx;
-    const float C1_22_mB = t276 * K2_22_mB;
-    const float t292 = sin_lam * t280;
-    const float t293 = p->mH * yaw_per_v_delta;
-    const float t294 = p->zH * t293;
-    const float C1_22_xH = t293 * (t169 + t198);
-    const float t297 = p->mH * M_12_Jxz_delta;
-    const float t298 = sin_lam * t297;
-    const float K2_22_xH = M_12_Jxz_delta * t293;
-    const float M_11_zH = t14 + t14;
-    const float t301 = t146 + K0_12_mH;
-    const float M_12_zH = p->mH * t301;
-    const float K0_12_zH = p->mH * sin_lam;
-    const float t305 = (t165 - t301) * K0_12_zH;
-    const float t306 = p->c + p->xH;
-    const float t307 = t293 * t306;
-    const float t308 = sin_lam * t307;
-    const float K0_22_zH = sin_lam * K0_12_zH;
-    const float t310 = yaw_per_v_delta * K0_12_zH;
-    const float M_11_mH = p->zH * p->zH;
-    const float M_12_mH = p->zH * K0_12_mH;
-    const float t313 = t44 * yaw_per_v_delta;
-    const float C1_22_mA = t142 * t313;
-    const float M_22_mH = (p->c * C1_22_mA) + (t60 * t145) - (t146 * t167);
-    const float t320 = p->zH * yaw_per_v_delta;
-    const float t321 = t306 * t320;
-    const float C1_22_mH = C1_22_mA - (yaw_per_v_delta * ((t44 * t140) + (t36 * t165) + (t146 *
-        t306)));
-    const float K0_22_mH = sin_lam * K0_12_mH;
-    const float t330 = yaw_per_v_delta * K0_12_mH;
-    const float M_22_Jxx_delta = sin_lam * sin_lam;
-    const float C1_22_Jzz_delta = yaw_per_v_delta * M_12_Jxz_delta;
-    const float M_22_Jxz_delta = sin_lam * t143;
-    const float M_11_rF = t10 + t10;
-    const float M_12_rF = p->mF * (t191 + t200);
-    const float P_delta_lateral_rF = p->mF * sin_lam;
-    const float t338 = t200 * P_delta_lateral_rF;
-    const float M_22_rF = t338 + t338;
-    const float t340 = p->mF * t313;
-    const float t341 = t101 * SF;
-    const float C1_21_rF = M_12_Jxz_delta * t341;
-    const float C1_12_rF = t340 - C1_21_rF;
-    const float C1_22_rF = sin_lam * t340;
-    const float t345 = sin_lam * P_delta_lateral_rF;
-    const float K2_12_rF = yaw_per_v_delta * (p->mF - t341);
-    const float K2_22_rF = sin_lam * K2_12_rF;
     const float M_11_mF = p->rF * p->rF;
-    const float M_12_mF = p->rF * t200;
-    const float M_22_mF = (p->c * (t186 + C1_22_mA)) - (t191 * (t198 - t201));
-    const float C1_12_mF = p->rF * t313;
-    const float C1_22_mF = t200 * t313;
-    const float t358 = sin_lam * t200;
-    const float K2_12_mF = p->rF * yaw_per_v_delta;
-    const float K2_22_mF = yaw_per_v_delta * t200;
-    const float M_22_IFxx = M_22_Jzz_delta + M_22_Jxx_delta;
-    const float C1_12_IFyy = M_12_Jxz_delta * t101;
-    const float K2_12_IFyy = yaw_per_v_delta * t101;
-    const float K2_22_IFyy = t101 * C1_22_Jxz_delta;
+    const float t30 = p->zH * p->mH;
+    const float Jxx_delta = p->IFxx + (p->mF * M_11_mF) + p->IHxx + (p->zH * t30);
+    const float t36 = p->zB * p->mB;
+    const float t37 = p->rR * p->mR;
+    const float t38 = p->c + p->w;
+    const float M_11_rR = t37 + t37;
+    const float M_11_mR = p->rR * p->rR;
+    const float M_11_zB = t36 + t36;
+    const float M_11_mB = p->zB * p->zB;
+    const float M_11_zH = t30 + t30;
+    const float M_11_mH = p->zH * p->zH;
     const float C0_21 = -(p->kappa * p->vo);
-    const float K0_12 = -t124;
-    const float K0_22 = -(sin_lam * t124);
-    const float K0_12_w = t162 - t161;
-    const float t369 = -(sin_lam * K0_12_c);
-    const float K2_22_c = -(yaw_per_v_delta * K0_12_c);
-    const float K0_12_lam = t242 - t229;
+    const float t47 = t38 - p->xH;
+    const float t48 = p->mH * t47;
+    const float t49 = p->mF * p->c;
+    const float t53 = (p->zH * t48) + p->IHxz - (p->rF * t49);
+    const float t54 = 1.0F / p->w;
+    const float t55 = p->mF * p->rF;
+    const float M_11_rF = t55 + t55;
+    const float t57 = t55 - t30;
+    const float M_11 = p->IRxx + p->IBxx + Jxx_delta + (p->zB * t36) + (p->rR * t37);
+    const float K0_11 = t36 - (t37 + t57);
+    const float Jzz_delta = p->IFxx + p->IHzz + (p->c * t49) + (t47 * t48);
+    const float t71 = p->c * t54;
+    const float t72 = p->mB * p->xB;
+    const float t73 = t48 + t49;
+    const float t75 = t38 * (p->mF + p->mH);
+    const float t77 = t48 - t72 - t75;
+    const float t78 = t73 - t75;
+    const float t83 = t53 + p->IBxz + (t38 * t57) - (t36 * p->xB);
+    const float t90 = p->IRxx + Jzz_delta + (p->xB * t72) + p->IBzz - (t38 * (t73 + t78));
+    const float K0_12_zH = p->mH * sin_lam;
+    const float t92 = t49 + t77;
+    const float t93 = t53 * cos_lam;
+    const float t94 = t53 * sin_lam;
+    const float mu = cos_lam * t71;
+    const float t98 = (sin_lam * t57) - (cos_lam * t73);
+    const float t99 = t78 * mu;
+    const float t100 = cos_lam * t57;
+    const float t102 = t100 + (sin_lam * t73);
+    const float hx_delta = t93 + (Jxx_delta * sin_lam);
+    const float t106 = (cos_lam * Jzz_delta) + t94;
+    const float t107 = t54 * t83;
+    const float t108 = 1.0F / p->rF;
+    const float t109 = 1.0F / p->rR;
+    const float yaw_per_v_delta = cos_lam * t54;
+    const float t111 = t36 * yaw_per_v_delta;
+    const float t112 = p->mB * yaw_per_v_delta;
+    const float t113 = p->zB * yaw_per_v_delta;
+    const float t114 = t30 * yaw_per_v_delta;
+    const float SF = p->IFyy * t108;
+    const float t116 = cos_lam * t107;
+    const float t121 = yaw_per_v_delta * (t93 + (t38 * t102) - (sin_lam * Jzz_delta));
+    const float t122 = t90 * mu;
+    const float t124 = t106 + (t38 * t98);
+    const float t125 = t98 - t99;
+    const float M_12 = hx_delta + (p->c * t116);
+    const float M_12_c = t116 - t100;
+    const float t129 = p->IRyy * t109;
+    const float K2_12_IRyy = t109 * yaw_per_v_delta;
+    const float ST = SF + t129;
+    const float t132 = cos_lam * SF;
+    const float t133 = p->xB * mu;
+    const float t135 = t54 * (ST - K0_11);
+    const float C1_21 = p->kappa - (mu * ST) - t132;
+    const float t139 = p->zB * t133;
+    const float M_22_mB = t133 * t133;
+    const float t141 = sin_lam * t133;
+    const float t142 = t122 + t124;
+    const float t143 = p->mB * t133;
+    const float t144 = t125 + t143;
+    const float t145 = mu * t143;
+    const float M_22_xB = t145 + t145;
+    const float t148 = t106 + (t71 * t142);
+    const float K0_12 = -t144;
+    const float K0_22 = -(sin_lam * t144);
+    const float t153 = t142 + (p->c * t144);
+    const float t155 = t107 + (p->c * t135);
+    const float t156 = t142 * yaw_per_v_delta;
+    const float t157 = t156 + t156;
+    const float t158 = sin_lam * t135;
+    const float K2_12 = cos_lam * t135;
+    const float t160 = sin_lam * SF;
+    const float t162 = t54 * (t144 + t160);
+    const float M_12_Jxz_delta = cos_lam + mu;
+    const float t164 = t54 * K2_12;
+    const float C1_22_Jzz_delta = yaw_per_v_delta * M_12_Jxz_delta;
+    const float t166 = t30 * M_12_Jxz_delta;
+    const float M_12_w = t166 - (t71 * M_12_c);
+    const float M_22 = (sin_lam * hx_delta) + (cos_lam * (t148 + (t71 * t124)));
+    const float C1_12_w = yaw_per_v_delta * (t55 - t155);
+    const float t180 = (sin_lam * t148) - (cos_lam * hx_delta) - (p->c * t121);
+    const float t181 = SF + t155;
+    const float C1_22 = yaw_per_v_delta * t153;
+    const float t184 = t54 * (t122 + t153);
+    const float C1_12 = cos_lam * t181;
+    const float t186 = sin_lam * t181;
+    const float K2_22 = cos_lam * t162;
+    const float t190 = cos_lam * (p->mF + (t54 * t92));
+    const float t191 = t38 * mu;
+    const float K0_12_mH = (p->zH * sin_lam) + (t47 * M_12_Jxz_delta) - t191;
+    const float t196 = M_12_Jxz_delta + M_12_Jxz_delta;
+    const float t197 = t180 + t180;
+    const float M_22_Jxz_delta = sin_lam * t196;
+    const float t199 = ST * yaw_per_v_delta;
+    const float C1_21_w = t71 * t199;
+    const float t201 = t71 * t190;
+    const float t202 = p->mH * M_12_Jxz_delta;
+    const float t203 = sin_lam * t202;
+    const float t204 = p->mH * cos_lam;
+    const float K0_12_c = t190 + t204;
+    const float K0_22_c = sin_lam * K0_12_c;
+    const float t207 = yaw_per_v_delta * K0_12_c;
+    const float K0_12_w = t204 - t201;
+    const float M_12_mH = p->zH * K0_12_mH;
+    const float M_22_mH = K0_12_mH * K0_12_mH;
+    const float t211 = p->mH * K0_12_mH;
+    const float t212 = p->rF * sin_lam;
+    const float t213 = t191 + t212;
+    const float K0_12_mF = (p->c * M_12_Jxz_delta) - t213;
+    const float K0_22_w = sin_lam * K0_12_w;
+    const float t218 = yaw_per_v_delta * (t162 + K0_12_w);
+    const float M_22_hz_delta = (p->xH * t202) + (p->c * t204) - t211;
+    const float M_12_zH = t211 + (t30 * sin_lam);
+    const float t225 = t211 * t196;
+    const float t226 = sin_lam * t71;
+    const float M_12_lam = (Jxx_delta * cos_lam) - t94 - (t83 * t226);
+    const float C1_21_lam = t160 + (ST * t226);
+    const float t234 = t102 + (t92 * t226);
+    const float K2_22_lam = (yaw_per_v_delta * (t132 + t234)) - (sin_lam * t162);
+    const float C1_22_lam = t121 + (mu * t234) - (sin_lam * t184);
+    const float t245 = (cos_lam * t144) + (sin_lam * t234);
+    const float M_12_rF = p->mF * (t212 - K0_12_mF);
+    const float t250 = (mu * (t125 + t125)) + t225;
+    const float t252 = t125 - t99 - M_22_hz_delta;
+    const float t253 = p->rF * K0_12_mF;
+    const float M_22_mF = K0_12_mF * K0_12_mF;
+    const float t255 = t129 * K2_12_IRyy;
+    const float C1_12_IRyy = p->c * K2_12_IRyy;
+    const float C1_21_rR = t129 * C1_12_IRyy;
+    const float t258 = p->mR * yaw_per_v_delta;
+    const float M_22_w = t250 - (t71 * t157);
+    const float M_22_c = t250 + t157 + (p->mF * t196 * K0_12_mF);
+    const float t266 = p->c * (t255 - t258);
+    const float K2_12_rR = t258 - t255;
+    const float K2_12_mR = p->rR * yaw_per_v_delta;
+    const float C1_22_c = yaw_per_v_delta * (t144 + t252 + (t90 * yaw_per_v_delta) - (p->mF *
+        (t213 + (p->w * M_12_Jxz_delta))) - (mu * t77));
+    const float C1_22_w = yaw_per_v_delta * ((p->c * t201) + t252 - t184);
+    const float C1_12_mR = p->c * K2_12_mR;
+    const float M_22_IRxx = mu * mu;
+    const float C1_22_xH = (yaw_per_v_delta * M_22_hz_delta) + (p->mH * M_22_IRxx);
+    const float C1_22_IRxx = mu * yaw_per_v_delta;
+    const float K2_22_xB = p->mB * C1_22_IRxx;
+    const float t290 = p->mB * mu;
+    const float t291 = p->zB * t290;
+    const float t292 = sin_lam * t290;
+    const float t293 = p->xB * yaw_per_v_delta;
+    const float K2_22_mB = mu * t293;
+    const float t295 = mu + t293;
+    const float C1_22_xB = t290 * (t293 + t295);
+    const float C1_22_mB = t133 * t295;
+    const float t299 = p->mB * t295;
+    const float t300 = p->zB * t295;
+    const float t301 = p->mH * yaw_per_v_delta;
+    const float K2_22_xH = M_12_Jxz_delta * t301;
+    const float K0_22_mH = sin_lam * K0_12_mH;
+    const float t304 = p->mH * K0_22_mH;
+    const float M_22_zH = t304 + t304;
+    const float t306 = yaw_per_v_delta * K0_12_mH;
+    const float t307 = p->c + p->xH;
+    const float t308 = t307 * t306;
+    const float t309 = t301 * t307;
+    const float t310 = sin_lam * t301;
+    const float t311 = t307 * t310;
+    const float M_22_Jxx_delta = sin_lam * sin_lam;
+    const float K0_22_zH = p->mH * M_22_Jxx_delta;
+    const float t314 = p->zH * yaw_per_v_delta;
+    const float t315 = t307 * t314;
+    const float M_22_Jzz_delta = M_12_Jxz_delta * M_12_Jxz_delta;
+    const float M_22_IFxx = M_22_Jxx_delta + M_22_Jzz_delta;
+    const float C1_12_IFyy = t108 * M_12_Jxz_delta;
+    const float C1_21_rF = SF * C1_12_IFyy;
+    const float C1_22_Jxz_delta = sin_lam * yaw_per_v_delta;
+    const float K2_22_IFyy = t108 * C1_22_Jxz_delta;
+    const float K2_12_IFyy = t108 * yaw_per_v_delta;
+    const float K0_22_mF = sin_lam * K0_12_mF;
+    const float t324 = p->mF * K0_22_mF;
+    const float t325 = t324 + t324;
+    const float t326 = yaw_per_v_delta * K0_12_mF;
+    const float t327 = t38 * t326;
+    const float t328 = p->mF * yaw_per_v_delta;
+    const float K2_12_rF = t328 - (SF * K2_12_IFyy);
+    const float t331 = t38 * t328;
+    const float C1_12_rF = t331 - C1_21_rF;
+    const float C1_22_rF = sin_lam * t331;
+    const float P_delta_lateral_rF = p->mF * sin_lam;
+    const float t335 = sin_lam * P_delta_lateral_rF;
+    const float K2_12_mF = p->rF * yaw_per_v_delta;
+    const float C1_12_mF = t38 * K2_12_mF;
+    const float t339 = -(sin_lam * K2_12_rF);
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -1593,131 +1551,131 @@ void balance_assist_f32_derivatives(const balance_assist_f32_t *p,
     matrices->k2[0][1] = K2_12;
     matrices->k2[1][0] = 0.0F;
     matrices->k2[1][1] = K2_22;
-    derivatives->values[0] = M_12_w;
-    derivatives->values[1] = M_22_w;
-    derivatives->values[2] = C1_12_w;
-    derivatives->values[3] = C1_21_w;
-    derivatives->values[4] = C1_22_w;
-    derivatives->values[5] = K0_12_w;
-    derivatives->values[6] = t178;
-    derivatives->values[7] = t179;
-    derivatives->values[8] = K2_22_w;
-    derivatives->values[9] = t183;
-    derivatives->values[10] = M_22_c;
-    derivatives->values[11] = K2_12;
-    derivatives->values[12] = t197;
-    derivatives->values[13] = t213;
-    derivatives->values[14] = K0_12_c;
-    derivatives->values[15] = t369;
-    derivatives->values[16] = K2_22_c;
-    derivatives->values[17] = t222;
-    derivatives->values[18] = M_22_lam;
-    derivatives->values[19] = t239;
-    derivatives->values[20] = C1_21_lam;
-    derivatives->values[21] = C1_22_lam;
-    derivatives->values[22] = K0_12_lam;
-    derivatives->values[23] = t251;
-    derivatives->values[24] = t252;
-    derivatives->values[25] = K2_22_lam;
-    derivatives->values[26] = M_11_rR;
-    derivatives->values[27] = C1_12_rR;
-    derivatives->values[28] = C1_21_rR;
-    derivatives->values[29] = p->mR;
-    derivatives->values[30] = K2_12_rR;
-    derivatives->values[31] = M_11_mR;
-    derivatives->values[32] = C1_12_mR;
-    derivatives->values[33] = p->rR;
-    derivatives->values[34] = K2_12_mR;
-    derivatives->values[35] = 1.0F;
-    derivatives->values[36] = M_22_IRxx;
-    derivatives->values[37] = C1_22_IRxx;
-    derivatives->values[38] = C1_12_IRyy;
-    derivatives->values[39] = K2_12_IRyy;
-    derivatives->values[40] = t272;
-    derivatives->values[41] = M_22_xB;
-    derivatives->values[42] = t275;
-    derivatives->values[43] = C1_22_xB;
-    derivatives->values[44] = t277;
-    derivatives->values[45] = t284;
-    derivatives->values[46] = K2_22_xB;
-    derivatives->values[47] = M_11_zB;
-    derivatives->values[48] = t121;
-    derivatives->values[49] = t286;
-    derivatives->values[50] = p->mB;
-    derivatives->values[51] = t274;
-    derivatives->values[52] = M_11_mB;
-    derivatives->values[53] = t287;
-    derivatives->values[54] = M_22_mB;
-    derivatives->values[55] = t289;
-    derivatives->values[56] = C1_22_mB;
-    derivatives->values[57] = p->zB;
-    derivatives->values[58] = t280;
-    derivatives->values[59] = t292;
-    derivatives->values[60] = t271;
-    derivatives->values[61] = K2_22_mB;
-    derivatives->values[62] = mu;
-    derivatives->values[63] = yaw_per_v_delta;
-    derivatives->values[64] = t135;
-    derivatives->values[65] = t150;
-    derivatives->values[66] = t294;
-    derivatives->values[67] = C1_22_xH;
-    derivatives->values[68] = t297;
-    derivatives->values[69] = t298;
-    derivatives->values[70] = K2_22_xH;
-    derivatives->values[71] = M_11_zH;
-    derivatives->values[72] = M_12_zH;
-    derivatives->values[73] = t305;
-    derivatives->values[74] = t307;
-    derivatives->values[75] = t308;
-    derivatives->values[76] = p->mH;
-    derivatives->values[77] = K0_12_zH;
-    derivatives->values[78] = K0_22_zH;
-    derivatives->values[79] = t293;
-    derivatives->values[80] = t310;
-    derivatives->values[81] = M_11_mH;
-    derivatives->values[82] = M_12_mH;
-    derivatives->values[83] = M_22_mH;
-    derivatives->values[84] = t321;
-    derivatives->values[85] = C1_22_mH;
-    derivatives->values[86] = p->zH;
-    derivatives->values[87] = K0_12_mH;
-    derivatives->values[88] = K0_22_mH;
-    derivatives->values[89] = t320;
-    derivatives->values[90] = t330;
-    derivatives->values[91] = sin_lam;
-    derivatives->values[92] = M_22_Jxx_delta;
-    derivatives->values[93] = M_22_Jzz_delta;
-    derivatives->values[94] = C1_22_Jzz_delta;
-    derivatives->values[95] = M_12_Jxz_delta;
-    derivatives->values[96] = M_22_Jxz_delta;
-    derivatives->values[97] = C1_22_Jxz_delta;
-    derivatives->values[98] = M_11_rF;
-    derivatives->values[99] = M_12_rF;
-    derivatives->values[100] = M_22_rF;
-    derivatives->values[101] = C1_12_rF;
-    derivatives->values[102] = C1_21_rF;
-    derivatives->values[103] = C1_22_rF;
-    derivatives->values[104] = p->mF;
-    derivatives->values[105] = P_delta_lateral_rF;
-    derivatives->values[106] = t345;
-    derivatives->values[107] = K2_12_rF;
-    derivatives->values[108] = K2_22_rF;
-    derivatives->values[109] = M_11_mF;
-    derivatives->values[110] = M_12_mF;
-    derivatives->values[111] = M_22_mF;
-    derivatives->values[112] = C1_12_mF;
-    derivatives->values[113] = C1_22_mF;
-    derivatives->values[114] = p->rF;
-    derivatives->values[115] = t200;
-    derivatives->values[116] = t358;
-    derivatives->values[117] = K2_12_mF;
-    derivatives->values[118] = K2_22_mF;
-    derivatives->values[119] = M_22_IFxx;
-    derivatives->values[120] = C1_12_IFyy;
-    derivatives->values[121] = K2_12_IFyy;
-    derivatives->values[122] = K2_22_IFyy;
-    derivatives->values[123] = p->vo;
-    derivatives->values[124] = p->kappa;
+    derivatives->values[0] = p->rR;
+    derivatives->values[1] = p->mR;
+    derivatives->values[2] = p->zB;
+    derivatives->values[3] = p->mB;
+    derivatives->values[4] = p->zH;
+    derivatives->values[5] = p->mH;
+    derivatives->values[6] = p->rF;
+    derivatives->values[7] = p->mF;
+    derivatives->values[8] = p->kappa;
+    derivatives->values[9] = p->vo;
+    derivatives->values[10] = 1.0F;
+    derivatives->values[11] = sin_lam;
+    derivatives->values[12] = M_11_mF;
+    derivatives->values[13] = M_11_rR;
+    derivatives->values[14] = M_11_mR;
+    derivatives->values[15] = M_11_zB;
+    derivatives->values[16] = M_11_mB;
+    derivatives->values[17] = M_11_zH;
+    derivatives->values[18] = M_11_mH;
+    derivatives->values[19] = M_11_rF;
+    derivatives->values[20] = K0_12_zH;
+    derivatives->values[21] = mu;
+    derivatives->values[22] = yaw_per_v_delta;
+    derivatives->values[23] = t111;
+    derivatives->values[24] = t112;
+    derivatives->values[25] = t113;
+    derivatives->values[26] = t114;
+    derivatives->values[27] = M_12_c;
+    derivatives->values[28] = K2_12_IRyy;
+    derivatives->values[29] = t133;
+    derivatives->values[30] = t139;
+    derivatives->values[31] = M_22_mB;
+    derivatives->values[32] = t141;
+    derivatives->values[33] = t143;
+    derivatives->values[34] = M_22_xB;
+    derivatives->values[35] = t158;
+    derivatives->values[36] = K2_12;
+    derivatives->values[37] = M_12_Jxz_delta;
+    derivatives->values[38] = t164;
+    derivatives->values[39] = C1_22_Jzz_delta;
+    derivatives->values[40] = t166;
+    derivatives->values[41] = M_12_w;
+    derivatives->values[42] = C1_12_w;
+    derivatives->values[43] = t186;
+    derivatives->values[44] = K0_12_mH;
+    derivatives->values[45] = t197;
+    derivatives->values[46] = M_22_Jxz_delta;
+    derivatives->values[47] = t199;
+    derivatives->values[48] = C1_21_w;
+    derivatives->values[49] = t202;
+    derivatives->values[50] = t203;
+    derivatives->values[51] = K0_12_c;
+    derivatives->values[52] = K0_22_c;
+    derivatives->values[53] = t207;
+    derivatives->values[54] = K0_12_w;
+    derivatives->values[55] = M_12_mH;
+    derivatives->values[56] = M_22_mH;
+    derivatives->values[57] = K0_12_mF;
+    derivatives->values[58] = K0_22_w;
+    derivatives->values[59] = t218;
+    derivatives->values[60] = M_12_zH;
+    derivatives->values[61] = t225;
+    derivatives->values[62] = M_12_lam;
+    derivatives->values[63] = C1_21_lam;
+    derivatives->values[64] = t234;
+    derivatives->values[65] = K2_22_lam;
+    derivatives->values[66] = C1_22_lam;
+    derivatives->values[67] = t245;
+    derivatives->values[68] = M_12_rF;
+    derivatives->values[69] = t253;
+    derivatives->values[70] = M_22_mF;
+    derivatives->values[71] = C1_12_IRyy;
+    derivatives->values[72] = C1_21_rR;
+    derivatives->values[73] = M_22_w;
+    derivatives->values[74] = M_22_c;
+    derivatives->values[75] = t266;
+    derivatives->values[76] = K2_12_rR;
+    derivatives->values[77] = K2_12_mR;
+    derivatives->values[78] = C1_22_c;
+    derivatives->values[79] = C1_22_w;
+    derivatives->values[80] = C1_12_mR;
+    derivatives->values[81] = M_22_IRxx;
+    derivatives->values[82] = C1_22_xH;
+    derivatives->values[83] = C1_22_IRxx;
+    derivatives->values[84] = K2_22_xB;
+    derivatives->values[85] = t290;
+    derivatives->values[86] = t291;
+    derivatives->values[87] = t292;
+    derivatives->values[88] = K2_22_mB;
+    derivatives->values[89] = C1_22_xB;
+    derivatives->values[90] = C1_22_mB;
+    derivatives->values[91] = t299;
+    derivatives->values[92] = t300;
+    derivatives->values[93] = t301;
+    derivatives->values[94] = K2_22_xH;
+    derivatives->values[95] = K0_22_mH;
+    derivatives->values[96] = M_22_zH;
+    derivatives->values[97] = t306;
+    derivatives->values[98] = t308;
+    derivatives->values[99] = t309;
+    derivatives->values[100] = t310;
+    derivatives->values[101] = t311;
+    derivatives->values[102] = M_22_Jxx_delta;
+    derivatives->values[103] = K0_22_zH;
+    derivatives->values[104] = t314;
+    derivatives->values[105] = t315;
+    derivatives->values[106] = M_22_Jzz_delta;
+    derivatives->values[107] = M_22_IFxx;
+    derivatives->values[108] = C1_12_IFyy;
+    derivatives->values[109] = C1_21_rF;
+    derivatives->values[110] = C1_22_Jxz_delta;
+    derivatives->values[111] = K2_22_IFyy;
+    derivatives->values[112] = K2_12_IFyy;
+    derivatives->values[113] = K0_22_mF;
+    derivatives->values[114] = t325;
+    derivatives->values[115] = t326;
+    derivatives->values[116] = t327;
+    derivatives->values[117] = K2_12_rF;
+    derivatives->values[118] = C1_12_rF;
+    derivatives->values[119] = C1_22_rF;
+    derivatives->values[120] = P_delta_lateral_rF;
+    derivatives->values[121] = t335;
+    derivatives->values[122] = K2_12_mF;
+    derivatives->values[123] = C1_12_mF;
+    derivatives->values[124] = t339;
 }
 
 void balance_assist_f32_with_respect_to(const balance_assist_f32_derivatives_t *derivatives,

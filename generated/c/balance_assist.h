@@ -358,7 +358,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 133 additions, 202 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 345 operations.
+ * 114 additions, 190 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 313 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -596,7 +596,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 133 additions, 202 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 345 operations.
+ * 114 additions, 190 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 313 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

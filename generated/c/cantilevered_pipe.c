@@ -85,66 +85,66 @@ const char *cantilevered_pipe_validity_text(cantilevered_pipe_validity_t validit
 }
 
 const carvallo_partial_t cantilevered_pipe_partials[CANTILEVERED_PIPE_PARTIALS] = {
-    {CARVALLO_MATRIX_M, 0U, 0U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 3U, 3U, 0U, 0U, false},
-    {CARVALLO_MATRIX_KC, 0U, 0U, 0U, 1U, true},
-    {CARVALLO_MATRIX_KC, 1U, 1U, 0U, 2U, true},
-    {CARVALLO_MATRIX_KC, 2U, 2U, 0U, 3U, true},
-    {CARVALLO_MATRIX_KC, 3U, 3U, 0U, 4U, true},
-    {CARVALLO_MATRIX_K2, 0U, 0U, 0U, 5U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 6U, false},
-    {CARVALLO_MATRIX_K2, 0U, 2U, 0U, 7U, true},
-    {CARVALLO_MATRIX_K2, 0U, 3U, 0U, 8U, false},
-    {CARVALLO_MATRIX_K2, 1U, 0U, 0U, 9U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 10U, false},
-    {CARVALLO_MATRIX_K2, 1U, 2U, 0U, 11U, false},
-    {CARVALLO_MATRIX_K2, 1U, 3U, 0U, 12U, true},
-    {CARVALLO_MATRIX_K2, 2U, 0U, 0U, 13U, true},
-    {CARVALLO_MATRIX_K2, 2U, 1U, 0U, 14U, true},
-    {CARVALLO_MATRIX_K2, 2U, 2U, 0U, 15U, false},
-    {CARVALLO_MATRIX_K2, 2U, 3U, 0U, 16U, false},
-    {CARVALLO_MATRIX_K2, 3U, 0U, 0U, 17U, true},
-    {CARVALLO_MATRIX_K2, 3U, 1U, 0U, 18U, true},
-    {CARVALLO_MATRIX_K2, 3U, 2U, 0U, 19U, true},
-    {CARVALLO_MATRIX_K2, 3U, 3U, 0U, 20U, false},
-    {CARVALLO_MATRIX_KC, 0U, 0U, 1U, 21U, false},
-    {CARVALLO_MATRIX_KC, 1U, 1U, 1U, 22U, false},
-    {CARVALLO_MATRIX_KC, 2U, 2U, 1U, 23U, false},
-    {CARVALLO_MATRIX_KC, 3U, 3U, 1U, 24U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 2U, 25U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 25U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 2U, 25U, false},
-    {CARVALLO_MATRIX_M, 3U, 3U, 2U, 25U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 3U, 25U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 3U, 25U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 3U, 25U, false},
-    {CARVALLO_MATRIX_M, 3U, 3U, 3U, 25U, false},
-    {CARVALLO_MATRIX_C1, 0U, 0U, 3U, 26U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 3U, 27U, false},
-    {CARVALLO_MATRIX_C1, 0U, 2U, 3U, 28U, false},
-    {CARVALLO_MATRIX_C1, 0U, 3U, 3U, 29U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 3U, 30U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 3U, 26U, false},
-    {CARVALLO_MATRIX_C1, 1U, 2U, 3U, 31U, false},
-    {CARVALLO_MATRIX_C1, 1U, 3U, 3U, 32U, false},
-    {CARVALLO_MATRIX_C1, 2U, 0U, 3U, 33U, false},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 3U, 34U, false},
-    {CARVALLO_MATRIX_C1, 2U, 2U, 3U, 26U, false},
-    {CARVALLO_MATRIX_C1, 2U, 3U, 3U, 35U, false},
-    {CARVALLO_MATRIX_C1, 3U, 0U, 3U, 36U, false},
-    {CARVALLO_MATRIX_C1, 3U, 1U, 3U, 37U, false},
-    {CARVALLO_MATRIX_C1, 3U, 2U, 3U, 38U, false},
-    {CARVALLO_MATRIX_C1, 3U, 3U, 3U, 26U, false},
-    {CARVALLO_MATRIX_K2, 0U, 0U, 3U, 39U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 3U, 40U, true},
-    {CARVALLO_MATRIX_K2, 0U, 2U, 3U, 41U, false},
-    {CARVALLO_MATRIX_K2, 0U, 3U, 3U, 42U, true},
-    {CARVALLO_MATRIX_K2, 1U, 0U, 3U, 43U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 3U, 44U, true},
-    {CARVALLO_MATRIX_K2, 1U, 2U, 3U, 45U, true},
-    {CARVALLO_MATRIX_K2, 1U, 3U, 3U, 46U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 0U, 14U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 14U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 0U, 14U, false},
+    {CARVALLO_MATRIX_M, 3U, 3U, 0U, 14U, false},
+    {CARVALLO_MATRIX_KC, 0U, 0U, 0U, 23U, true},
+    {CARVALLO_MATRIX_KC, 1U, 1U, 0U, 24U, true},
+    {CARVALLO_MATRIX_KC, 2U, 2U, 0U, 25U, true},
+    {CARVALLO_MATRIX_KC, 3U, 3U, 0U, 26U, true},
+    {CARVALLO_MATRIX_K2, 0U, 0U, 0U, 27U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 28U, false},
+    {CARVALLO_MATRIX_K2, 0U, 2U, 0U, 29U, true},
+    {CARVALLO_MATRIX_K2, 0U, 3U, 0U, 30U, false},
+    {CARVALLO_MATRIX_K2, 1U, 0U, 0U, 31U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 32U, false},
+    {CARVALLO_MATRIX_K2, 1U, 2U, 0U, 33U, false},
+    {CARVALLO_MATRIX_K2, 1U, 3U, 0U, 34U, true},
+    {CARVALLO_MATRIX_K2, 2U, 0U, 0U, 35U, true},
+    {CARVALLO_MATRIX_K2, 2U, 1U, 0U, 36U, true},
+    {CARVALLO_MATRIX_K2, 2U, 2U, 0U, 37U, false},
+    {CARVALLO_MATRIX_K2, 2U, 3U, 0U, 38U, false},
+    {CARVALLO_MATRIX_K2, 3U, 0U, 0U, 39U, true},
+    {CARVALLO_MATRIX_K2, 3U, 1U, 0U, 40U, true},
+    {CARVALLO_MATRIX_K2, 3U, 2U, 0U, 41U, true},
+    {CARVALLO_MATRIX_K2, 3U, 3U, 0U, 42U, false},
+    {CARVALLO_MATRIX_KC, 0U, 0U, 1U, 43U, false},
+    {CARVALLO_MATRIX_KC, 1U, 1U, 1U, 44U, false},
+    {CARVALLO_MATRIX_KC, 2U, 2U, 1U, 45U, false},
+    {CARVALLO_MATRIX_KC, 3U, 3U, 1U, 46U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 2U, 0U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 0U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 2U, 0U, false},
+    {CARVALLO_MATRIX_M, 3U, 3U, 2U, 0U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 3U, 0U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 3U, 0U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 3U, 0U, false},
+    {CARVALLO_MATRIX_M, 3U, 3U, 3U, 0U, false},
+    {CARVALLO_MATRIX_C1, 0U, 0U, 3U, 1U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 3U, 10U, false},
+    {CARVALLO_MATRIX_C1, 0U, 2U, 3U, 2U, false},
+    {CARVALLO_MATRIX_C1, 0U, 3U, 3U, 11U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 3U, 3U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 3U, 1U, false},
+    {CARVALLO_MATRIX_C1, 1U, 2U, 3U, 12U, false},
+    {CARVALLO_MATRIX_C1, 1U, 3U, 3U, 4U, false},
+    {CARVALLO_MATRIX_C1, 2U, 0U, 3U, 5U, false},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 3U, 6U, false},
+    {CARVALLO_MATRIX_C1, 2U, 2U, 3U, 1U, false},
+    {CARVALLO_MATRIX_C1, 2U, 3U, 3U, 13U, false},
+    {CARVALLO_MATRIX_C1, 3U, 0U, 3U, 7U, false},
+    {CARVALLO_MATRIX_C1, 3U, 1U, 3U, 8U, false},
+    {CARVALLO_MATRIX_C1, 3U, 2U, 3U, 9U, false},
+    {CARVALLO_MATRIX_C1, 3U, 3U, 3U, 1U, false},
+    {CARVALLO_MATRIX_K2, 0U, 0U, 3U, 15U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 3U, 16U, true},
+    {CARVALLO_MATRIX_K2, 0U, 2U, 3U, 17U, false},
+    {CARVALLO_MATRIX_K2, 0U, 3U, 3U, 18U, true},
+    {CARVALLO_MATRIX_K2, 1U, 0U, 3U, 19U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 3U, 20U, true},
+    {CARVALLO_MATRIX_K2, 1U, 2U, 3U, 21U, true},
+    {CARVALLO_MATRIX_K2, 1U, 3U, 3U, 22U, false},
     {CARVALLO_MATRIX_K2, 2U, 0U, 3U, 47U, false},
     {CARVALLO_MATRIX_K2, 2U, 1U, 3U, 48U, false},
     {CARVALLO_MATRIX_K2, 2U, 2U, 3U, 49U, true},
@@ -392,15 +392,20 @@ void cantilevered_pipe_f64_derivatives(const cantilevered_pipe_f64_t *p,
     const double C1_41 = p->f * 0.2396209592479588;
     const double C1_42 = p->f * 1.2332472562882775;
     const double C1_43 = p->f * 8.336799302190666;
-    const double t33 = p->l * p->l;
-    const double t35 = 1.0 / (p->l * t33);
-    const double stiffness = p->EI * t35;
-    const double Kc_11 = stiffness * 12.362363368326193;
-    const double Kc_22 = stiffness * 485.51881851337106;
-    const double Kc_33 = stiffness * 3806.546266391451;
-    const double Kc_44 = stiffness * 14617.27330511878;
-    const double t45 = 1.0 / p->l;
-    const double flow = p->f * t45;
+    const double t54 = p->l * p->l;
+    const double t56 = 1.0 / (p->l * t54);
+    const double t57 = 1.0 / p->l;
+    const double t60 = p->EI * 3.0 / (t54 * t54);
+    const double C1_12 = -(p->f * 9.518922059144996);
+    const double flow = p->f * t57;
+    const double K2_11_f = t57 * 0.8582436200114997;
+    const double t65 = t57 * 11.743238371184557;
+    const double K2_13_f = t57 * 27.45314869883141;
+    const double t67 = t57 * 37.39025026585289;
+    const double K2_21_f = t57 * 1.8738533309718404;
+    const double t69 = t57 * 13.294285387122413;
+    const double t70 = t57 * 9.04221974607116;
+    const double K2_24_f = t57 * 30.40116729418553;
     const double K2_11 = flow * 0.8582436200114997;
     const double K2_13 = flow * 27.45314869883141;
     const double K2_21 = flow * 1.8738533309718404;
@@ -408,51 +413,46 @@ void cantilevered_pipe_f64_derivatives(const cantilevered_pipe_f64_t *p,
     const double K2_31 = flow * 1.564506451563535;
     const double K2_32 = flow * 3.229330799040317;
     const double K2_41 = flow * 1.087366479542848;
+    const double stiffness = p->EI * t56;
     const double K2_42 = flow * 5.540642250946188;
     const double K2_43 = flow * 4.253605462830704;
-    const double t82 = p->EI * 3.0 / (t33 * t33);
-    const double t83 = 12.362363368326193 * t82;
-    const double t84 = 485.51881851337106 * t82;
-    const double t85 = 3806.546266391451 * t82;
-    const double t86 = 14617.27330511878 * t82;
-    const double t87 = t45 * flow;
-    const double t88 = 0.8582436200114997 * t87;
-    const double K2_12_l = 11.743238371184557 * t87;
-    const double t90 = 27.45314869883141 * t87;
-    const double K2_14_l = 37.39025026585289 * t87;
-    const double t92 = 1.8738533309718404 * t87;
-    const double K2_22_l = 13.294285387122413 * t87;
-    const double K2_23_l = 9.04221974607116 * t87;
-    const double t95 = 30.40116729418553 * t87;
-    const double t96 = 1.564506451563535 * t87;
-    const double t97 = 3.229330799040317 * t87;
-    const double K2_33_l = 45.90422661633816 * t87;
-    const double K2_34_l = 8.33536903529716 * t87;
-    const double t100 = 1.087366479542848 * t87;
-    const double t101 = 5.540642250946188 * t87;
-    const double t102 = 4.253605462830704 * t87;
-    const double K2_44_l = 98.91821015122052 * t87;
-    const double Kc_11_EI = t35 * 12.362363368326193;
-    const double Kc_22_EI = t35 * 485.51881851337106;
-    const double Kc_33_EI = t35 * 3806.546266391451;
-    const double Kc_44_EI = t35 * 14617.27330511878;
-    const double K2_11_f = t45 * 0.8582436200114997;
-    const double t109 = t45 * 11.743238371184557;
-    const double K2_13_f = t45 * 27.45314869883141;
-    const double t111 = t45 * 37.39025026585289;
-    const double K2_21_f = t45 * 1.8738533309718404;
-    const double t113 = t45 * 13.294285387122413;
-    const double t114 = t45 * 9.04221974607116;
-    const double K2_24_f = t45 * 30.40116729418553;
-    const double K2_31_f = t45 * 1.564506451563535;
-    const double K2_32_f = t45 * 3.229330799040317;
-    const double t118 = t45 * 45.90422661633816;
-    const double t119 = t45 * 8.33536903529716;
-    const double K2_41_f = t45 * 1.087366479542848;
-    const double K2_42_f = t45 * 5.540642250946188;
-    const double K2_43_f = t45 * 4.253605462830704;
-    const double t123 = t45 * 98.91821015122052;
-    const double C1_12 = -(p->f * 9.518922059144996);
+    const double t82 = 12.362363368326193 * t60;
+    const double t83 = 485.51881851337106 * t60;
+    const double t84 = 3806.546266391451 * t60;
+    const double t85 = 14617.27330511878 * t60;
+    const double t86 = t57 * flow;
+    const double t87 = 0.8582436200114997 * t86;
+    const double K2_12_l = 11.743238371184557 * t86;
+    const double Kc_11 = stiffness * 12.362363368326193;
+    const double Kc_22 = stiffness * 485.51881851337106;
+    const double Kc_33 = stiffness * 3806.546266391451;
+    const double Kc_44 = stiffness * 14617.27330511878;
+    const double t93 = 27.45314869883141 * t86;
+    const double K2_14_l = 37.39025026585289 * t86;
+    const double t95 = 1.8738533309718404 * t86;
+    const double K2_22_l = 13.294285387122413 * t86;
+    const double K2_23_l = 9.04221974607116 * t86;
+    const double t98 = 30.40116729418553 * t86;
+    const double t99 = 1.564506451563535 * t86;
+    const double t100 = 3.229330799040317 * t86;
+    const double K2_33_l = 45.90422661633816 * t86;
+    const double K2_34_l = 8.33536903529716 * t86;
+    const double t103 = 1.087366479542848 * t86;
+    const double t104 = 5.540642250946188 * t86;
+    const double t105 = 4.253605462830704 * t86;
+    const double K2_44_l = 98.91821015122052 * t86;
+    const double Kc_11_EI = t56 * 12.362363368326193;
+    const double Kc_22_EI = t56 * 485.51881851337106;
+    const double Kc_33_EI = t56 * 3806.546266391451;
+    const double Kc_44_EI = t56 * 14617.27330511878;
+    const double K2_31_f = t57 * 1.564506451563535;
+    const double K2_32_f = t57 * 3.229330799040317;
+    const double t113 = t57 * 45.90422661633816;
+    const double t114 = t57 * 8.33536903529716;
+    const double K2_41_f = t57 * 1.087366479542848;
+    const double K2_42_f = t57 * 5.540642250946188;
+    const double K2_43_f = t57 * 4.253605462830704;
+    const double t118 = t57 * 98.91821015122052;
     const double C1_14 = -(p->f * 8.23962095924796);
     const double C1_23 = -(p->f * 12.4443729491028);
     const double C1_34 = -(p->f * 16.336799302190666);
@@ -527,61 +527,61 @@ void cantilevered_pipe_f64_derivatives(const cantilevered_pipe_f64_t *p,
     matrices->k2[3][1] = K2_42;
     matrices->k2[3][2] = K2_43;
     matrices->k2[3][3] = K2_44;
-    derivatives->values[0] = M_11_l;
-    derivatives->values[1] = t83;
-    derivatives->values[2] = t84;
-    derivatives->values[3] = t85;
-    derivatives->values[4] = t86;
-    derivatives->values[5] = t88;
-    derivatives->values[6] = K2_12_l;
-    derivatives->values[7] = t90;
-    derivatives->values[8] = K2_14_l;
-    derivatives->values[9] = t92;
-    derivatives->values[10] = K2_22_l;
-    derivatives->values[11] = K2_23_l;
-    derivatives->values[12] = t95;
-    derivatives->values[13] = t96;
-    derivatives->values[14] = t97;
-    derivatives->values[15] = K2_33_l;
-    derivatives->values[16] = K2_34_l;
-    derivatives->values[17] = t100;
-    derivatives->values[18] = t101;
-    derivatives->values[19] = t102;
-    derivatives->values[20] = K2_44_l;
-    derivatives->values[21] = Kc_11_EI;
-    derivatives->values[22] = Kc_22_EI;
-    derivatives->values[23] = Kc_33_EI;
-    derivatives->values[24] = Kc_44_EI;
-    derivatives->values[25] = p->l;
-    derivatives->values[26] = 4.0;
-    derivatives->values[27] = (-9.518922059144996);
-    derivatives->values[28] = 7.568674603525367;
-    derivatives->values[29] = (-8.23962095924796);
-    derivatives->values[30] = 1.5189220591449966;
-    derivatives->values[31] = (-12.4443729491028);
-    derivatives->values[32] = 6.766752743711723;
-    derivatives->values[33] = 0.43132539647463314;
-    derivatives->values[34] = 4.4443729491027995;
-    derivatives->values[35] = (-16.336799302190666);
-    derivatives->values[36] = 0.2396209592479588;
-    derivatives->values[37] = 1.2332472562882775;
-    derivatives->values[38] = 8.336799302190666;
-    derivatives->values[39] = K2_11_f;
-    derivatives->values[40] = t109;
-    derivatives->values[41] = K2_13_f;
-    derivatives->values[42] = t111;
-    derivatives->values[43] = K2_21_f;
-    derivatives->values[44] = t113;
-    derivatives->values[45] = t114;
-    derivatives->values[46] = K2_24_f;
+    derivatives->values[0] = p->l;
+    derivatives->values[1] = 4.0;
+    derivatives->values[2] = 7.568674603525367;
+    derivatives->values[3] = 1.5189220591449966;
+    derivatives->values[4] = 6.766752743711723;
+    derivatives->values[5] = 0.43132539647463314;
+    derivatives->values[6] = 4.4443729491027995;
+    derivatives->values[7] = 0.2396209592479588;
+    derivatives->values[8] = 1.2332472562882775;
+    derivatives->values[9] = 8.336799302190666;
+    derivatives->values[10] = (-9.518922059144996);
+    derivatives->values[11] = (-8.23962095924796);
+    derivatives->values[12] = (-12.4443729491028);
+    derivatives->values[13] = (-16.336799302190666);
+    derivatives->values[14] = M_11_l;
+    derivatives->values[15] = K2_11_f;
+    derivatives->values[16] = t65;
+    derivatives->values[17] = K2_13_f;
+    derivatives->values[18] = t67;
+    derivatives->values[19] = K2_21_f;
+    derivatives->values[20] = t69;
+    derivatives->values[21] = t70;
+    derivatives->values[22] = K2_24_f;
+    derivatives->values[23] = t82;
+    derivatives->values[24] = t83;
+    derivatives->values[25] = t84;
+    derivatives->values[26] = t85;
+    derivatives->values[27] = t87;
+    derivatives->values[28] = K2_12_l;
+    derivatives->values[29] = t93;
+    derivatives->values[30] = K2_14_l;
+    derivatives->values[31] = t95;
+    derivatives->values[32] = K2_22_l;
+    derivatives->values[33] = K2_23_l;
+    derivatives->values[34] = t98;
+    derivatives->values[35] = t99;
+    derivatives->values[36] = t100;
+    derivatives->values[37] = K2_33_l;
+    derivatives->values[38] = K2_34_l;
+    derivatives->values[39] = t103;
+    derivatives->values[40] = t104;
+    derivatives->values[41] = t105;
+    derivatives->values[42] = K2_44_l;
+    derivatives->values[43] = Kc_11_EI;
+    derivatives->values[44] = Kc_22_EI;
+    derivatives->values[45] = Kc_33_EI;
+    derivatives->values[46] = Kc_44_EI;
     derivatives->values[47] = K2_31_f;
     derivatives->values[48] = K2_32_f;
-    derivatives->values[49] = t118;
-    derivatives->values[50] = t119;
+    derivatives->values[49] = t113;
+    derivatives->values[50] = t114;
     derivatives->values[51] = K2_41_f;
     derivatives->values[52] = K2_42_f;
     derivatives->values[53] = K2_43_f;
-    derivatives->values[54] = t123;
+    derivatives->values[54] = t118;
 }
 
 void cantilevered_pipe_f64_with_respect_to(const cantilevered_pipe_f64_derivatives_t *derivatives,
@@ -858,15 +858,20 @@ void cantilevered_pipe_f32_derivatives(const cantilevered_pipe_f32_t *p,
     const float C1_41 = p->f * 0.23962095F;
     const float C1_42 = p->f * 1.2332473F;
     const float C1_43 = p->f * 8.3368F;
-    const float t33 = p->l * p->l;
-    const float t35 = 1.0F / (p->l * t33);
-    const float stiffness = p->EI * t35;
-    const float Kc_11 = stiffness * 12.362364F;
-    const float Kc_22 = stiffness * 485.51883F;
-    const float Kc_33 = stiffness * 3806.5464F;
-    const float Kc_44 = stiffness * 14617.273F;
-    const float t45 = 1.0F / p->l;
-    const float flow = p->f * t45;
+    const float t54 = p->l * p->l;
+    const float t56 = 1.0F / (p->l * t54);
+    const float t57 = 1.0F / p->l;
+    const float t60 = p->EI * 3.0F / (t54 * t54);
+    const float C1_12 = -(p->f * 9.518922F);
+    const float flow = p->f * t57;
+    const float K2_11_f = t57 * 0.85824364F;
+    const float t65 = t57 * 11.743238F;
+    const float K2_13_f = t57 * 27.453148F;
+    const float t67 = t57 * 37.39025F;
+    const float K2_21_f = t57 * 1.8738533F;
+    const float t69 = t57 * 13.294286F;
+    const float t70 = t57 * 9.04222F;
+    const float K2_24_f = t57 * 30.401167F;
     const float K2_11 = flow * 0.85824364F;
     const float K2_13 = flow * 27.453148F;
     const float K2_21 = flow * 1.8738533F;
@@ -874,51 +879,46 @@ void cantilevered_pipe_f32_derivatives(const cantilevered_pipe_f32_t *p,
     const float K2_31 = flow * 1.5645064F;
     const float K2_32 = flow * 3.2293308F;
     const float K2_41 = flow * 1.0873665F;
+    const float stiffness = p->EI * t56;
     const float K2_42 = flow * 5.5406423F;
     const float K2_43 = flow * 4.2536054F;
-    const float t82 = p->EI * 3.0F / (t33 * t33);
-    const float t83 = 12.362364F * t82;
-    const float t84 = 485.51883F * t82;
-    const float t85 = 3806.5464F * t82;
-    const float t86 = 14617.273F * t82;
-    const float t87 = t45 * flow;
-    const float t88 = 0.85824364F * t87;
-    const float K2_12_l = 11.743238F * t87;
-    const float t90 = 27.453148F * t87;
-    const float K2_14_l = 37.39025F * t87;
-    const float t92 = 1.8738533F * t87;
-    const float K2_22_l = 13.294286F * t87;
-    const float K2_23_l = 9.04222F * t87;
-    const float t95 = 30.401167F * t87;
-    const float t96 = 1.5645064F * t87;
-    const float t97 = 3.2293308F * t87;
-    const float K2_33_l = 45.90423F * t87;
-    const float K2_34_l = 8.335369F * t87;
-    const float t100 = 1.0873665F * t87;
-    const float t101 = 5.5406423F * t87;
-    const float t102 = 4.2536054F * t87;
-    const float K2_44_l = 98.91821F * t87;
-    const float Kc_11_EI = t35 * 12.362364F;
-    const float Kc_22_EI = t35 * 485.51883F;
-    const float Kc_33_EI = t35 * 3806.5464F;
-    const float Kc_44_EI = t35 * 14617.273F;
-    const float K2_11_f = t45 * 0.85824364F;
-    const float t109 = t45 * 11.743238F;
-    const float K2_13_f = t45 * 27.453148F;
-    const float t111 = t45 * 37.39025F;
-    const float K2_21_f = t45 * 1.8738533F;
-    const float t113 = t45 * 13.294286F;
-    const float t114 = t45 * 9.04222F;
-    const float K2_24_f = t45 * 30.401167F;
-    const float K2_31_f = t45 * 1.5645064F;
-    const float K2_32_f = t45 * 3.2293308F;
-    const float t118 = t45 * 45.90423F;
-    const float t119 = t45 * 8.335369F;
-    const float K2_41_f = t45 * 1.0873665F;
-    const float K2_42_f = t45 * 5.5406423F;
-    const float K2_43_f = t45 * 4.2536054F;
-    const float t123 = t45 * 98.91821F;
-    const float C1_12 = -(p->f * 9.518922F);
+    const float t82 = 12.362364F * t60;
+    const float t83 = 485.51883F * t60;
+    const float t84 = 3806.5464F * t60;
+    const float t85 = 14617.273F * t60;
+    const float t86 = t57 * flow;
+    const float t87 = 0.85824364F * t86;
+    const float K2_12_l = 11.743238F * t86;
+    const float Kc_11 = stiffness * 12.362364F;
+    const float Kc_22 = stiffness * 485.51883F;
+    const float Kc_33 = stiffness * 3806.5464F;
+    const float Kc_44 = stiffness * 14617.273F;
+    const float t93 = 27.453148F * t86;
+    const float K2_14_l = 37.39025F * t86;
+    const float t95 = 1.8738533F * t86;
+    const float K2_22_l = 13.294286F * t86;
+    const float K2_23_l = 9.04222F * t86;
+    const float t98 = 30.401167F * t86;
+    const float t99 = 1.5645064F * t86;
+    const float t100 = 3.2293308F * t86;
+    const float K2_33_l = 45.90423F * t86;
+    const float K2_34_l = 8.335369F * t86;
+    const float t103 = 1.0873665F * t86;
+    const float t104 = 5.5406423F * t86;
+    const float t105 = 4.2536054F * t86;
+    const float K2_44_l = 98.91821F * t86;
+    const float Kc_11_EI = t56 * 12.362364F;
+    const float Kc_22_EI = t56 * 485.51883F;
+    const float Kc_33_EI = t56 * 3806.5464F;
+    const float Kc_44_EI = t56 * 14617.273F;
+    const float K2_31_f = t57 * 1.5645064F;
+    const float K2_32_f = t57 * 3.2293308F;
+    const float t113 = t57 * 45.90423F;
+    const float t114 = t57 * 8.335369F;
+    const float K2_41_f = t57 * 1.0873665F;
+    const float K2_42_f = t57 * 5.5406423F;
+    const float K2_43_f = t57 * 4.2536054F;
+    const float t118 = t57 * 98.91821F;
     const float C1_14 = -(p->f * 8.239621F);
     const float C1_23 = -(p->f * 12.444373F);
     const float C1_34 = -(p->f * 16.3368F);
@@ -993,61 +993,61 @@ void cantilevered_pipe_f32_derivatives(const cantilevered_pipe_f32_t *p,
     matrices->k2[3][1] = K2_42;
     matrices->k2[3][2] = K2_43;
     matrices->k2[3][3] = K2_44;
-    derivatives->values[0] = M_11_l;
-    derivatives->values[1] = t83;
-    derivatives->values[2] = t84;
-    derivatives->values[3] = t85;
-    derivatives->values[4] = t86;
-    derivatives->values[5] = t88;
-    derivatives->values[6] = K2_12_l;
-    derivatives->values[7] = t90;
-    derivatives->values[8] = K2_14_l;
-    derivatives->values[9] = t92;
-    derivatives->values[10] = K2_22_l;
-    derivatives->values[11] = K2_23_l;
-    derivatives->values[12] = t95;
-    derivatives->values[13] = t96;
-    derivatives->values[14] = t97;
-    derivatives->values[15] = K2_33_l;
-    derivatives->values[16] = K2_34_l;
-    derivatives->values[17] = t100;
-    derivatives->values[18] = t101;
-    derivatives->values[19] = t102;
-    derivatives->values[20] = K2_44_l;
-    derivatives->values[21] = Kc_11_EI;
-    derivatives->values[22] = Kc_22_EI;
-    derivatives->values[23] = Kc_33_EI;
-    derivatives->values[24] = Kc_44_EI;
-    derivatives->values[25] = p->l;
-    derivatives->values[26] = 4.0F;
-    derivatives->values[27] = (-9.518922F);
-    derivatives->values[28] = 7.5686746F;
-    derivatives->values[29] = (-8.239621F);
-    derivatives->values[30] = 1.5189221F;
-    derivatives->values[31] = (-12.444373F);
-    derivatives->values[32] = 6.7667527F;
-    derivatives->values[33] = 0.4313254F;
-    derivatives->values[34] = 4.444373F;
-    derivatives->values[35] = (-16.3368F);
-    derivatives->values[36] = 0.23962095F;
-    derivatives->values[37] = 1.2332473F;
-    derivatives->values[38] = 8.3368F;
-    derivatives->values[39] = K2_11_f;
-    derivatives->values[40] = t109;
-    derivatives->values[41] = K2_13_f;
-    derivatives->values[42] = t111;
-    derivatives->values[43] = K2_21_f;
-    derivatives->values[44] = t113;
-    derivatives->values[45] = t114;
-    derivatives->values[46] = K2_24_f;
+    derivatives->values[0] = p->l;
+    derivatives->values[1] = 4.0F;
+    derivatives->values[2] = 7.5686746F;
+    derivatives->values[3] = 1.5189221F;
+    derivatives->values[4] = 6.7667527F;
+    derivatives->values[5] = 0.4313254F;
+    derivatives->values[6] = 4.444373F;
+    derivatives->values[7] = 0.23962095F;
+    derivatives->values[8] = 1.2332473F;
+    derivatives->values[9] = 8.3368F;
+    derivatives->values[10] = (-9.518922F);
+    derivatives->values[11] = (-8.239621F);
+    derivatives->values[12] = (-12.444373F);
+    derivatives->values[13] = (-16.3368F);
+    derivatives->values[14] = M_11_l;
+    derivatives->values[15] = K2_11_f;
+    derivatives->values[16] = t65;
+    derivatives->values[17] = K2_13_f;
+    derivatives->values[18] = t67;
+    derivatives->values[19] = K2_21_f;
+    derivatives->values[20] = t69;
+    derivatives->values[21] = t70;
+    derivatives->values[22] = K2_24_f;
+    derivatives->values[23] = t82;
+    derivatives->values[24] = t83;
+    derivatives->values[25] = t84;
+    derivatives->values[26] = t85;
+    derivatives->values[27] = t87;
+    derivatives->values[28] = K2_12_l;
+    derivatives->values[29] = t93;
+    derivatives->values[30] = K2_14_l;
+    derivatives->values[31] = t95;
+    derivatives->values[32] = K2_22_l;
+    derivatives->values[33] = K2_23_l;
+    derivatives->values[34] = t98;
+    derivatives->values[35] = t99;
+    derivatives->values[36] = t100;
+    derivatives->values[37] = K2_33_l;
+    derivatives->values[38] = K2_34_l;
+    derivatives->values[39] = t103;
+    derivatives->values[40] = t104;
+    derivatives->values[41] = t105;
+    derivatives->values[42] = K2_44_l;
+    derivatives->values[43] = Kc_11_EI;
+    derivatives->values[44] = Kc_22_EI;
+    derivatives->values[45] = Kc_33_EI;
+    derivatives->values[46] = Kc_44_EI;
     derivatives->values[47] = K2_31_f;
     derivatives->values[48] = K2_32_f;
-    derivatives->values[49] = t118;
-    derivatives->values[50] = t119;
+    derivatives->values[49] = t113;
+    derivatives->values[50] = t114;
     derivatives->values[51] = K2_41_f;
     derivatives->values[52] = K2_42_f;
     derivatives->values[53] = K2_43_f;
-    derivatives->values[54] = t123;
+    derivatives->values[54] = t118;
 }
 
 void cantilevered_pipe_f32_with_respect_to(const cantilevered_pipe_f32_derivatives_t *derivatives,

@@ -47,23 +47,23 @@ const char *car_validity_text(car_validity_t validity)
 }
 
 const carvallo_partial_t car_partials[CAR_PARTIALS] = {
-    {CARVALLO_MATRIX_M, 0U, 0U, 0U, 0U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 0U, false},
-    {CARVALLO_MATRIX_CM1, 0U, 1U, 2U, 1U, false},
-    {CARVALLO_MATRIX_CM1, 1U, 0U, 2U, 1U, false},
-    {CARVALLO_MATRIX_CM1, 1U, 1U, 2U, 2U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 0U, 4U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 4U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 4U, false},
+    {CARVALLO_MATRIX_CM1, 0U, 1U, 2U, 2U, false},
+    {CARVALLO_MATRIX_CM1, 1U, 0U, 2U, 2U, false},
+    {CARVALLO_MATRIX_CM1, 1U, 1U, 2U, 7U, false},
     {CARVALLO_MATRIX_CM1, 0U, 1U, 3U, 3U, true},
     {CARVALLO_MATRIX_CM1, 1U, 0U, 3U, 3U, true},
-    {CARVALLO_MATRIX_CM1, 1U, 1U, 3U, 4U, false},
-    {CARVALLO_MATRIX_CM1, 0U, 0U, 4U, 0U, false},
-    {CARVALLO_MATRIX_CM1, 0U, 1U, 4U, 5U, false},
-    {CARVALLO_MATRIX_CM1, 1U, 0U, 4U, 5U, false},
-    {CARVALLO_MATRIX_CM1, 1U, 1U, 4U, 6U, false},
-    {CARVALLO_MATRIX_CM1, 0U, 0U, 5U, 0U, false},
-    {CARVALLO_MATRIX_CM1, 0U, 1U, 5U, 7U, true},
-    {CARVALLO_MATRIX_CM1, 1U, 0U, 5U, 7U, true},
-    {CARVALLO_MATRIX_CM1, 1U, 1U, 5U, 8U, false}
+    {CARVALLO_MATRIX_CM1, 1U, 1U, 3U, 8U, false},
+    {CARVALLO_MATRIX_CM1, 0U, 0U, 4U, 4U, false},
+    {CARVALLO_MATRIX_CM1, 0U, 1U, 4U, 0U, false},
+    {CARVALLO_MATRIX_CM1, 1U, 0U, 4U, 0U, false},
+    {CARVALLO_MATRIX_CM1, 1U, 1U, 4U, 5U, false},
+    {CARVALLO_MATRIX_CM1, 0U, 0U, 5U, 4U, false},
+    {CARVALLO_MATRIX_CM1, 0U, 1U, 5U, 1U, true},
+    {CARVALLO_MATRIX_CM1, 1U, 0U, 5U, 1U, true},
+    {CARVALLO_MATRIX_CM1, 1U, 1U, 5U, 6U, false}
 };
 
 const car_f64_t car_f64_sets[CAR_SETS] = {
@@ -229,14 +229,14 @@ void car_f64_derivatives(const car_f64_t *p, car_f64_matrices_t *matrices,
     car_f64_derivatives_t *derivatives)
 {
     const double Cm1_11 = p->Cf + p->Cr;
-    const double t7 = p->Cr * p->b;
-    const double t9 = p->Cf * p->a;
-    const double Cm1_12 = t9 - t7;
+    const double t9 = p->Cr * p->b;
+    const double t10 = p->Cf * p->a;
+    const double Cm1_12 = t10 - t9;
     const double Cm1_22_Cf = p->a * p->a;
     const double Cm1_22_Cr = p->b * p->b;
     const double Cm1_22 = (p->Cf * Cm1_22_Cf) + (p->Cr * Cm1_22_Cr);
-    const double Cm1_22_a = t9 + t9;
-    const double Cm1_22_b = t7 + t7;
+    const double Cm1_22_a = t10 + t10;
+    const double Cm1_22_b = t9 + t9;
     matrices->m[0][0] = p->m;
     matrices->m[0][1] = 0.0;
     matrices->m[1][0] = 0.0;
@@ -249,15 +249,15 @@ void car_f64_derivatives(const car_f64_t *p, car_f64_matrices_t *matrices,
     matrices->c1[0][1] = p->m;
     matrices->c1[1][0] = 0.0;
     matrices->c1[1][1] = 0.0;
-    derivatives->values[0] = 1.0;
-    derivatives->values[1] = p->Cf;
-    derivatives->values[2] = Cm1_22_a;
+    derivatives->values[0] = p->a;
+    derivatives->values[1] = p->b;
+    derivatives->values[2] = p->Cf;
     derivatives->values[3] = p->Cr;
-    derivatives->values[4] = Cm1_22_b;
-    derivatives->values[5] = p->a;
-    derivatives->values[6] = Cm1_22_Cf;
-    derivatives->values[7] = p->b;
-    derivatives->values[8] = Cm1_22_Cr;
+    derivatives->values[4] = 1.0;
+    derivatives->values[5] = Cm1_22_Cf;
+    derivatives->values[6] = Cm1_22_Cr;
+    derivatives->values[7] = Cm1_22_a;
+    derivatives->values[8] = Cm1_22_b;
 }
 
 void car_f64_with_respect_to(const car_f64_derivatives_t *derivatives, size_t parameter,
@@ -456,14 +456,14 @@ void car_f32_derivatives(const car_f32_t *p, car_f32_matrices_t *matrices,
     car_f32_derivatives_t *derivatives)
 {
     const float Cm1_11 = p->Cf + p->Cr;
-    const float t7 = p->Cr * p->b;
-    const float t9 = p->Cf * p->a;
-    const float Cm1_12 = t9 - t7;
+    const float t9 = p->Cr * p->b;
+    const float t10 = p->Cf * p->a;
+    const float Cm1_12 = t10 - t9;
     const float Cm1_22_Cf = p->a * p->a;
     const float Cm1_22_Cr = p->b * p->b;
     const float Cm1_22 = (p->Cf * Cm1_22_Cf) + (p->Cr * Cm1_22_Cr);
-    const float Cm1_22_a = t9 + t9;
-    const float Cm1_22_b = t7 + t7;
+    const float Cm1_22_a = t10 + t10;
+    const float Cm1_22_b = t9 + t9;
     matrices->m[0][0] = p->m;
     matrices->m[0][1] = 0.0F;
     matrices->m[1][0] = 0.0F;
@@ -476,15 +476,15 @@ void car_f32_derivatives(const car_f32_t *p, car_f32_matrices_t *matrices,
     matrices->c1[0][1] = p->m;
     matrices->c1[1][0] = 0.0F;
     matrices->c1[1][1] = 0.0F;
-    derivatives->values[0] = 1.0F;
-    derivatives->values[1] = p->Cf;
-    derivatives->values[2] = Cm1_22_a;
+    derivatives->values[0] = p->a;
+    derivatives->values[1] = p->b;
+    derivatives->values[2] = p->Cf;
     derivatives->values[3] = p->Cr;
-    derivatives->values[4] = Cm1_22_b;
-    derivatives->values[5] = p->a;
-    derivatives->values[6] = Cm1_22_Cf;
-    derivatives->values[7] = p->b;
-    derivatives->values[8] = Cm1_22_Cr;
+    derivatives->values[4] = 1.0F;
+    derivatives->values[5] = Cm1_22_Cf;
+    derivatives->values[6] = Cm1_22_Cr;
+    derivatives->values[7] = Cm1_22_a;
+    derivatives->values[8] = Cm1_22_b;
 }
 
 void car_f32_with_respect_to(const car_f32_derivatives_t *derivatives, size_t parameter,

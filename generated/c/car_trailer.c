@@ -76,84 +76,84 @@ const char *car_trailer_validity_text(car_trailer_validity_t validity)
 }
 
 const carvallo_partial_t car_trailer_partials[CAR_TRAILER_PARTIALS] = {
-    {CARVALLO_MATRIX_M, 0U, 0U, 0U, 0U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 0U, false},
-    {CARVALLO_MATRIX_CM1, 0U, 1U, 2U, 1U, false},
-    {CARVALLO_MATRIX_CM1, 1U, 0U, 2U, 1U, false},
-    {CARVALLO_MATRIX_CM1, 1U, 1U, 2U, 2U, false},
-    {CARVALLO_MATRIX_CM1, 0U, 1U, 3U, 3U, true},
-    {CARVALLO_MATRIX_CM1, 1U, 0U, 3U, 3U, true},
-    {CARVALLO_MATRIX_CM1, 1U, 1U, 3U, 4U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 4U, 5U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 4U, 5U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 4U, 6U, false},
-    {CARVALLO_MATRIX_M, 1U, 2U, 4U, 7U, false},
-    {CARVALLO_MATRIX_M, 2U, 1U, 4U, 7U, false},
-    {CARVALLO_MATRIX_CM1, 0U, 1U, 4U, 8U, true},
-    {CARVALLO_MATRIX_CM1, 1U, 0U, 4U, 8U, true},
-    {CARVALLO_MATRIX_CM1, 1U, 1U, 4U, 9U, false},
-    {CARVALLO_MATRIX_CM1, 1U, 2U, 4U, 10U, false},
-    {CARVALLO_MATRIX_CM1, 2U, 1U, 4U, 10U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 4U, 5U, true},
-    {CARVALLO_MATRIX_KC, 1U, 2U, 4U, 8U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 5U, 0U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 5U, 11U, true},
-    {CARVALLO_MATRIX_M, 0U, 2U, 5U, 12U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 5U, 11U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 5U, 13U, false},
-    {CARVALLO_MATRIX_M, 1U, 2U, 5U, 14U, false},
-    {CARVALLO_MATRIX_M, 2U, 0U, 5U, 12U, true},
-    {CARVALLO_MATRIX_M, 2U, 1U, 5U, 14U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 5U, 15U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 5U, 0U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 5U, 11U, true},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 5U, 12U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 6U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 2U, 6U, 0U, false},
-    {CARVALLO_MATRIX_M, 2U, 1U, 6U, 0U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 6U, 0U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 7U, 5U, true},
-    {CARVALLO_MATRIX_M, 0U, 2U, 7U, 5U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 7U, 5U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 7U, 6U, false},
-    {CARVALLO_MATRIX_M, 1U, 2U, 7U, 16U, false},
-    {CARVALLO_MATRIX_M, 2U, 0U, 7U, 5U, true},
-    {CARVALLO_MATRIX_M, 2U, 1U, 7U, 16U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 7U, 17U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 7U, 5U, true},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 7U, 5U, true},
-    {CARVALLO_MATRIX_CM1, 0U, 1U, 8U, 8U, true},
-    {CARVALLO_MATRIX_CM1, 0U, 2U, 8U, 8U, true},
-    {CARVALLO_MATRIX_CM1, 1U, 0U, 8U, 8U, true},
-    {CARVALLO_MATRIX_CM1, 1U, 1U, 8U, 9U, false},
-    {CARVALLO_MATRIX_CM1, 1U, 2U, 8U, 18U, false},
-    {CARVALLO_MATRIX_CM1, 2U, 0U, 8U, 8U, true},
-    {CARVALLO_MATRIX_CM1, 2U, 1U, 8U, 18U, false},
-    {CARVALLO_MATRIX_CM1, 2U, 2U, 8U, 19U, false},
-    {CARVALLO_MATRIX_KC, 1U, 2U, 8U, 8U, false},
-    {CARVALLO_MATRIX_KC, 2U, 2U, 8U, 8U, false},
-    {CARVALLO_MATRIX_CM1, 0U, 0U, 9U, 0U, false},
-    {CARVALLO_MATRIX_CM1, 0U, 1U, 9U, 20U, false},
-    {CARVALLO_MATRIX_CM1, 1U, 0U, 9U, 20U, false},
-    {CARVALLO_MATRIX_CM1, 1U, 1U, 9U, 21U, false},
-    {CARVALLO_MATRIX_CM1, 0U, 0U, 10U, 0U, false},
-    {CARVALLO_MATRIX_CM1, 0U, 1U, 10U, 22U, true},
-    {CARVALLO_MATRIX_CM1, 1U, 0U, 10U, 22U, true},
-    {CARVALLO_MATRIX_CM1, 1U, 1U, 10U, 23U, false},
-    {CARVALLO_MATRIX_CM1, 0U, 0U, 11U, 0U, false},
-    {CARVALLO_MATRIX_CM1, 0U, 1U, 11U, 24U, true},
-    {CARVALLO_MATRIX_CM1, 0U, 2U, 11U, 25U, true},
-    {CARVALLO_MATRIX_CM1, 1U, 0U, 11U, 24U, true},
-    {CARVALLO_MATRIX_CM1, 1U, 1U, 11U, 26U, false},
-    {CARVALLO_MATRIX_CM1, 1U, 2U, 11U, 27U, false},
-    {CARVALLO_MATRIX_CM1, 2U, 0U, 11U, 25U, true},
-    {CARVALLO_MATRIX_CM1, 2U, 1U, 11U, 27U, false},
-    {CARVALLO_MATRIX_CM1, 2U, 2U, 11U, 28U, false},
-    {CARVALLO_MATRIX_KC, 0U, 2U, 11U, 29U, false},
-    {CARVALLO_MATRIX_KC, 1U, 2U, 11U, 24U, false},
-    {CARVALLO_MATRIX_KC, 2U, 2U, 11U, 25U, false},
-    {CARVALLO_MATRIX_C0, 2U, 2U, 12U, 0U, false}
+    {CARVALLO_MATRIX_M, 0U, 0U, 0U, 8U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 8U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 8U, false},
+    {CARVALLO_MATRIX_CM1, 0U, 1U, 2U, 5U, false},
+    {CARVALLO_MATRIX_CM1, 1U, 0U, 2U, 5U, false},
+    {CARVALLO_MATRIX_CM1, 1U, 1U, 2U, 16U, false},
+    {CARVALLO_MATRIX_CM1, 0U, 1U, 3U, 6U, true},
+    {CARVALLO_MATRIX_CM1, 1U, 0U, 3U, 6U, true},
+    {CARVALLO_MATRIX_CM1, 1U, 1U, 3U, 18U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 4U, 2U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 4U, 2U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 4U, 21U, false},
+    {CARVALLO_MATRIX_M, 1U, 2U, 4U, 11U, false},
+    {CARVALLO_MATRIX_M, 2U, 1U, 4U, 11U, false},
+    {CARVALLO_MATRIX_CM1, 0U, 1U, 4U, 7U, true},
+    {CARVALLO_MATRIX_CM1, 1U, 0U, 4U, 7U, true},
+    {CARVALLO_MATRIX_CM1, 1U, 1U, 4U, 22U, false},
+    {CARVALLO_MATRIX_CM1, 1U, 2U, 4U, 17U, false},
+    {CARVALLO_MATRIX_CM1, 2U, 1U, 4U, 17U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 4U, 2U, true},
+    {CARVALLO_MATRIX_KC, 1U, 2U, 4U, 7U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 5U, 8U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 5U, 10U, true},
+    {CARVALLO_MATRIX_M, 0U, 2U, 5U, 3U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 5U, 10U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 5U, 15U, false},
+    {CARVALLO_MATRIX_M, 1U, 2U, 5U, 13U, false},
+    {CARVALLO_MATRIX_M, 2U, 0U, 5U, 3U, true},
+    {CARVALLO_MATRIX_M, 2U, 1U, 5U, 13U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 5U, 23U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 5U, 8U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 5U, 10U, true},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 5U, 3U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 6U, 8U, false},
+    {CARVALLO_MATRIX_M, 1U, 2U, 6U, 8U, false},
+    {CARVALLO_MATRIX_M, 2U, 1U, 6U, 8U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 6U, 8U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 7U, 2U, true},
+    {CARVALLO_MATRIX_M, 0U, 2U, 7U, 2U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 7U, 2U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 7U, 21U, false},
+    {CARVALLO_MATRIX_M, 1U, 2U, 7U, 12U, false},
+    {CARVALLO_MATRIX_M, 2U, 0U, 7U, 2U, true},
+    {CARVALLO_MATRIX_M, 2U, 1U, 7U, 12U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 7U, 24U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 7U, 2U, true},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 7U, 2U, true},
+    {CARVALLO_MATRIX_CM1, 0U, 1U, 8U, 7U, true},
+    {CARVALLO_MATRIX_CM1, 0U, 2U, 8U, 7U, true},
+    {CARVALLO_MATRIX_CM1, 1U, 0U, 8U, 7U, true},
+    {CARVALLO_MATRIX_CM1, 1U, 1U, 8U, 22U, false},
+    {CARVALLO_MATRIX_CM1, 1U, 2U, 8U, 25U, false},
+    {CARVALLO_MATRIX_CM1, 2U, 0U, 8U, 7U, true},
+    {CARVALLO_MATRIX_CM1, 2U, 1U, 8U, 25U, false},
+    {CARVALLO_MATRIX_CM1, 2U, 2U, 8U, 26U, false},
+    {CARVALLO_MATRIX_KC, 1U, 2U, 8U, 7U, false},
+    {CARVALLO_MATRIX_KC, 2U, 2U, 8U, 7U, false},
+    {CARVALLO_MATRIX_CM1, 0U, 0U, 9U, 8U, false},
+    {CARVALLO_MATRIX_CM1, 0U, 1U, 9U, 0U, false},
+    {CARVALLO_MATRIX_CM1, 1U, 0U, 9U, 0U, false},
+    {CARVALLO_MATRIX_CM1, 1U, 1U, 9U, 27U, false},
+    {CARVALLO_MATRIX_CM1, 0U, 0U, 10U, 8U, false},
+    {CARVALLO_MATRIX_CM1, 0U, 1U, 10U, 1U, true},
+    {CARVALLO_MATRIX_CM1, 1U, 0U, 10U, 1U, true},
+    {CARVALLO_MATRIX_CM1, 1U, 1U, 10U, 28U, false},
+    {CARVALLO_MATRIX_CM1, 0U, 0U, 11U, 8U, false},
+    {CARVALLO_MATRIX_CM1, 0U, 1U, 11U, 14U, true},
+    {CARVALLO_MATRIX_CM1, 0U, 2U, 11U, 4U, true},
+    {CARVALLO_MATRIX_CM1, 1U, 0U, 11U, 14U, true},
+    {CARVALLO_MATRIX_CM1, 1U, 1U, 11U, 29U, false},
+    {CARVALLO_MATRIX_CM1, 1U, 2U, 11U, 19U, false},
+    {CARVALLO_MATRIX_CM1, 2U, 0U, 11U, 4U, true},
+    {CARVALLO_MATRIX_CM1, 2U, 1U, 11U, 19U, false},
+    {CARVALLO_MATRIX_CM1, 2U, 2U, 11U, 20U, false},
+    {CARVALLO_MATRIX_KC, 0U, 2U, 11U, 9U, false},
+    {CARVALLO_MATRIX_KC, 1U, 2U, 11U, 14U, false},
+    {CARVALLO_MATRIX_KC, 2U, 2U, 11U, 4U, false},
+    {CARVALLO_MATRIX_C0, 2U, 2U, 12U, 8U, false}
 };
 
 const car_trailer_f64_t car_trailer_f64_sets[CAR_TRAILER_SETS] = {
@@ -479,31 +479,31 @@ void car_trailer_f64_derivatives(const car_trailer_f64_t *p, car_trailer_f64_mat
     car_trailer_f64_derivatives_t *derivatives)
 {
     const double m_all = p->m + p->mT;
-    const double t5 = p->e + p->h;
-    const double t6 = p->mT * t5;
+    const double t17 = p->e + p->h;
+    const double t18 = p->mT * t17;
     const double M_23_h = p->mT * p->e;
-    const double M_23_e = t6 + M_23_h;
+    const double M_23_e = t18 + M_23_h;
     const double Jyy_q = (p->e * M_23_h) + p->IT;
-    const double Jzz_all = (p->h * M_23_e) + p->I_ + Jyy_q;
-    const double M_23_mT = p->e * t5;
+    const double M_23_mT = p->e * t17;
     const double M_psi_q = p->IT + (p->mT * M_23_mT);
     const double Cm1_11 = p->Cf + p->Cr + p->CT;
-    const double t25 = p->Cr * p->b;
+    const double Jzz_all = (p->h * M_23_e) + p->I_ + Jyy_q;
+    const double t31 = p->Cr * p->b;
     const double Kc_23_CT = p->h + p->l;
     const double Kc_23 = p->CT * Kc_23_CT;
-    const double t30 = p->Cf * p->a;
-    const double Cm1_12 = t30 - t25 - Kc_23;
+    const double M_22_mT = t17 * t17;
+    const double t35 = p->Cf * p->a;
+    const double Cm1_12 = t35 - t31 - Kc_23;
+    const double Cm1_22 = (p->b * t31) + (Kc_23_CT * Kc_23) + (p->a * t35);
+    const double Cm1_22_a = t35 + t35;
     const double Kc_33 = p->CT * p->l;
-    const double Cm1_22 = (p->b * t25) + (Kc_23_CT * Kc_23) + (p->a * t30);
+    const double Cm1_22_b = t31 + t31;
     const double Cm1_23_CT = p->l * Kc_23_CT;
     const double Cm1_23 = p->CT * Cm1_23_CT;
     const double Cm1_33_CT = p->l * p->l;
     const double Cm1_33 = p->CT * Cm1_33_CT;
-    const double Cm1_22_a = t30 + t30;
-    const double Cm1_22_b = t25 + t25;
-    const double M_22_h = t6 + t6;
+    const double M_22_h = t18 + t18;
     const double Cm1_22_h = Kc_23 + Kc_23;
-    const double M_22_mT = t5 * t5;
     const double Jyy_q_mT = p->e * p->e;
     const double Jyy_q_e = M_23_h + M_23_h;
     const double Cm1_23_l = Kc_23 + Kc_33;
@@ -511,7 +511,7 @@ void car_trailer_f64_derivatives(const car_trailer_f64_t *p, car_trailer_f64_mat
     const double Cm1_22_Cf = p->a * p->a;
     const double Cm1_22_Cr = p->b * p->b;
     const double Cm1_22_CT = Kc_23_CT * Kc_23_CT;
-    const double M_12 = -t6;
+    const double M_12 = -t18;
     const double M_13 = -M_23_h;
     const double Cm1_13 = -Kc_33;
     const double Kc_13 = -p->CT;
@@ -560,36 +560,36 @@ void car_trailer_f64_derivatives(const car_trailer_f64_t *p, car_trailer_f64_mat
     matrices->kc[2][0] = 0.0;
     matrices->kc[2][1] = 0.0;
     matrices->kc[2][2] = Kc_33;
-    derivatives->values[0] = 1.0;
-    derivatives->values[1] = p->Cf;
-    derivatives->values[2] = Cm1_22_a;
-    derivatives->values[3] = p->Cr;
-    derivatives->values[4] = Cm1_22_b;
-    derivatives->values[5] = p->mT;
-    derivatives->values[6] = M_22_h;
-    derivatives->values[7] = M_23_h;
-    derivatives->values[8] = p->CT;
-    derivatives->values[9] = Cm1_22_h;
-    derivatives->values[10] = Kc_33;
-    derivatives->values[11] = t5;
-    derivatives->values[12] = p->e;
-    derivatives->values[13] = M_22_mT;
-    derivatives->values[14] = M_23_mT;
-    derivatives->values[15] = Jyy_q_mT;
-    derivatives->values[16] = M_23_e;
-    derivatives->values[17] = Jyy_q_e;
-    derivatives->values[18] = Cm1_23_l;
-    derivatives->values[19] = Cm1_33_l;
-    derivatives->values[20] = p->a;
-    derivatives->values[21] = Cm1_22_Cf;
-    derivatives->values[22] = p->b;
-    derivatives->values[23] = Cm1_22_Cr;
-    derivatives->values[24] = Kc_23_CT;
-    derivatives->values[25] = p->l;
-    derivatives->values[26] = Cm1_22_CT;
-    derivatives->values[27] = Cm1_23_CT;
-    derivatives->values[28] = Cm1_33_CT;
-    derivatives->values[29] = (-1.0);
+    derivatives->values[0] = p->a;
+    derivatives->values[1] = p->b;
+    derivatives->values[2] = p->mT;
+    derivatives->values[3] = p->e;
+    derivatives->values[4] = p->l;
+    derivatives->values[5] = p->Cf;
+    derivatives->values[6] = p->Cr;
+    derivatives->values[7] = p->CT;
+    derivatives->values[8] = 1.0;
+    derivatives->values[9] = (-1.0);
+    derivatives->values[10] = t17;
+    derivatives->values[11] = M_23_h;
+    derivatives->values[12] = M_23_e;
+    derivatives->values[13] = M_23_mT;
+    derivatives->values[14] = Kc_23_CT;
+    derivatives->values[15] = M_22_mT;
+    derivatives->values[16] = Cm1_22_a;
+    derivatives->values[17] = Kc_33;
+    derivatives->values[18] = Cm1_22_b;
+    derivatives->values[19] = Cm1_23_CT;
+    derivatives->values[20] = Cm1_33_CT;
+    derivatives->values[21] = M_22_h;
+    derivatives->values[22] = Cm1_22_h;
+    derivatives->values[23] = Jyy_q_mT;
+    derivatives->values[24] = Jyy_q_e;
+    derivatives->values[25] = Cm1_23_l;
+    derivatives->values[26] = Cm1_33_l;
+    derivatives->values[27] = Cm1_22_Cf;
+    derivatives->values[28] = Cm1_22_Cr;
+    derivatives->values[29] = Cm1_22_CT;
 }
 
 void car_trailer_f64_with_respect_to(const car_trailer_f64_derivatives_t *derivatives,
@@ -956,31 +956,31 @@ void car_trailer_f32_derivatives(const car_trailer_f32_t *p, car_trailer_f32_mat
     car_trailer_f32_derivatives_t *derivatives)
 {
     const float m_all = p->m + p->mT;
-    const float t5 = p->e + p->h;
-    const float t6 = p->mT * t5;
+    const float t17 = p->e + p->h;
+    const float t18 = p->mT * t17;
     const float M_23_h = p->mT * p->e;
-    const float M_23_e = t6 + M_23_h;
+    const float M_23_e = t18 + M_23_h;
     const float Jyy_q = (p->e * M_23_h) + p->IT;
-    const float Jzz_all = (p->h * M_23_e) + p->I_ + Jyy_q;
-    const float M_23_mT = p->e * t5;
+    const float M_23_mT = p->e * t17;
     const float M_psi_q = p->IT + (p->mT * M_23_mT);
     const float Cm1_11 = p->Cf + p->Cr + p->CT;
-    const float t25 = p->Cr * p->b;
+    const float Jzz_all = (p->h * M_23_e) + p->I_ + Jyy_q;
+    const float t31 = p->Cr * p->b;
     const float Kc_23_CT = p->h + p->l;
     const float Kc_23 = p->CT * Kc_23_CT;
-    const float t30 = p->Cf * p->a;
-    const float Cm1_12 = t30 - t25 - Kc_23;
+    const float M_22_mT = t17 * t17;
+    const float t35 = p->Cf * p->a;
+    const float Cm1_12 = t35 - t31 - Kc_23;
+    const float Cm1_22 = (p->b * t31) + (Kc_23_CT * Kc_23) + (p->a * t35);
+    const float Cm1_22_a = t35 + t35;
     const float Kc_33 = p->CT * p->l;
-    const float Cm1_22 = (p->b * t25) + (Kc_23_CT * Kc_23) + (p->a * t30);
+    const float Cm1_22_b = t31 + t31;
     const float Cm1_23_CT = p->l * Kc_23_CT;
     const float Cm1_23 = p->CT * Cm1_23_CT;
     const float Cm1_33_CT = p->l * p->l;
     const float Cm1_33 = p->CT * Cm1_33_CT;
-    const float Cm1_22_a = t30 + t30;
-    const float Cm1_22_b = t25 + t25;
-    const float M_22_h = t6 + t6;
+    const float M_22_h = t18 + t18;
     const float Cm1_22_h = Kc_23 + Kc_23;
-    const float M_22_mT = t5 * t5;
     const float Jyy_q_mT = p->e * p->e;
     const float Jyy_q_e = M_23_h + M_23_h;
     const float Cm1_23_l = Kc_23 + Kc_33;
@@ -988,7 +988,7 @@ void car_trailer_f32_derivatives(const car_trailer_f32_t *p, car_trailer_f32_mat
     const float Cm1_22_Cf = p->a * p->a;
     const float Cm1_22_Cr = p->b * p->b;
     const float Cm1_22_CT = Kc_23_CT * Kc_23_CT;
-    const float M_12 = -t6;
+    const float M_12 = -t18;
     const float M_13 = -M_23_h;
     const float Cm1_13 = -Kc_33;
     const float Kc_13 = -p->CT;
@@ -1037,36 +1037,36 @@ void car_trailer_f32_derivatives(const car_trailer_f32_t *p, car_trailer_f32_mat
     matrices->kc[2][0] = 0.0F;
     matrices->kc[2][1] = 0.0F;
     matrices->kc[2][2] = Kc_33;
-    derivatives->values[0] = 1.0F;
-    derivatives->values[1] = p->Cf;
-    derivatives->values[2] = Cm1_22_a;
-    derivatives->values[3] = p->Cr;
-    derivatives->values[4] = Cm1_22_b;
-    derivatives->values[5] = p->mT;
-    derivatives->values[6] = M_22_h;
-    derivatives->values[7] = M_23_h;
-    derivatives->values[8] = p->CT;
-    derivatives->values[9] = Cm1_22_h;
-    derivatives->values[10] = Kc_33;
-    derivatives->values[11] = t5;
-    derivatives->values[12] = p->e;
-    derivatives->values[13] = M_22_mT;
-    derivatives->values[14] = M_23_mT;
-    derivatives->values[15] = Jyy_q_mT;
-    derivatives->values[16] = M_23_e;
-    derivatives->values[17] = Jyy_q_e;
-    derivatives->values[18] = Cm1_23_l;
-    derivatives->values[19] = Cm1_33_l;
-    derivatives->values[20] = p->a;
-    derivatives->values[21] = Cm1_22_Cf;
-    derivatives->values[22] = p->b;
-    derivatives->values[23] = Cm1_22_Cr;
-    derivatives->values[24] = Kc_23_CT;
-    derivatives->values[25] = p->l;
-    derivatives->values[26] = Cm1_22_CT;
-    derivatives->values[27] = Cm1_23_CT;
-    derivatives->values[28] = Cm1_33_CT;
-    derivatives->values[29] = (-1.0F);
+    derivatives->values[0] = p->a;
+    derivatives->values[1] = p->b;
+    derivatives->values[2] = p->mT;
+    derivatives->values[3] = p->e;
+    derivatives->values[4] = p->l;
+    derivatives->values[5] = p->Cf;
+    derivatives->values[6] = p->Cr;
+    derivatives->values[7] = p->CT;
+    derivatives->values[8] = 1.0F;
+    derivatives->values[9] = (-1.0F);
+    derivatives->values[10] = t17;
+    derivatives->values[11] = M_23_h;
+    derivatives->values[12] = M_23_e;
+    derivatives->values[13] = M_23_mT;
+    derivatives->values[14] = Kc_23_CT;
+    derivatives->values[15] = M_22_mT;
+    derivatives->values[16] = Cm1_22_a;
+    derivatives->values[17] = Kc_33;
+    derivatives->values[18] = Cm1_22_b;
+    derivatives->values[19] = Cm1_23_CT;
+    derivatives->values[20] = Cm1_33_CT;
+    derivatives->values[21] = M_22_h;
+    derivatives->values[22] = Cm1_22_h;
+    derivatives->values[23] = Jyy_q_mT;
+    derivatives->values[24] = Jyy_q_e;
+    derivatives->values[25] = Cm1_23_l;
+    derivatives->values[26] = Cm1_33_l;
+    derivatives->values[27] = Cm1_22_Cf;
+    derivatives->values[28] = Cm1_22_Cr;
+    derivatives->values[29] = Cm1_22_CT;
 }
 
 void car_trailer_f32_with_respect_to(const car_trailer_f32_derivatives_t *derivatives,

@@ -54,35 +54,35 @@ const char *double_pendulum_validity_text(double_pendulum_validity_t validity)
 }
 
 const carvallo_partial_t double_pendulum_partials[DOUBLE_PENDULUM_PARTIALS] = {
-    {CARVALLO_MATRIX_M, 0U, 0U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 1U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 1U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 0U, 2U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 1U, 3U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 1U, 4U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 2U, 5U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 2U, 6U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 3U, 7U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 4U, 0U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 4U, 8U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 4U, 8U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 4U, 9U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 4U, 2U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 4U, 2U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 4U, 2U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 4U, 2U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 5U, 10U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 5U, 11U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 5U, 11U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 5U, 12U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 5U, 13U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 5U, 14U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 5U, 14U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 5U, 14U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 6U, 7U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 6U, 7U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 6U, 7U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 6U, 7U, false}
+    {CARVALLO_MATRIX_M, 0U, 0U, 0U, 7U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 6U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 6U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 0U, 3U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 1U, 8U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 1U, 1U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 2U, 9U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 2U, 0U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 3U, 4U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 4U, 7U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 4U, 10U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 4U, 10U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 4U, 11U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 4U, 3U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 4U, 3U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 4U, 3U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 4U, 3U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 5U, 12U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 5U, 13U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 5U, 13U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 5U, 14U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 5U, 5U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 5U, 2U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 5U, 2U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 5U, 2U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 6U, 4U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 6U, 4U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 6U, 4U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 6U, 4U, false}
 };
 
 const char *double_pendulum_position_name(double_pendulum_position_t which)
@@ -276,22 +276,22 @@ void double_pendulum_f64_kinematics(const double_pendulum_f64_t *p, double_pendu
 void double_pendulum_f64_derivatives(const double_pendulum_f64_t *p,
     double_pendulum_f64_matrices_t *matrices, double_pendulum_f64_derivatives_t *derivatives)
 {
-    const double t2 = p->a1 * p->m1;
-    const double t8 = p->l1 + p->a2;
-    const double t10 = t8 * p->m2;
-    const double Jxx_theta1 = (p->a1 * t2) + p->I1 + p->I2 + (t8 * t10);
+    const double t8 = p->a1 * p->m1;
+    const double t9 = p->l1 + p->a2;
+    const double t10 = t9 * p->m2;
+    const double Jxx_theta1 = (p->a1 * t8) + p->I1 + p->I2 + (t9 * t10);
     const double M_12_l1 = p->a2 * p->m2;
     const double Jxx_theta2 = p->I2 + (p->a2 * M_12_l1);
-    const double M_theta1_theta2 = Jxx_theta2 + (p->l1 * M_12_l1);
     const double M_11_l1 = t10 + t10;
-    const double M_11_a1 = t2 + t2;
+    const double M_11_a1 = t8 + t8;
     const double M_11_m1 = p->a1 * p->a1;
     const double M_12_a2 = t10 + M_12_l1;
     const double Jxx_theta2_a2 = M_12_l1 + M_12_l1;
-    const double M_11_m2 = t8 * t8;
-    const double M_12_m2 = p->a2 * t8;
+    const double M_theta1_theta2 = Jxx_theta2 + (p->l1 * M_12_l1);
+    const double M_11_m2 = t9 * t9;
+    const double M_12_m2 = p->a2 * t9;
     const double Jxx_theta2_m2 = p->a2 * p->a2;
-    const double K0_11 = -(t2 + t10);
+    const double K0_11 = -(t8 + t10);
     const double K0_12 = -M_12_l1;
     matrices->m[0][0] = Jxx_theta1;
     matrices->m[0][1] = M_theta1_theta2;
@@ -301,21 +301,21 @@ void double_pendulum_f64_derivatives(const double_pendulum_f64_t *p,
     matrices->k0[0][1] = K0_12;
     matrices->k0[1][0] = K0_12;
     matrices->k0[1][1] = K0_12;
-    derivatives->values[0] = M_11_l1;
-    derivatives->values[1] = M_12_l1;
-    derivatives->values[2] = p->m2;
-    derivatives->values[3] = M_11_a1;
-    derivatives->values[4] = p->m1;
-    derivatives->values[5] = M_11_m1;
-    derivatives->values[6] = p->a1;
-    derivatives->values[7] = 1.0;
-    derivatives->values[8] = M_12_a2;
-    derivatives->values[9] = Jxx_theta2_a2;
-    derivatives->values[10] = M_11_m2;
-    derivatives->values[11] = M_12_m2;
-    derivatives->values[12] = Jxx_theta2_m2;
-    derivatives->values[13] = t8;
-    derivatives->values[14] = p->a2;
+    derivatives->values[0] = p->a1;
+    derivatives->values[1] = p->m1;
+    derivatives->values[2] = p->a2;
+    derivatives->values[3] = p->m2;
+    derivatives->values[4] = 1.0;
+    derivatives->values[5] = t9;
+    derivatives->values[6] = M_12_l1;
+    derivatives->values[7] = M_11_l1;
+    derivatives->values[8] = M_11_a1;
+    derivatives->values[9] = M_11_m1;
+    derivatives->values[10] = M_12_a2;
+    derivatives->values[11] = Jxx_theta2_a2;
+    derivatives->values[12] = M_11_m2;
+    derivatives->values[13] = M_12_m2;
+    derivatives->values[14] = Jxx_theta2_m2;
 }
 
 void double_pendulum_f64_with_respect_to(const double_pendulum_f64_derivatives_t *derivatives,
@@ -931,22 +931,22 @@ void double_pendulum_f32_kinematics(const double_pendulum_f32_t *p, double_pendu
 void double_pendulum_f32_derivatives(const double_pendulum_f32_t *p,
     double_pendulum_f32_matrices_t *matrices, double_pendulum_f32_derivatives_t *derivatives)
 {
-    const float t2 = p->a1 * p->m1;
-    const float t8 = p->l1 + p->a2;
-    const float t10 = t8 * p->m2;
-    const float Jxx_theta1 = (p->a1 * t2) + p->I1 + p->I2 + (t8 * t10);
+    const float t8 = p->a1 * p->m1;
+    const float t9 = p->l1 + p->a2;
+    const float t10 = t9 * p->m2;
+    const float Jxx_theta1 = (p->a1 * t8) + p->I1 + p->I2 + (t9 * t10);
     const float M_12_l1 = p->a2 * p->m2;
     const float Jxx_theta2 = p->I2 + (p->a2 * M_12_l1);
-    const float M_theta1_theta2 = Jxx_theta2 + (p->l1 * M_12_l1);
     const float M_11_l1 = t10 + t10;
-    const float M_11_a1 = t2 + t2;
+    const float M_11_a1 = t8 + t8;
     const float M_11_m1 = p->a1 * p->a1;
     const float M_12_a2 = t10 + M_12_l1;
     const float Jxx_theta2_a2 = M_12_l1 + M_12_l1;
-    const float M_11_m2 = t8 * t8;
-    const float M_12_m2 = p->a2 * t8;
+    const float M_theta1_theta2 = Jxx_theta2 + (p->l1 * M_12_l1);
+    const float M_11_m2 = t9 * t9;
+    const float M_12_m2 = p->a2 * t9;
     const float Jxx_theta2_m2 = p->a2 * p->a2;
-    const float K0_11 = -(t2 + t10);
+    const float K0_11 = -(t8 + t10);
     const float K0_12 = -M_12_l1;
     matrices->m[0][0] = Jxx_theta1;
     matrices->m[0][1] = M_theta1_theta2;
@@ -956,21 +956,21 @@ void double_pendulum_f32_derivatives(const double_pendulum_f32_t *p,
     matrices->k0[0][1] = K0_12;
     matrices->k0[1][0] = K0_12;
     matrices->k0[1][1] = K0_12;
-    derivatives->values[0] = M_11_l1;
-    derivatives->values[1] = M_12_l1;
-    derivatives->values[2] = p->m2;
-    derivatives->values[3] = M_11_a1;
-    derivatives->values[4] = p->m1;
-    derivatives->values[5] = M_11_m1;
-    derivatives->values[6] = p->a1;
-    derivatives->values[7] = 1.0F;
-    derivatives->values[8] = M_12_a2;
-    derivatives->values[9] = Jxx_theta2_a2;
-    derivatives->values[10] = M_11_m2;
-    derivatives->values[11] = M_12_m2;
-    derivatives->values[12] = Jxx_theta2_m2;
-    derivatives->values[13] = t8;
-    derivatives->values[14] = p->a2;
+    derivatives->values[0] = p->a1;
+    derivatives->values[1] = p->m1;
+    derivatives->values[2] = p->a2;
+    derivatives->values[3] = p->m2;
+    derivatives->values[4] = 1.0F;
+    derivatives->values[5] = t9;
+    derivatives->values[6] = M_12_l1;
+    derivatives->values[7] = M_11_l1;
+    derivatives->values[8] = M_11_a1;
+    derivatives->values[9] = M_11_m1;
+    derivatives->values[10] = M_12_a2;
+    derivatives->values[11] = Jxx_theta2_a2;
+    derivatives->values[12] = M_11_m2;
+    derivatives->values[13] = M_12_m2;
+    derivatives->values[14] = Jxx_theta2_m2;
 }
 
 void double_pendulum_f32_with_respect_to(const double_pendulum_f32_derivatives_t *derivatives,

@@ -106,181 +106,181 @@ const char *flywheel_bicycle_validity_text(flywheel_bicycle_validity_t validity)
 }
 
 const carvallo_partial_t flywheel_bicycle_partials[FLYWHEEL_BICYCLE_PARTIALS] = {
-    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 1U, false},
-    {CARVALLO_MATRIX_C0, 0U, 1U, 0U, 2U, true},
-    {CARVALLO_MATRIX_C0, 1U, 0U, 0U, 2U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 3U, true},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 4U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 5U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 6U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 6U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 7U, false},
-    {CARVALLO_MATRIX_K1, 0U, 1U, 0U, 8U, true},
-    {CARVALLO_MATRIX_K1, 1U, 1U, 0U, 9U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 10U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 11U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 1U, 12U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 1U, 12U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 13U, false},
-    {CARVALLO_MATRIX_C0, 0U, 1U, 1U, 14U, false},
-    {CARVALLO_MATRIX_C0, 1U, 0U, 1U, 14U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 15U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 1U, 16U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 17U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 1U, 18U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 1U, 18U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 19U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 20U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 21U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 21U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 22U, true},
-    {CARVALLO_MATRIX_C0, 0U, 1U, 2U, 23U, true},
-    {CARVALLO_MATRIX_C0, 1U, 0U, 2U, 23U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 24U, true},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 2U, 25U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 26U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 2U, 27U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 2U, 27U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 28U, false},
-    {CARVALLO_MATRIX_K1, 0U, 1U, 2U, 29U, true},
-    {CARVALLO_MATRIX_K1, 1U, 1U, 2U, 30U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 2U, 31U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 32U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 4U, 33U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 4U, 34U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 4U, 35U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 4U, 36U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 4U, 37U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 5U, 38U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 5U, 39U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 5U, 40U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 5U, 41U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 6U, 42U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 6U, 43U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 6U, 44U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 7U, 45U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 7U, 45U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 7U, 46U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 8U, 47U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 8U, 47U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 8U, 48U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 8U, 49U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 8U, 50U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 8U, 51U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 8U, 51U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 8U, 52U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 8U, 53U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 9U, 54U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 9U, 55U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 9U, 55U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 9U, 56U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 9U, 57U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 9U, 58U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 10U, 59U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 10U, 60U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 10U, 60U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 10U, 61U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 10U, 62U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 10U, 63U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 10U, 64U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 10U, 65U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 10U, 65U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 10U, 66U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 10U, 67U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 10U, 68U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 11U, 42U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 13U, 43U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 13U, 44U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 14U, 69U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 14U, 69U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 14U, 70U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 15U, 71U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 15U, 71U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 72U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 15U, 73U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 15U, 74U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 15U, 75U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 15U, 75U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 15U, 76U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 15U, 77U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 16U, 78U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 16U, 79U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 16U, 79U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 80U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 81U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 16U, 82U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 16U, 83U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 16U, 84U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 16U, 84U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 16U, 85U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 16U, 86U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 16U, 87U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 17U, 88U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 89U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 89U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 17U, 90U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 91U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 92U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 17U, 93U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 94U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 94U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 95U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 17U, 96U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 97U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 18U, 42U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 18U, 98U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 18U, 98U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 18U, 99U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 20U, 100U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 20U, 101U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 21U, 102U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 21U, 102U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 21U, 103U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 21U, 70U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 21U, 104U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 22U, 105U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 22U, 106U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 22U, 106U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 22U, 107U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 22U, 108U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 22U, 109U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 22U, 110U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 22U, 111U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 22U, 112U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 22U, 112U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 22U, 113U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 114U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 115U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 23U, 116U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 117U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 117U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 23U, 118U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 23U, 119U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 120U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 23U, 121U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 122U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 122U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 123U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 23U, 124U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 125U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 24U, 42U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 24U, 98U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 24U, 98U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 24U, 126U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 24U, 101U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 25U, 127U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 25U, 127U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 25U, 128U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 25U, 129U, false},
-    {CARVALLO_MATRIX_C0, 0U, 1U, 26U, 69U, false},
-    {CARVALLO_MATRIX_C0, 1U, 0U, 26U, 69U, true},
-    {CARVALLO_MATRIX_K1, 0U, 1U, 26U, 70U, false},
-    {CARVALLO_MATRIX_C0, 0U, 1U, 27U, 102U, false},
-    {CARVALLO_MATRIX_C0, 1U, 0U, 27U, 102U, true},
-    {CARVALLO_MATRIX_K1, 0U, 1U, 27U, 70U, false},
-    {CARVALLO_MATRIX_K1, 1U, 1U, 27U, 104U, false}
+    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 52U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 52U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 87U, true},
+    {CARVALLO_MATRIX_C0, 0U, 1U, 0U, 23U, true},
+    {CARVALLO_MATRIX_C0, 1U, 0U, 0U, 23U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 54U, true},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 85U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 96U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 92U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 92U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 99U, false},
+    {CARVALLO_MATRIX_K1, 0U, 1U, 0U, 72U, true},
+    {CARVALLO_MATRIX_K1, 1U, 1U, 0U, 75U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 79U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 98U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 1U, 53U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 1U, 53U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 82U, false},
+    {CARVALLO_MATRIX_C0, 0U, 1U, 1U, 71U, false},
+    {CARVALLO_MATRIX_C0, 1U, 0U, 1U, 71U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 78U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 1U, 84U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 81U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 1U, 86U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 1U, 86U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 88U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 89U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 101U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 101U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 83U, false},
+    {CARVALLO_MATRIX_C0, 0U, 1U, 2U, 20U, true},
+    {CARVALLO_MATRIX_C0, 1U, 0U, 2U, 20U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 66U, true},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 2U, 93U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 106U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 2U, 113U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 2U, 113U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 115U, true},
+    {CARVALLO_MATRIX_K1, 0U, 1U, 2U, 102U, true},
+    {CARVALLO_MATRIX_K1, 1U, 1U, 2U, 107U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 2U, 103U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 114U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 4U, 11U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 4U, 39U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 4U, 25U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 4U, 1U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 4U, 26U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 5U, 12U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 5U, 27U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 5U, 0U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 5U, 28U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 6U, 8U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 6U, 95U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 6U, 94U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 7U, 30U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 7U, 30U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 7U, 29U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 8U, 32U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 8U, 32U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 8U, 65U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 8U, 31U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 8U, 91U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 8U, 60U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 8U, 60U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 8U, 61U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 8U, 62U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 9U, 13U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 9U, 63U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 9U, 63U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 9U, 90U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 9U, 3U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 9U, 59U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 10U, 14U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 10U, 56U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 10U, 56U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 10U, 57U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 10U, 117U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 10U, 110U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 10U, 2U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 10U, 55U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 10U, 55U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 10U, 58U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 10U, 116U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 10U, 109U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 11U, 8U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 13U, 95U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 13U, 94U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 14U, 18U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 14U, 18U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 14U, 19U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 15U, 47U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 15U, 47U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 119U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 15U, 33U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 15U, 120U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 15U, 118U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 15U, 118U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 15U, 121U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 15U, 122U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 16U, 15U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 16U, 41U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 16U, 41U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 100U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 69U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 16U, 105U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 16U, 5U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 16U, 97U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 16U, 97U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 16U, 124U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 16U, 80U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 16U, 104U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 17U, 16U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 45U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 45U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 17U, 42U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 70U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 68U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 17U, 4U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 40U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 40U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 43U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 17U, 34U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 44U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 18U, 8U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 18U, 9U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 18U, 9U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 18U, 123U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 20U, 125U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 20U, 108U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 21U, 46U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 21U, 46U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 21U, 64U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 21U, 19U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 21U, 73U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 22U, 17U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 22U, 111U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 22U, 111U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 22U, 112U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 22U, 48U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 22U, 77U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 22U, 127U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 22U, 7U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 22U, 126U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 22U, 126U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 22U, 128U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 49U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 50U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 23U, 10U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 21U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 21U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 23U, 24U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 23U, 51U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 67U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 23U, 6U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 22U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 22U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 35U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 23U, 36U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 37U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 24U, 8U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 24U, 9U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 24U, 9U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 24U, 129U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 24U, 108U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 25U, 76U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 25U, 76U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 25U, 38U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 25U, 74U, false},
+    {CARVALLO_MATRIX_C0, 0U, 1U, 26U, 18U, false},
+    {CARVALLO_MATRIX_C0, 1U, 0U, 26U, 18U, true},
+    {CARVALLO_MATRIX_K1, 0U, 1U, 26U, 19U, false},
+    {CARVALLO_MATRIX_C0, 0U, 1U, 27U, 46U, false},
+    {CARVALLO_MATRIX_C0, 1U, 0U, 27U, 46U, true},
+    {CARVALLO_MATRIX_K1, 0U, 1U, 27U, 19U, false},
+    {CARVALLO_MATRIX_K1, 1U, 1U, 27U, 73U, false}
 };
 
 const flywheel_bicycle_f64_t flywheel_bicycle_f64_sets[FLYWHEEL_BICYCLE_SETS] = {
@@ -588,217 +588,214 @@ void flywheel_bicycle_f64_kinematics(const flywheel_bicycle_f64_t *p, flywheel_b
 void flywheel_bicycle_f64_derivatives(const flywheel_bicycle_f64_t *p,
     flywheel_bicycle_f64_matrices_t *matrices, flywheel_bicycle_f64_derivatives_t *derivatives)
 {
-    const double t4 = p->rF * p->mF;
-    const double t7 = p->IHxx + p->IFxx + (p->rF * t4);
-    const double t10 = p->zB * p->mB;
-    const double M_22_mu = p->zB * t10;
-    const double t14 = p->rR * p->mR;
-    const double M_11_mH = p->zH * p->zH;
-    const double M_11 = t7 + M_22_mu + (p->rR * t14) + p->IBxx + p->IRxx + (p->mH * M_11_mH);
     double wx_delta2_delta = 0.0;
     double wx_delta2_delta_lam = 0.0;
     carvallo_sin_cos_f64(p->lam, &wx_delta2_delta, &wx_delta2_delta_lam);
-    const double t31 = 1.0 / p->w;
-    const double yaw_per_v_delta = wx_delta2_delta_lam * t31;
-    const double mu = p->c * yaw_per_v_delta;
-    const double ay_delta2_delta = t10 * p->xB;
-    const double t37 = p->IBxz - ay_delta2_delta;
-    const double wz_delta2_delta = wx_delta2_delta_lam + mu;
-    const double t44 = (p->IHxz * wz_delta2_delta) + (t7 * wx_delta2_delta);
-    const double t45 = p->zH * wx_delta2_delta;
-    const double t47 = p->c * t31;
-    const double t51 = p->xH + (p->xH * t47) - p->c - p->w;
-    const double K0_12_mH = t45 - (wx_delta2_delta_lam * t51);
-    const double M_12_mH = p->zH * K0_12_mH;
-    const double t56 = t44 + (p->mH * M_12_mH);
-    const double M_12 = (mu * t37) + t56;
-    const double M_22_mH = K0_12_mH * K0_12_mH;
-    const double t62 = p->mB * p->xB;
-    const double t66 = yaw_per_v_delta * (p->IRxx + p->IBzz + (p->xB * t62));
-    const double t67 = p->c * t66;
-    const double t69 = p->IHxz * wx_delta2_delta;
-    const double t71 = p->IFxx + p->IHzz;
-    const double t73 = t69 + (wz_delta2_delta * t71);
-    const double M_22 = (wx_delta2_delta * t44) + (p->mH * M_22_mH) + (mu * t67) +
-        (wz_delta2_delta * t73);
-    const double t81 = p->hH + p->hB;
-    const double t83 = p->hH + (t47 * t81);
-    const double C0_12 = wx_delta2_delta_lam * t83;
-    const double t86 = 1.0 / p->rF;
-    const double SF = p->IFyy * t86;
-    const double t88 = p->mH * p->zH;
-    const double K0_11 = t10 + t88 - t4 - t14;
-    const double t93 = 1.0 / p->rR;
-    const double SR = p->IRyy * t93;
-    const double t95 = SF + SR;
-    const double t96 = t95 - K0_11;
-    const double M_12_mu = t37 + p->IHxz;
-    const double t100 = (p->xH * t88) - M_12_mu;
-    const double t102 = t31 * ((p->c * t96) - t100);
-    const double t104 = t4 + SF + t102;
-    const double C1_12 = wx_delta2_delta_lam * t104;
-    const double t106 = wx_delta2_delta_lam * SF;
-    const double t109 = t67 + t73;
-    const double t110 = p->mH * K0_12_mH;
-    const double t111 = p->mB * mu;
-    const double t112 = p->xB * t111;
-    const double t113 = t112 - t110;
-    const double t117 = t109 + (p->c * t113) - (p->xH * t110);
-    const double t119 = p->mF * wx_delta2_delta;
-    const double t120 = p->rF * t119;
-    const double M_22_wz_delta2_delta = wz_delta2_delta * t120;
-    const double C1_22 = (yaw_per_v_delta * t117) + M_22_wz_delta2_delta;
-    const double t123 = t113 + t120;
-    const double K1_12 = yaw_per_v_delta * t81;
-    const double t126 = t31 * wx_delta2_delta;
-    const double K2_22_SF = wx_delta2_delta_lam * t126;
-    const double K1_22 = p->hH * K2_22_SF;
-    const double K2_12 = yaw_per_v_delta * t96;
-    const double t130 = wx_delta2_delta * SF;
-    const double K2_22_yaw_per_v_delta = t123 + t130;
-    const double K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
-    const double t133 = wx_delta2_delta_lam * t88;
-    const double t134 = yaw_per_v_delta * t100;
-    const double M_12_w = t133 + (t47 * t134);
-    const double t137 = yaw_per_v_delta * p->xH;
-    const double t139 = wx_delta2_delta_lam + (t47 * t137);
-    const double t140 = t110 + t110;
-    const double t142 = yaw_per_v_delta * t109;
-    const double t143 = t142 + t142;
-    const double M_22_w = (t139 * t140) - (t47 * t143);
-    const double C0_21_w = t47 * K1_12;
-    const double t147 = yaw_per_v_delta * t102;
-    const double t148 = yaw_per_v_delta * t95;
-    const double C1_21_w = t47 * t148;
-    const double t151 = t120 + (yaw_per_v_delta * t71);
-    const double C1_22_mu = t66 + t112 + t151;
-    const double ay_delta2_delta_mu = t117 + (p->c * C1_22_mu);
-    const double t156 = t31 * ay_delta2_delta_mu;
-    const double t157 = p->c + p->xH;
-    const double t158 = p->mH * t139;
-    const double t161 = yaw_per_v_delta * (t156 + (t157 * t158));
-    const double K0_12_w = t158 + (t31 * t112);
-    const double K0_22_w = wx_delta2_delta * K0_12_w;
-    const double t165 = t31 * K1_12;
-    const double t166 = t31 * K1_22;
-    const double t167 = t31 * K2_12;
-    const double t170 = t31 * (K2_22 + (wx_delta2_delta_lam * K0_12_w));
-    const double M_12_c = t133 - t134;
-    const double t172 = wx_delta2_delta_lam - t137;
-    const double M_22_c = t143 + (t140 * t172);
-    const double t175 = p->mH * t172;
-    const double C1_22_c = yaw_per_v_delta * (t113 + C1_22_mu - (t157 * t175));
-    const double t180 = yaw_per_v_delta * t62;
-    const double K0_12_c = t175 - t180;
-    const double t184 = wx_delta2_delta * t47;
-    const double K0_12_zH = p->mH * wx_delta2_delta;
-    const double t189 = t133 + (t51 * K0_12_zH);
-    const double t193 = t69 + (M_12_mu * t184) - (t7 * wx_delta2_delta_lam) - (p->zH * t189);
-    const double t200 = (wx_delta2_delta * (t73 + (t47 * t109) - (t51 * t110))) -
-        (wx_delta2_delta_lam * t56);
-    const double t201 = t200 + t200;
-    const double C0_21_lam = wx_delta2_delta * t83;
-    const double t203 = wx_delta2_delta * t104;
-    const double C1_21_lam = t130 + (t95 * t184);
-    const double t206 = t4 * wx_delta2_delta_lam;
-    const double ay_delta2_delta_xB = wx_delta2_delta_lam * yaw_per_v_delta;
-    const double t212 = mu + t137;
-    const double C1_22_lam = (wz_delta2_delta * t206) + (p->IHxz * ay_delta2_delta_xB) -
-        (wx_delta2_delta * (t151 + t156)) - (t189 * t212);
-    const double K0_12_lam = t189 + (t62 * t184) - t206;
-    const double K0_22_lam = (wx_delta2_delta * K0_12_lam) - (wx_delta2_delta_lam * t123);
-    const double t223 = t81 * t126;
-    const double t226 = p->hH * ((wx_delta2_delta * t126) - ay_delta2_delta_xB);
-    const double t227 = t96 * t126;
-    const double K2_22_lam = (yaw_per_v_delta * (t106 - K0_12_lam)) - (t126 *
-        K2_22_yaw_per_v_delta);
-    const double M_11_rR = t14 + t14;
-    const double K2_12_IRyy = yaw_per_v_delta * t93;
-    const double K2_12_rR = (p->mR * yaw_per_v_delta) - (SR * K2_12_IRyy);
-    const double C1_12_rR = p->c * K2_12_rR;
-    const double C1_12_IRyy = p->c * K2_12_IRyy;
-    const double C1_21_rR = SR * C1_12_IRyy;
+    const double t29 = p->rR * p->mR;
+    const double t30 = p->zH * p->mH;
+    const double M_11_mF = p->rF * p->rF;
+    const double t34 = p->IHxx + p->IFxx + (p->mF * M_11_mF);
+    const double t35 = p->zB * p->mB;
+    const double M_11_rR = t29 + t29;
     const double M_11_mR = p->rR * p->rR;
+    const double M_11_zB = t35 + t35;
+    const double M_11 = p->IBxx + (p->rR * t29) + (p->zH * t30) + t34 + p->IRxx + (p->zB * t35);
+    const double M_11_mB = p->zB * p->zB;
+    const double M_11_zH = t30 + t30;
+    const double M_11_mH = p->zH * p->zH;
+    const double t51 = p->xH - p->c - p->w;
+    const double t52 = 1.0 / p->w;
+    const double t54 = p->IBxz - (t35 * p->xB);
+    const double t55 = p->IFxx + p->IHzz;
+    const double t56 = p->mB * p->xB;
+    const double t57 = p->c * t52;
+    const double t60 = p->IRxx + p->IBzz + (p->xB * t56);
+    const double t61 = p->hH + p->hB;
+    const double t62 = 1.0 / p->rF;
+    const double t63 = p->mF * p->rF;
+    const double K0_11 = t35 - (t29 + t63 - t30);
+    const double M_11_rF = t63 + t63;
+    const double t69 = t51 + (p->xH * t57);
+    const double t70 = t57 * t61;
+    const double SF = p->IFyy * t62;
+    const double t72 = 1.0 / p->rR;
+    const double M_12_mu = p->IHxz + t54;
+    const double t75 = (t30 * p->xH) - M_12_mu;
+    const double t76 = p->xH + p->c;
+    const double t77 = p->hH + t70;
+    const double SR = p->IRyy * t72;
+    const double t79 = p->c + p->xB;
+    const double t81 = p->mF - (t62 * SF);
+    const double t82 = p->zH * wx_delta2_delta;
+    const double mu = wx_delta2_delta_lam * t57;
+    const double t84 = wx_delta2_delta * p->IHxz;
+    const double t85 = wx_delta2_delta_lam * SF;
+    const double yaw_per_v_delta = wx_delta2_delta_lam * t52;
+    const double C0_21_lam = wx_delta2_delta * t77;
+    const double C0_12 = wx_delta2_delta_lam * t77;
+    const double M_12_mF = M_11_mF * wx_delta2_delta;
+    const double t90 = wx_delta2_delta_lam * t69;
+    const double t91 = SF + SR;
+    const double t92 = t72 * SR;
+    const double t93 = p->rF * wx_delta2_delta;
+    const double t94 = wx_delta2_delta * SF;
+    const double t95 = t30 * wx_delta2_delta_lam;
+    const double t96 = p->mH * wx_delta2_delta_lam;
+    const double C0_21_w = t70 * yaw_per_v_delta;
+    const double M_22_mF = wx_delta2_delta * M_12_mF;
+    const double C0_21 = -C0_12;
+    const double t100 = t91 - K0_11;
+    const double C1_21_rR = mu * t92;
+    const double C1_22_mu = p->mR - t92;
+    const double K2_12_rR = yaw_per_v_delta * C1_22_mu;
     const double C1_12_mR = p->rR * mu;
     const double K2_12_mR = p->rR * yaw_per_v_delta;
-    const double C1_22_IRxx = yaw_per_v_delta * mu;
+    const double K2_12_IRyy = t72 * yaw_per_v_delta;
+    const double C1_12_IRyy = p->c * K2_12_IRyy;
+    const double t108 = t35 * yaw_per_v_delta;
+    const double t109 = p->c * t108;
+    const double t110 = t52 * t95;
+    const double t111 = p->zH * yaw_per_v_delta;
+    const double t112 = wx_delta2_delta * t93;
+    const double K2_12_mF = p->rF * yaw_per_v_delta;
+    const double K2_22_mF = yaw_per_v_delta * t93;
+    const double t115 = p->mF * t93;
+    const double K2_12_IFyy = t62 * yaw_per_v_delta;
+    const double C1_12_rR = p->c * K2_12_rR;
+    const double C1_21 = -(t85 + (mu * t91));
+    const double K0_12_mH = t82 - t90;
+    const double t122 = t82 + K0_12_mH;
+    const double t123 = t90 - t122;
+    const double M_12_zH = p->mH * t122;
+    const double M_22_mH = K0_12_mH * K0_12_mH;
+    const double K0_22_mH = wx_delta2_delta * K0_12_mH;
+    const double t127 = K0_12_mH * yaw_per_v_delta;
+    const double M_12_mH = p->zH * K0_12_mH;
+    const double wz_delta2_delta = wx_delta2_delta_lam + mu;
+    const double t130 = t30 * wz_delta2_delta;
+    const double t135 = (p->mH * M_12_mH) + (p->IHxz * wz_delta2_delta) + (t34 * wx_delta2_delta);
+    const double C1_12_rF = wz_delta2_delta * t81;
+    const double K2_12_rF = yaw_per_v_delta * t81;
+    const double K2_22_rF = wx_delta2_delta * K2_12_rF;
+    const double C1_12_mF = p->rF * wz_delta2_delta;
+    const double t141 = t84 + (wz_delta2_delta * t55);
+    const double ay_delta2_delta = t141 + (mu * t60);
+    const double t144 = p->mH * K0_12_mH;
+    const double t147 = t52 * ((p->c * t100) - t75);
+    const double t148 = t75 * yaw_per_v_delta;
+    const double M_12 = t135 + (mu * t54);
+    const double M_12_w = t95 + (t57 * t148);
+    const double M_12_c = t95 - t148;
+    const double t154 = t147 * yaw_per_v_delta;
+    const double t156 = SF + t63 + t147;
+    const double t157 = mu * p->xB;
+    const double t158 = p->zB * t157;
+    const double M_22_mB = t157 * t157;
+    const double t160 = wx_delta2_delta * t157;
+    const double t162 = ay_delta2_delta - (p->xH * t144);
+    const double t163 = ay_delta2_delta * yaw_per_v_delta;
+    const double t164 = p->mB * yaw_per_v_delta;
+    const double t165 = p->c * t164;
+    const double t166 = wx_delta2_delta * t165;
+    const double K2_22_xB = yaw_per_v_delta * t165;
+    const double ay_delta2_delta_xB = t157 * t165;
+    const double t169 = p->mB * t157;
+    const double t170 = wx_delta2_delta * wz_delta2_delta;
+    const double M_22_IHxz = t170 + t170;
+    const double M_22_xB = ay_delta2_delta_xB + ay_delta2_delta_xB;
+    const double C1_12 = wx_delta2_delta_lam * t156;
+    const double t174 = wx_delta2_delta * t156;
+    const double C1_22_mF = p->rF * t170;
+    const double t176 = yaw_per_v_delta * t76;
+    const double C1_22 = ay_delta2_delta_xB + t163 + (t63 * t170) - (t144 * t176);
+    const double t185 = t141 + (t57 * t162) - (t51 * t144);
+    const double t186 = K0_12_mH * t176;
+    const double t187 = t163 + t163;
+    const double t188 = wx_delta2_delta_lam * t63;
+    const double t189 = p->mH * t176;
+    const double t190 = p->zH * t176;
+    const double K0_12 = t144 - (t169 + t115);
+    const double t196 = t169 - K0_12 + (yaw_per_v_delta * (t55 + t60));
+    const double K0_22 = wx_delta2_delta * K0_12;
+    const double K1_12 = t61 * yaw_per_v_delta;
+    const double t199 = t52 * K1_12;
+    const double K2_22_SF = wx_delta2_delta * yaw_per_v_delta;
+    const double K2_22_IFyy = t62 * K2_22_SF;
+    const double K1_22 = p->hH * K2_22_SF;
+    const double t203 = t52 * K1_22;
+    const double C1_12_IFyy = wz_delta2_delta * t62;
+    const double C1_21_rF = SF * C1_12_IFyy;
+    const double K2_12 = t100 * yaw_per_v_delta;
+    const double t207 = t52 * K2_12;
+    const double M_22 = (wx_delta2_delta_lam * t185) + (wx_delta2_delta * t135);
+    const double t213 = (wx_delta2_delta_lam * t135) - (wx_delta2_delta * t185);
+    const double K2_22_yaw_per_v_delta = t94 - K0_12;
+    const double K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
+    const double t216 = p->mH * yaw_per_v_delta;
+    const double t217 = p->xH * t216;
+    const double t219 = t96 + (t57 * t217);
+    const double M_22_mu = p->c * t196;
+    const double t222 = t52 * (t162 + M_22_mu);
+    const double t223 = t96 - t217;
+    const double M_22_wz_delta2_delta = t196 - (t76 * t223);
+    const double C1_22_c = yaw_per_v_delta * M_22_wz_delta2_delta;
+    const double ay_delta2_delta_mB = t123 * t223;
+    const double M_22_c = t187 - ay_delta2_delta_mB;
+    const double M_22_lam = t213 + t213;
+    const double t230 = t91 * yaw_per_v_delta;
+    const double C1_21_w = t57 * t230;
+    const double t232 = t56 * yaw_per_v_delta;
+    const double K0_12_c = t223 - t232;
+    const double t236 = (t57 * t187) + (t219 * t123);
+    const double K0_22_c = wx_delta2_delta * K0_12_c;
+    const double t238 = yaw_per_v_delta * K0_12_c;
+    const double t239 = t165 + t232;
+    const double C1_22_xB = mu * (t232 + t239);
+    const double K0_12_w = t219 + (t57 * t232);
+    const double t244 = wx_delta2_delta * t57;
+    const double C1_21_lam = t94 + (t91 * t244);
+    const double C1_22_IRxx = mu * yaw_per_v_delta;
     const double M_22_IRxx = p->c * C1_22_IRxx;
-    const double t246 = t10 * mu;
-    const double t247 = t62 * M_22_IRxx;
-    const double M_22_xB = t247 + t247;
-    const double t249 = t10 * yaw_per_v_delta;
-    const double K2_22_xB = yaw_per_v_delta * t111;
-    const double t251 = p->c + p->xB;
-    const double C1_22_xB = K2_22_xB * (p->xB + t251);
-    const double t254 = wx_delta2_delta * t111;
-    const double M_11_zB = t10 + t10;
-    const double t256 = t111 + t180;
-    const double t257 = p->mB * yaw_per_v_delta;
-    const double M_11_mB = p->zB * p->zB;
-    const double t259 = mu * p->xB;
-    const double t260 = p->zB * t259;
-    const double M_22_mB = t259 * t259;
-    const double t262 = p->zB * yaw_per_v_delta;
-    const double t263 = t251 * t262;
+    const double t251 = yaw_per_v_delta * ((t76 * t219) + t222);
+    const double K0_12_zH = p->mH * wx_delta2_delta;
+    const double t254 = t95 + (t69 * K0_12_zH);
+    const double t257 = (t52 * K2_22) + (yaw_per_v_delta * K0_12_w);
+    const double K0_22_w = wx_delta2_delta * K0_12_w;
+    const double t259 = t123 * K0_12_zH;
+    const double t265 = t84 + (M_12_mu * t244) - (t34 * wx_delta2_delta_lam) - (p->zH * t254);
+    const double t267 = t254 + (t56 * t244);
+    const double t268 = wx_delta2_delta * t52;
+    const double t269 = t61 * t268;
+    const double t270 = t100 * t268;
+    const double t271 = t96 * t268;
+    const double t272 = t76 * t271;
+    const double t273 = wx_delta2_delta_lam * yaw_per_v_delta;
+    const double C1_22_lam = (wz_delta2_delta * t188) + (p->IHxz * t273) - (wx_delta2_delta *
+        (t115 + t222 + (t55 * yaw_per_v_delta))) - (t176 * t254);
+    const double t286 = p->hH * ((wx_delta2_delta * t268) - t273);
+    const double C1_22_IHzz = t273 + C1_22_IRxx;
     const double K2_22_mB = p->xB * C1_22_IRxx;
-    const double C1_22_mB = t251 * K2_22_mB;
-    const double t266 = wx_delta2_delta * t259;
-    const double t267 = p->mH * wz_delta2_delta;
-    const double t268 = p->zH * t267;
-    const double t269 = wz_delta2_delta * t110;
-    const double t270 = t269 + t269;
-    const double t271 = p->zH * yaw_per_v_delta;
-    const double t272 = p->mH * t271;
-    const double C1_22_IHzz = ay_delta2_delta_xB + C1_22_IRxx;
-    const double t275 = yaw_per_v_delta * K0_12_mH;
-    const double C1_22_xH = p->mH * ((t157 * C1_22_IHzz) - t275);
-    const double t278 = wx_delta2_delta * t267;
-    const double K2_22_xH = p->mH * C1_22_IHzz;
-    const double M_11_zH = t88 + t88;
-    const double M_12_zH = t110 + (p->mH * t45);
-    const double M_22_zH = wx_delta2_delta * t140;
-    const double t284 = p->mH * t212;
-    const double t285 = K0_12_zH * t212;
+    const double C1_22_mB = t79 * K2_22_mB;
+    const double M_12_rF = t115 + t115;
+    const double M_22_rF = wx_delta2_delta * M_12_rF;
+    const double K0_12_lam = t267 - t188;
+    const double t293 = t188 - t267;
+    const double K2_22_lam = (yaw_per_v_delta * (t85 + t293)) - (K2_22_yaw_per_v_delta * t268);
+    const double t300 = (wx_delta2_delta * t293) - (wx_delta2_delta_lam * K0_12);
+    const double t301 = p->zB * yaw_per_v_delta;
+    const double t302 = t79 * t301;
+    const double t303 = p->mH * wz_delta2_delta;
+    const double M_22_xH = t123 * t303;
+    const double C1_22_xH = yaw_per_v_delta * ((t76 * t303) - t144);
+    const double t308 = wx_delta2_delta * t303;
+    const double K2_22_xH = yaw_per_v_delta * t303;
     const double M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
     const double K0_22_zH = p->mH * M_22_IHxx;
-    const double t288 = p->mH * yaw_per_v_delta;
-    const double t289 = wx_delta2_delta * t288;
-    const double t290 = t157 * t271;
-    const double t291 = K0_12_mH * t212;
-    const double K0_22_mH = wx_delta2_delta * K0_12_mH;
     const double M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-    const double t294 = wz_delta2_delta * wx_delta2_delta;
-    const double M_22_IHxz = t294 + t294;
-    const double M_11_rF = t4 + t4;
-    const double M_12_rF = t120 + t120;
-    const double t298 = wx_delta2_delta * t120;
-    const double M_22_rF = t298 + t298;
-    const double t301 = p->mF - (t86 * SF);
-    const double C1_12_rF = wz_delta2_delta * t301;
-    const double C1_12_IFyy = wz_delta2_delta * t86;
-    const double C1_21_rF = SF * C1_12_IFyy;
-    const double C1_22_rF = wz_delta2_delta * t119;
-    const double t306 = wx_delta2_delta * t119;
-    const double K2_12_rF = yaw_per_v_delta * t301;
-    const double K2_22_rF = K2_22_SF * t301;
-    const double M_11_mF = p->rF * p->rF;
-    const double M_12_mF = wx_delta2_delta * M_11_mF;
-    const double M_22_mF = M_22_IHxx * M_11_mF;
-    const double C1_12_mF = p->rF * wz_delta2_delta;
-    const double C1_22_mF = p->rF * t294;
-    const double t314 = p->rF * wx_delta2_delta;
-    const double t315 = wx_delta2_delta * t314;
-    const double K2_12_mF = p->rF * yaw_per_v_delta;
-    const double K2_22_mF = p->rF * K2_22_SF;
+    const double t313 = p->mF * wx_delta2_delta;
+    const double C1_22_rF = wz_delta2_delta * t313;
+    const double t315 = p->mF * M_22_IHxx;
     const double M_22_IFxx = M_22_IHxx + M_22_IHzz;
-    const double K2_12_IFyy = yaw_per_v_delta * t86;
-    const double K2_22_IFyy = t86 * K2_22_SF;
-    const double C0_21 = -C0_12;
-    const double C1_21 = -(t106 + (mu * t95));
-    const double K0_12 = -t123;
-    const double K0_22 = -(wx_delta2_delta * t123);
-    const double t325 = -(wx_delta2_delta * K0_12_c);
-    const double K2_22_c = -(yaw_per_v_delta * K0_12_c);
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -823,136 +820,136 @@ void flywheel_bicycle_f64_derivatives(const flywheel_bicycle_f64_t *p,
     matrices->k2[0][1] = K2_12;
     matrices->k2[1][0] = 0.0;
     matrices->k2[1][1] = K2_22;
-    derivatives->values[0] = M_12_w;
-    derivatives->values[1] = M_22_w;
-    derivatives->values[2] = C0_21_w;
-    derivatives->values[3] = t147;
-    derivatives->values[4] = C1_21_w;
-    derivatives->values[5] = t161;
-    derivatives->values[6] = K0_12_w;
-    derivatives->values[7] = K0_22_w;
-    derivatives->values[8] = t165;
-    derivatives->values[9] = t166;
-    derivatives->values[10] = t167;
-    derivatives->values[11] = t170;
-    derivatives->values[12] = M_12_c;
-    derivatives->values[13] = M_22_c;
-    derivatives->values[14] = K1_12;
-    derivatives->values[15] = K2_12;
-    derivatives->values[16] = t148;
-    derivatives->values[17] = C1_22_c;
-    derivatives->values[18] = K0_12_c;
-    derivatives->values[19] = t325;
-    derivatives->values[20] = K2_22_c;
-    derivatives->values[21] = t193;
-    derivatives->values[22] = t201;
-    derivatives->values[23] = C0_21_lam;
-    derivatives->values[24] = t203;
-    derivatives->values[25] = C1_21_lam;
-    derivatives->values[26] = C1_22_lam;
-    derivatives->values[27] = K0_12_lam;
-    derivatives->values[28] = K0_22_lam;
-    derivatives->values[29] = t223;
-    derivatives->values[30] = t226;
-    derivatives->values[31] = t227;
-    derivatives->values[32] = K2_22_lam;
-    derivatives->values[33] = M_11_rR;
-    derivatives->values[34] = C1_12_rR;
-    derivatives->values[35] = C1_21_rR;
-    derivatives->values[36] = p->mR;
-    derivatives->values[37] = K2_12_rR;
-    derivatives->values[38] = M_11_mR;
-    derivatives->values[39] = C1_12_mR;
-    derivatives->values[40] = p->rR;
-    derivatives->values[41] = K2_12_mR;
-    derivatives->values[42] = 1.0;
-    derivatives->values[43] = M_22_IRxx;
-    derivatives->values[44] = C1_22_IRxx;
-    derivatives->values[45] = C1_12_IRyy;
-    derivatives->values[46] = K2_12_IRyy;
-    derivatives->values[47] = t246;
-    derivatives->values[48] = M_22_xB;
-    derivatives->values[49] = t249;
-    derivatives->values[50] = C1_22_xB;
-    derivatives->values[51] = t111;
-    derivatives->values[52] = t254;
-    derivatives->values[53] = K2_22_xB;
-    derivatives->values[54] = M_11_zB;
-    derivatives->values[55] = t112;
-    derivatives->values[56] = t256;
-    derivatives->values[57] = p->mB;
-    derivatives->values[58] = t257;
-    derivatives->values[59] = M_11_mB;
-    derivatives->values[60] = t260;
-    derivatives->values[61] = M_22_mB;
-    derivatives->values[62] = t263;
-    derivatives->values[63] = C1_22_mB;
-    derivatives->values[64] = p->zB;
-    derivatives->values[65] = t259;
-    derivatives->values[66] = t266;
-    derivatives->values[67] = t262;
-    derivatives->values[68] = K2_22_mB;
-    derivatives->values[69] = mu;
-    derivatives->values[70] = yaw_per_v_delta;
-    derivatives->values[71] = t268;
-    derivatives->values[72] = t270;
-    derivatives->values[73] = t272;
-    derivatives->values[74] = C1_22_xH;
-    derivatives->values[75] = t267;
-    derivatives->values[76] = t278;
-    derivatives->values[77] = K2_22_xH;
-    derivatives->values[78] = M_11_zH;
-    derivatives->values[79] = M_12_zH;
-    derivatives->values[80] = M_22_zH;
-    derivatives->values[81] = t284;
-    derivatives->values[82] = t285;
-    derivatives->values[83] = p->mH;
-    derivatives->values[84] = K0_12_zH;
-    derivatives->values[85] = K0_22_zH;
-    derivatives->values[86] = t288;
-    derivatives->values[87] = t289;
-    derivatives->values[88] = M_11_mH;
-    derivatives->values[89] = M_12_mH;
-    derivatives->values[90] = M_22_mH;
-    derivatives->values[91] = t290;
-    derivatives->values[92] = t291;
-    derivatives->values[93] = p->zH;
-    derivatives->values[94] = K0_12_mH;
-    derivatives->values[95] = K0_22_mH;
-    derivatives->values[96] = t271;
-    derivatives->values[97] = t275;
-    derivatives->values[98] = wx_delta2_delta;
-    derivatives->values[99] = M_22_IHxx;
-    derivatives->values[100] = M_22_IHzz;
-    derivatives->values[101] = C1_22_IHzz;
-    derivatives->values[102] = wz_delta2_delta;
-    derivatives->values[103] = M_22_IHxz;
-    derivatives->values[104] = K2_22_SF;
-    derivatives->values[105] = M_11_rF;
-    derivatives->values[106] = M_12_rF;
-    derivatives->values[107] = M_22_rF;
-    derivatives->values[108] = C1_12_rF;
-    derivatives->values[109] = C1_21_rF;
-    derivatives->values[110] = C1_22_rF;
-    derivatives->values[111] = p->mF;
-    derivatives->values[112] = t119;
-    derivatives->values[113] = t306;
-    derivatives->values[114] = K2_12_rF;
-    derivatives->values[115] = K2_22_rF;
-    derivatives->values[116] = M_11_mF;
-    derivatives->values[117] = M_12_mF;
-    derivatives->values[118] = M_22_mF;
-    derivatives->values[119] = C1_12_mF;
-    derivatives->values[120] = C1_22_mF;
-    derivatives->values[121] = p->rF;
-    derivatives->values[122] = t314;
-    derivatives->values[123] = t315;
-    derivatives->values[124] = K2_12_mF;
-    derivatives->values[125] = K2_22_mF;
-    derivatives->values[126] = M_22_IFxx;
-    derivatives->values[127] = C1_12_IFyy;
-    derivatives->values[128] = K2_12_IFyy;
-    derivatives->values[129] = K2_22_IFyy;
+    derivatives->values[0] = p->rR;
+    derivatives->values[1] = p->mR;
+    derivatives->values[2] = p->zB;
+    derivatives->values[3] = p->mB;
+    derivatives->values[4] = p->zH;
+    derivatives->values[5] = p->mH;
+    derivatives->values[6] = p->rF;
+    derivatives->values[7] = p->mF;
+    derivatives->values[8] = 1.0;
+    derivatives->values[9] = wx_delta2_delta;
+    derivatives->values[10] = M_11_mF;
+    derivatives->values[11] = M_11_rR;
+    derivatives->values[12] = M_11_mR;
+    derivatives->values[13] = M_11_zB;
+    derivatives->values[14] = M_11_mB;
+    derivatives->values[15] = M_11_zH;
+    derivatives->values[16] = M_11_mH;
+    derivatives->values[17] = M_11_rF;
+    derivatives->values[18] = mu;
+    derivatives->values[19] = yaw_per_v_delta;
+    derivatives->values[20] = C0_21_lam;
+    derivatives->values[21] = M_12_mF;
+    derivatives->values[22] = t93;
+    derivatives->values[23] = C0_21_w;
+    derivatives->values[24] = M_22_mF;
+    derivatives->values[25] = C1_21_rR;
+    derivatives->values[26] = K2_12_rR;
+    derivatives->values[27] = C1_12_mR;
+    derivatives->values[28] = K2_12_mR;
+    derivatives->values[29] = K2_12_IRyy;
+    derivatives->values[30] = C1_12_IRyy;
+    derivatives->values[31] = t108;
+    derivatives->values[32] = t109;
+    derivatives->values[33] = t110;
+    derivatives->values[34] = t111;
+    derivatives->values[35] = t112;
+    derivatives->values[36] = K2_12_mF;
+    derivatives->values[37] = K2_22_mF;
+    derivatives->values[38] = K2_12_IFyy;
+    derivatives->values[39] = C1_12_rR;
+    derivatives->values[40] = K0_12_mH;
+    derivatives->values[41] = M_12_zH;
+    derivatives->values[42] = M_22_mH;
+    derivatives->values[43] = K0_22_mH;
+    derivatives->values[44] = t127;
+    derivatives->values[45] = M_12_mH;
+    derivatives->values[46] = wz_delta2_delta;
+    derivatives->values[47] = t130;
+    derivatives->values[48] = C1_12_rF;
+    derivatives->values[49] = K2_12_rF;
+    derivatives->values[50] = K2_22_rF;
+    derivatives->values[51] = C1_12_mF;
+    derivatives->values[52] = M_12_w;
+    derivatives->values[53] = M_12_c;
+    derivatives->values[54] = t154;
+    derivatives->values[55] = t157;
+    derivatives->values[56] = t158;
+    derivatives->values[57] = M_22_mB;
+    derivatives->values[58] = t160;
+    derivatives->values[59] = t164;
+    derivatives->values[60] = t165;
+    derivatives->values[61] = t166;
+    derivatives->values[62] = K2_22_xB;
+    derivatives->values[63] = t169;
+    derivatives->values[64] = M_22_IHxz;
+    derivatives->values[65] = M_22_xB;
+    derivatives->values[66] = t174;
+    derivatives->values[67] = C1_22_mF;
+    derivatives->values[68] = t186;
+    derivatives->values[69] = t189;
+    derivatives->values[70] = t190;
+    derivatives->values[71] = K1_12;
+    derivatives->values[72] = t199;
+    derivatives->values[73] = K2_22_SF;
+    derivatives->values[74] = K2_22_IFyy;
+    derivatives->values[75] = t203;
+    derivatives->values[76] = C1_12_IFyy;
+    derivatives->values[77] = C1_21_rF;
+    derivatives->values[78] = K2_12;
+    derivatives->values[79] = t207;
+    derivatives->values[80] = t216;
+    derivatives->values[81] = C1_22_c;
+    derivatives->values[82] = M_22_c;
+    derivatives->values[83] = M_22_lam;
+    derivatives->values[84] = t230;
+    derivatives->values[85] = C1_21_w;
+    derivatives->values[86] = K0_12_c;
+    derivatives->values[87] = t236;
+    derivatives->values[88] = K0_22_c;
+    derivatives->values[89] = t238;
+    derivatives->values[90] = t239;
+    derivatives->values[91] = C1_22_xB;
+    derivatives->values[92] = K0_12_w;
+    derivatives->values[93] = C1_21_lam;
+    derivatives->values[94] = C1_22_IRxx;
+    derivatives->values[95] = M_22_IRxx;
+    derivatives->values[96] = t251;
+    derivatives->values[97] = K0_12_zH;
+    derivatives->values[98] = t257;
+    derivatives->values[99] = K0_22_w;
+    derivatives->values[100] = t259;
+    derivatives->values[101] = t265;
+    derivatives->values[102] = t269;
+    derivatives->values[103] = t270;
+    derivatives->values[104] = t271;
+    derivatives->values[105] = t272;
+    derivatives->values[106] = C1_22_lam;
+    derivatives->values[107] = t286;
+    derivatives->values[108] = C1_22_IHzz;
+    derivatives->values[109] = K2_22_mB;
+    derivatives->values[110] = C1_22_mB;
+    derivatives->values[111] = M_12_rF;
+    derivatives->values[112] = M_22_rF;
+    derivatives->values[113] = K0_12_lam;
+    derivatives->values[114] = K2_22_lam;
+    derivatives->values[115] = t300;
+    derivatives->values[116] = t301;
+    derivatives->values[117] = t302;
+    derivatives->values[118] = t303;
+    derivatives->values[119] = M_22_xH;
+    derivatives->values[120] = C1_22_xH;
+    derivatives->values[121] = t308;
+    derivatives->values[122] = K2_22_xH;
+    derivatives->values[123] = M_22_IHxx;
+    derivatives->values[124] = K0_22_zH;
+    derivatives->values[125] = M_22_IHzz;
+    derivatives->values[126] = t313;
+    derivatives->values[127] = C1_22_rF;
+    derivatives->values[128] = t315;
+    derivatives->values[129] = M_22_IFxx;
 }
 
 void flywheel_bicycle_f64_with_respect_to(const flywheel_bicycle_f64_derivatives_t *derivatives,
@@ -1304,216 +1301,214 @@ void flywheel_bicycle_f32_kinematics(const flywheel_bicycle_f32_t *p, flywheel_b
 void flywheel_bicycle_f32_derivatives(const flywheel_bicycle_f32_t *p,
     flywheel_bicycle_f32_matrices_t *matrices, flywheel_bicycle_f32_derivatives_t *derivatives)
 {
-    const float t4 = p->rF * p->mF;
-    const float t7 = p->IHxx + p->IFxx + (p->rF * t4);
-    const float t10 = p->zB * p->mB;
-    const float M_22_mu = p->zB * t10;
-    const float t14 = p->rR * p->mR;
-    const float M_11_mH = p->zH * p->zH;
-    const float M_11 = t7 + M_22_mu + (p->rR * t14) + p->IBxx + p->IRxx + (p->mH * M_11_mH);
     float wx_delta2_delta = 0.0F;
     float wx_delta2_delta_lam = 0.0F;
     carvallo_sin_cos_f32(p->lam, &wx_delta2_delta, &wx_delta2_delta_lam);
-    const float t31 = 1.0F / p->w;
-    const float yaw_per_v_delta = wx_delta2_delta_lam * t31;
-    const float mu = p->c * yaw_per_v_delta;
-    const float ay_delta2_delta = t10 * p->xB;
-    const float t37 = p->IBxz - ay_delta2_delta;
-    const float wz_delta2_delta = wx_delta2_delta_lam + mu;
-    const float t44 = (p->IHxz * wz_delta2_delta) + (t7 * wx_delta2_delta);
-    const float t45 = p->zH * wx_delta2_delta;
-    const float t47 = p->c * t31;
-    const float t51 = p->xH + (p->xH * t47) - p->c - p->w;
-    const float K0_12_mH = t45 - (wx_delta2_delta_lam * t51);
-    const float M_12_mH = p->zH * K0_12_mH;
-    const float t56 = t44 + (p->mH * M_12_mH);
-    const float M_12 = (mu * t37) + t56;
-    const float M_22_mH = K0_12_mH * K0_12_mH;
-    const float t62 = p->mB * p->xB;
-    const float t66 = yaw_per_v_delta * (p->IRxx + p->IBzz + (p->xB * t62));
-    const float t67 = p->c * t66;
-    const float t69 = p->IHxz * wx_delta2_delta;
-    const float t71 = p->IFxx + p->IHzz;
-    const float t73 = t69 + (wz_delta2_delta * t71);
-    const float M_22 = (wx_delta2_delta * t44) + (p->mH * M_22_mH) + (mu * t67) + (wz_delta2_delta *
-        t73);
-    const float t81 = p->hH + p->hB;
-    const float t83 = p->hH + (t47 * t81);
-    const float C0_12 = wx_delta2_delta_lam * t83;
-    const float t86 = 1.0F / p->rF;
-    const float SF = p->IFyy * t86;
-    const float t88 = p->mH * p->zH;
-    const float K0_11 = t10 + t88 - t4 - t14;
-    const float t93 = 1.0F / p->rR;
-    const float SR = p->IRyy * t93;
-    const float t95 = SF + SR;
-    const float t96 = t95 - K0_11;
-    const float M_12_mu = t37 + p->IHxz;
-    const float t100 = (p->xH * t88) - M_12_mu;
-    const float t102 = t31 * ((p->c * t96) - t100);
-    const float t104 = t4 + SF + t102;
-    const float C1_12 = wx_delta2_delta_lam * t104;
-    const float t106 = wx_delta2_delta_lam * SF;
-    const float t109 = t67 + t73;
-    const float t110 = p->mH * K0_12_mH;
-    const float t111 = p->mB * mu;
-    const float t112 = p->xB * t111;
-    const float t113 = t112 - t110;
-    const float t117 = t109 + (p->c * t113) - (p->xH * t110);
-    const float t119 = p->mF * wx_delta2_delta;
-    const float t120 = p->rF * t119;
-    const float M_22_wz_delta2_delta = wz_delta2_delta * t120;
-    const float C1_22 = (yaw_per_v_delta * t117) + M_22_wz_delta2_delta;
-    const float t123 = t113 + t120;
-    const float K1_12 = yaw_per_v_delta * t81;
-    const float t126 = t31 * wx_delta2_delta;
-    const float K2_22_SF = wx_delta2_delta_lam * t126;
-    const float K1_22 = p->hH * K2_22_SF;
-    const float K2_12 = yaw_per_v_delta * t96;
-    const float t130 = wx_delta2_delta * SF;
-    const float K2_22_yaw_per_v_delta = t123 + t130;
-    const float K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
-    const float t133 = wx_delta2_delta_lam * t88;
-    const float t134 = yaw_per_v_delta * t100;
-    const float M_12_w = t133 + (t47 * t134);
-    const float t137 = yaw_per_v_delta * p->xH;
-    const float t139 = wx_delta2_delta_lam + (t47 * t137);
-    const float t140 = t110 + t110;
-    const float t142 = yaw_per_v_delta * t109;
-    const float t143 = t142 + t142;
-    const float M_22_w = (t139 * t140) - (t47 * t143);
-    const float C0_21_w = t47 * K1_12;
-    const float t147 = yaw_per_v_delta * t102;
-    const float t148 = yaw_per_v_delta * t95;
-    const float C1_21_w = t47 * t148;
-    const float t151 = t120 + (yaw_per_v_delta * t71);
-    const float C1_22_mu = t66 + t112 + t151;
-    const float ay_delta2_delta_mu = t117 + (p->c * C1_22_mu);
-    const float t156 = t31 * ay_delta2_delta_mu;
-    const float t157 = p->c + p->xH;
-    const float t158 = p->mH * t139;
-    const float t161 = yaw_per_v_delta * (t156 + (t157 * t158));
-    const float K0_12_w = t158 + (t31 * t112);
-    const float K0_22_w = wx_delta2_delta * K0_12_w;
-    const float t165 = t31 * K1_12;
-    const float t166 = t31 * K1_22;
-    const float t167 = t31 * K2_12;
-    const float t170 = t31 * (K2_22 + (wx_delta2_delta_lam * K0_12_w));
-    const float M_12_c = t133 - t134;
-    const float t172 = wx_delta2_delta_lam - t137;
-    const float M_22_c = t143 + (t140 * t172);
-    const float t175 = p->mH * t172;
-    const float C1_22_c = yaw_per_v_delta * (t113 + C1_22_mu - (t157 * t175));
-    const float t180 = yaw_per_v_delta * t62;
-    const float K0_12_c = t175 - t180;
-    const float t184 = wx_delta2_delta * t47;
-    const float K0_12_zH = p->mH * wx_delta2_delta;
-    const float t189 = t133 + (t51 * K0_12_zH);
-    const float t193 = t69 + (M_12_mu * t184) - (t7 * wx_delta2_delta_lam) - (p->zH * t189);
-    const float t200 = (wx_delta2_delta * (t73 + (t47 * t109) - (t51 * t110))) -
-        (wx_delta2_delta_lam * t56);
-    const float t201 = t200 + t200;
-    const float C0_21_lam = wx_delta2_delta * t83;
-    const float t203 = wx_delta2_delta * t104;
-    const float C1_21_lam = t130 + (t95 * t184);
-    const float t206 = t4 * wx_delta2_delta_lam;
-    const float ay_delta2_delta_xB = wx_delta2_delta_lam * yaw_per_v_delta;
-    const float t212 = mu + t137;
-    const float C1_22_lam = (wz_delta2_delta * t206) + (p->IHxz * ay_delta2_delta_xB) -
-        (wx_delta2_delta * (t151 + t156)) - (t189 * t212);
-    const float K0_12_lam = t189 + (t62 * t184) - t206;
-    const float K0_22_lam = (wx_delta2_delta * K0_12_lam) - (wx_delta2_delta_lam * t123);
-    const float t223 = t81 * t126;
-    const float t226 = p->hH * ((wx_delta2_delta * t126) - ay_delta2_delta_xB);
-    const float t227 = t96 * t126;
-    const float K2_22_lam = (yaw_per_v_delta * (t106 - K0_12_lam)) - (t126 * K2_22_yaw_per_v_delta);
-    const float M_11_rR = t14 + t14;
-    const float K2_12_IRyy = yaw_per_v_delta * t93;
-    const float K2_12_rR = (p->mR * yaw_per_v_delta) - (SR * K2_12_IRyy);
-    const float C1_12_rR = p->c * K2_12_rR;
-    const float C1_12_IRyy = p->c * K2_12_IRyy;
-    const float C1_21_rR = SR * C1_12_IRyy;
+    const float t29 = p->rR * p->mR;
+    const float t30 = p->zH * p->mH;
+    const float M_11_mF = p->rF * p->rF;
+    const float t34 = p->IHxx + p->IFxx + (p->mF * M_11_mF);
+    const float t35 = p->zB * p->mB;
+    const float M_11_rR = t29 + t29;
     const float M_11_mR = p->rR * p->rR;
+    const float M_11_zB = t35 + t35;
+    const float M_11 = p->IBxx + (p->rR * t29) + (p->zH * t30) + t34 + p->IRxx + (p->zB * t35);
+    const float M_11_mB = p->zB * p->zB;
+    const float M_11_zH = t30 + t30;
+    const float M_11_mH = p->zH * p->zH;
+    const float t51 = p->xH - p->c - p->w;
+    const float t52 = 1.0F / p->w;
+    const float t54 = p->IBxz - (t35 * p->xB);
+    const float t55 = p->IFxx + p->IHzz;
+    const float t56 = p->mB * p->xB;
+    const float t57 = p->c * t52;
+    const float t60 = p->IRxx + p->IBzz + (p->xB * t56);
+    const float t61 = p->hH + p->hB;
+    const float t62 = 1.0F / p->rF;
+    const float t63 = p->mF * p->rF;
+    const float K0_11 = t35 - (t29 + t63 - t30);
+    const float M_11_rF = t63 + t63;
+    const float t69 = t51 + (p->xH * t57);
+    const float t70 = t57 * t61;
+    const float SF = p->IFyy * t62;
+    const float t72 = 1.0F / p->rR;
+    const float M_12_mu = p->IHxz + t54;
+    const float t75 = (t30 * p->xH) - M_12_mu;
+    const float t76 = p->xH + p->c;
+    const float t77 = p->hH + t70;
+    const float SR = p->IRyy * t72;
+    const float t79 = p->c + p->xB;
+    const float t81 = p->mF - (t62 * SF);
+    const float t82 = p->zH * wx_delta2_delta;
+    const float mu = wx_delta2_delta_lam * t57;
+    const float t84 = wx_delta2_delta * p->IHxz;
+    const float t85 = wx_delta2_delta_lam * SF;
+    const float yaw_per_v_delta = wx_delta2_delta_lam * t52;
+    const float C0_21_lam = wx_delta2_delta * t77;
+    const float C0_12 = wx_delta2_delta_lam * t77;
+    const float M_12_mF = M_11_mF * wx_delta2_delta;
+    const float t90 = wx_delta2_delta_lam * t69;
+    const float t91 = SF + SR;
+    const float t92 = t72 * SR;
+    const float t93 = p->rF * wx_delta2_delta;
+    const float t94 = wx_delta2_delta * SF;
+    const float t95 = t30 * wx_delta2_delta_lam;
+    const float t96 = p->mH * wx_delta2_delta_lam;
+    const float C0_21_w = t70 * yaw_per_v_delta;
+    const float M_22_mF = wx_delta2_delta * M_12_mF;
+    const float C0_21 = -C0_12;
+    const float t100 = t91 - K0_11;
+    const float C1_21_rR = mu * t92;
+    const float C1_22_mu = p->mR - t92;
+    const float K2_12_rR = yaw_per_v_delta * C1_22_mu;
     const float C1_12_mR = p->rR * mu;
     const float K2_12_mR = p->rR * yaw_per_v_delta;
-    const float C1_22_IRxx = yaw_per_v_delta * mu;
+    const float K2_12_IRyy = t72 * yaw_per_v_delta;
+    const float C1_12_IRyy = p->c * K2_12_IRyy;
+    const float t108 = t35 * yaw_per_v_delta;
+    const float t109 = p->c * t108;
+    const float t110 = t52 * t95;
+    const float t111 = p->zH * yaw_per_v_delta;
+    const float t112 = wx_delta2_delta * t93;
+    const float K2_12_mF = p->rF * yaw_per_v_delta;
+    const float K2_22_mF = yaw_per_v_delta * t93;
+    const float t115 = p->mF * t93;
+    const float K2_12_IFyy = t62 * yaw_per_v_delta;
+    const float C1_12_rR = p->c * K2_12_rR;
+    const float C1_21 = -(t85 + (mu * t91));
+    const float K0_12_mH = t82 - t90;
+    const float t122 = t82 + K0_12_mH;
+    const float t123 = t90 - t122;
+    const float M_12_zH = p->mH * t122;
+    const float M_22_mH = K0_12_mH * K0_12_mH;
+    const float K0_22_mH = wx_delta2_delta * K0_12_mH;
+    const float t127 = K0_12_mH * yaw_per_v_delta;
+    const float M_12_mH = p->zH * K0_12_mH;
+    const float wz_delta2_delta = wx_delta2_delta_lam + mu;
+    const float t130 = t30 * wz_delta2_delta;
+    const float t135 = (p->mH * M_12_mH) + (p->IHxz * wz_delta2_delta) + (t34 * wx_delta2_delta);
+    const float C1_12_rF = wz_delta2_delta * t81;
+    const float K2_12_rF = yaw_per_v_delta * t81;
+    const float K2_22_rF = wx_delta2_delta * K2_12_rF;
+    const float C1_12_mF = p->rF * wz_delta2_delta;
+    const float t141 = t84 + (wz_delta2_delta * t55);
+    const float ay_delta2_delta = t141 + (mu * t60);
+    const float t144 = p->mH * K0_12_mH;
+    const float t147 = t52 * ((p->c * t100) - t75);
+    const float t148 = t75 * yaw_per_v_delta;
+    const float M_12 = t135 + (mu * t54);
+    const float M_12_w = t95 + (t57 * t148);
+    const float M_12_c = t95 - t148;
+    const float t154 = t147 * yaw_per_v_delta;
+    const float t156 = SF + t63 + t147;
+    const float t157 = mu * p->xB;
+    const float t158 = p->zB * t157;
+    const float M_22_mB = t157 * t157;
+    const float t160 = wx_delta2_delta * t157;
+    const float t162 = ay_delta2_delta - (p->xH * t144);
+    const float t163 = ay_delta2_delta * yaw_per_v_delta;
+    const float t164 = p->mB * yaw_per_v_delta;
+    const float t165 = p->c * t164;
+    const float t166 = wx_delta2_delta * t165;
+    const float K2_22_xB = yaw_per_v_delta * t165;
+    const float ay_delta2_delta_xB = t157 * t165;
+    const float t169 = p->mB * t157;
+    const float t170 = wx_delta2_delta * wz_delta2_delta;
+    const float M_22_IHxz = t170 + t170;
+    const float M_22_xB = ay_delta2_delta_xB + ay_delta2_delta_xB;
+    const float C1_12 = wx_delta2_delta_lam * t156;
+    const float t174 = wx_delta2_delta * t156;
+    const float C1_22_mF = p->rF * t170;
+    const float t176 = yaw_per_v_delta * t76;
+    const float C1_22 = ay_delta2_delta_xB + t163 + (t63 * t170) - (t144 * t176);
+    const float t185 = t141 + (t57 * t162) - (t51 * t144);
+    const float t186 = K0_12_mH * t176;
+    const float t187 = t163 + t163;
+    const float t188 = wx_delta2_delta_lam * t63;
+    const float t189 = p->mH * t176;
+    const float t190 = p->zH * t176;
+    const float K0_12 = t144 - (t169 + t115);
+    const float t196 = t169 - K0_12 + (yaw_per_v_delta * (t55 + t60));
+    const float K0_22 = wx_delta2_delta * K0_12;
+    const float K1_12 = t61 * yaw_per_v_delta;
+    const float t199 = t52 * K1_12;
+    const float K2_22_SF = wx_delta2_delta * yaw_per_v_delta;
+    const float K2_22_IFyy = t62 * K2_22_SF;
+    const float K1_22 = p->hH * K2_22_SF;
+    const float t203 = t52 * K1_22;
+    const float C1_12_IFyy = wz_delta2_delta * t62;
+    const float C1_21_rF = SF * C1_12_IFyy;
+    const float K2_12 = t100 * yaw_per_v_delta;
+    const float t207 = t52 * K2_12;
+    const float M_22 = (wx_delta2_delta_lam * t185) + (wx_delta2_delta * t135);
+    const float t213 = (wx_delta2_delta_lam * t135) - (wx_delta2_delta * t185);
+    const float K2_22_yaw_per_v_delta = t94 - K0_12;
+    const float K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
+    const float t216 = p->mH * yaw_per_v_delta;
+    const float t217 = p->xH * t216;
+    const float t219 = t96 + (t57 * t217);
+    const float M_22_mu = p->c * t196;
+    const float t222 = t52 * (t162 + M_22_mu);
+    const float t223 = t96 - t217;
+    const float M_22_wz_delta2_delta = t196 - (t76 * t223);
+    const float C1_22_c = yaw_per_v_delta * M_22_wz_delta2_delta;
+    const float ay_delta2_delta_mB = t123 * t223;
+    const float M_22_c = t187 - ay_delta2_delta_mB;
+    const float M_22_lam = t213 + t213;
+    const float t230 = t91 * yaw_per_v_delta;
+    const float C1_21_w = t57 * t230;
+    const float t232 = t56 * yaw_per_v_delta;
+    const float K0_12_c = t223 - t232;
+    const float t236 = (t57 * t187) + (t219 * t123);
+    const float K0_22_c = wx_delta2_delta * K0_12_c;
+    const float t238 = yaw_per_v_delta * K0_12_c;
+    const float t239 = t165 + t232;
+    const float C1_22_xB = mu * (t232 + t239);
+    const float K0_12_w = t219 + (t57 * t232);
+    const float t244 = wx_delta2_delta * t57;
+    const float C1_21_lam = t94 + (t91 * t244);
+    const float C1_22_IRxx = mu * yaw_per_v_delta;
     const float M_22_IRxx = p->c * C1_22_IRxx;
-    const float t246 = t10 * mu;
-    const float t247 = t62 * M_22_IRxx;
-    const float M_22_xB = t247 + t247;
-    const float t249 = t10 * yaw_per_v_delta;
-    const float K2_22_xB = yaw_per_v_delta * t111;
-    const float t251 = p->c + p->xB;
-    const float C1_22_xB = K2_22_xB * (p->xB + t251);
-    const float t254 = wx_delta2_delta * t111;
-    const float M_11_zB = t10 + t10;
-    const float t256 = t111 + t180;
-    const float t257 = p->mB * yaw_per_v_delta;
-    const float M_11_mB = p->zB * p->zB;
-    const float t259 = mu * p->xB;
-    const float t260 = p->zB * t259;
-    const float M_22_mB = t259 * t259;
-    const float t262 = p->zB * yaw_per_v_delta;
-    const float t263 = t251 * t262;
+    const float t251 = yaw_per_v_delta * ((t76 * t219) + t222);
+    const float K0_12_zH = p->mH * wx_delta2_delta;
+    const float t254 = t95 + (t69 * K0_12_zH);
+    const float t257 = (t52 * K2_22) + (yaw_per_v_delta * K0_12_w);
+    const float K0_22_w = wx_delta2_delta * K0_12_w;
+    const float t259 = t123 * K0_12_zH;
+    const float t265 = t84 + (M_12_mu * t244) - (t34 * wx_delta2_delta_lam) - (p->zH * t254);
+    const float t267 = t254 + (t56 * t244);
+    const float t268 = wx_delta2_delta * t52;
+    const float t269 = t61 * t268;
+    const float t270 = t100 * t268;
+    const float t271 = t96 * t268;
+    const float t272 = t76 * t271;
+    const float t273 = wx_delta2_delta_lam * yaw_per_v_delta;
+    const float C1_22_lam = (wz_delta2_delta * t188) + (p->IHxz * t273) - (wx_delta2_delta * (t115 +
+        t222 + (t55 * yaw_per_v_delta))) - (t176 * t254);
+    const float t286 = p->hH * ((wx_delta2_delta * t268) - t273);
+    const float C1_22_IHzz = t273 + C1_22_IRxx;
     const float K2_22_mB = p->xB * C1_22_IRxx;
-    const float C1_22_mB = t251 * K2_22_mB;
-    const float t266 = wx_delta2_delta * t259;
-    const float t267 = p->mH * wz_delta2_delta;
-    const float t268 = p->zH * t267;
-    const float t269 = wz_delta2_delta * t110;
-    const float t270 = t269 + t269;
-    const float t271 = p->zH * yaw_per_v_delta;
-    const float t272 = p->mH * t271;
-    const float C1_22_IHzz = ay_delta2_delta_xB + C1_22_IRxx;
-    const float t275 = yaw_per_v_delta * K0_12_mH;
-    const float C1_22_xH = p->mH * ((t157 * C1_22_IHzz) - t275);
-    const float t278 = wx_delta2_delta * t267;
-    const float K2_22_xH = p->mH * C1_22_IHzz;
-    const float M_11_zH = t88 + t88;
-    const float M_12_zH = t110 + (p->mH * t45);
-    const float M_22_zH = wx_delta2_delta * t140;
-    const float t284 = p->mH * t212;
-    const float t285 = K0_12_zH * t212;
+    const float C1_22_mB = t79 * K2_22_mB;
+    const float M_12_rF = t115 + t115;
+    const float M_22_rF = wx_delta2_delta * M_12_rF;
+    const float K0_12_lam = t267 - t188;
+    const float t293 = t188 - t267;
+    const float K2_22_lam = (yaw_per_v_delta * (t85 + t293)) - (K2_22_yaw_per_v_delta * t268);
+    const float t300 = (wx_delta2_delta * t293) - (wx_delta2_delta_lam * K0_12);
+    const float t301 = p->zB * yaw_per_v_delta;
+    const float t302 = t79 * t301;
+    const float t303 = p->mH * wz_delta2_delta;
+    const float M_22_xH = t123 * t303;
+    const float C1_22_xH = yaw_per_v_delta * ((t76 * t303) - t144);
+    const float t308 = wx_delta2_delta * t303;
+    const float K2_22_xH = yaw_per_v_delta * t303;
     const float M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
     const float K0_22_zH = p->mH * M_22_IHxx;
-    const float t288 = p->mH * yaw_per_v_delta;
-    const float t289 = wx_delta2_delta * t288;
-    const float t290 = t157 * t271;
-    const float t291 = K0_12_mH * t212;
-    const float K0_22_mH = wx_delta2_delta * K0_12_mH;
     const float M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-    const float t294 = wz_delta2_delta * wx_delta2_delta;
-    const float M_22_IHxz = t294 + t294;
-    const float M_11_rF = t4 + t4;
-    const float M_12_rF = t120 + t120;
-    const float t298 = wx_delta2_delta * t120;
-    const float M_22_rF = t298 + t298;
-    const float t301 = p->mF - (t86 * SF);
-    const float C1_12_rF = wz_delta2_delta * t301;
-    const float C1_12_IFyy = wz_delta2_delta * t86;
-    const float C1_21_rF = SF * C1_12_IFyy;
-    const float C1_22_rF = wz_delta2_delta * t119;
-    const float t306 = wx_delta2_delta * t119;
-    const float K2_12_rF = yaw_per_v_delta * t301;
-    const float K2_22_rF = K2_22_SF * t301;
-    const float M_11_mF = p->rF * p->rF;
-    const float M_12_mF = wx_delta2_delta * M_11_mF;
-    const float M_22_mF = M_22_IHxx * M_11_mF;
-    const float C1_12_mF = p->rF * wz_delta2_delta;
-    const float C1_22_mF = p->rF * t294;
-    const float t314 = p->rF * wx_delta2_delta;
-    const float t315 = wx_delta2_delta * t314;
-    const float K2_12_mF = p->rF * yaw_per_v_delta;
-    const float K2_22_mF = p->rF * K2_22_SF;
+    const float t313 = p->mF * wx_delta2_delta;
+    const float C1_22_rF = wz_delta2_delta * t313;
+    const float t315 = p->mF * M_22_IHxx;
     const float M_22_IFxx = M_22_IHxx + M_22_IHzz;
-    const float K2_12_IFyy = yaw_per_v_delta * t86;
-    const float K2_22_IFyy = t86 * K2_22_SF;
-    const float C0_21 = -C0_12;
-    const float C1_21 = -(t106 + (mu * t95));
-    const float K0_12 = -t123;
-    const float K0_22 = -(wx_delta2_delta * t123);
-    const float t325 = -(wx_delta2_delta * K0_12_c);
-    const float K2_22_c = -(yaw_per_v_delta * K0_12_c);
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -1538,136 +1533,136 @@ void flywheel_bicycle_f32_derivatives(const flywheel_bicycle_f32_t *p,
     matrices->k2[0][1] = K2_12;
     matrices->k2[1][0] = 0.0F;
     matrices->k2[1][1] = K2_22;
-    derivatives->values[0] = M_12_w;
-    derivatives->values[1] = M_22_w;
-    derivatives->values[2] = C0_21_w;
-    derivatives->values[3] = t147;
-    derivatives->values[4] = C1_21_w;
-    derivatives->values[5] = t161;
-    derivatives->values[6] = K0_12_w;
-    derivatives->values[7] = K0_22_w;
-    derivatives->values[8] = t165;
-    derivatives->values[9] = t166;
-    derivatives->values[10] = t167;
-    derivatives->values[11] = t170;
-    derivatives->values[12] = M_12_c;
-    derivatives->values[13] = M_22_c;
-    derivatives->values[14] = K1_12;
-    derivatives->values[15] = K2_12;
-    derivatives->values[16] = t148;
-    derivatives->values[17] = C1_22_c;
-    derivatives->values[18] = K0_12_c;
-    derivatives->values[19] = t325;
-    derivatives->values[20] = K2_22_c;
-    derivatives->values[21] = t193;
-    derivatives->values[22] = t201;
-    derivatives->values[23] = C0_21_lam;
-    derivatives->values[24] = t203;
-    derivatives->values[25] = C1_21_lam;
-    derivatives->values[26] = C1_22_lam;
-    derivatives->values[27] = K0_12_lam;
-    derivatives->values[28] = K0_22_lam;
-    derivatives->values[29] = t223;
-    derivatives->values[30] = t226;
-    derivatives->values[31] = t227;
-    derivatives->values[32] = K2_22_lam;
-    derivatives->values[33] = M_11_rR;
-    derivatives->values[34] = C1_12_rR;
-    derivatives->values[35] = C1_21_rR;
-    derivatives->values[36] = p->mR;
-    derivatives->values[37] = K2_12_rR;
-    derivatives->values[38] = M_11_mR;
-    derivatives->values[39] = C1_12_mR;
-    derivatives->values[40] = p->rR;
-    derivatives->values[41] = K2_12_mR;
-    derivatives->values[42] = 1.0F;
-    derivatives->values[43] = M_22_IRxx;
-    derivatives->values[44] = C1_22_IRxx;
-    derivatives->values[45] = C1_12_IRyy;
-    derivatives->values[46] = K2_12_IRyy;
-    derivatives->values[47] = t246;
-    derivatives->values[48] = M_22_xB;
-    derivatives->values[49] = t249;
-    derivatives->values[50] = C1_22_xB;
-    derivatives->values[51] = t111;
-    derivatives->values[52] = t254;
-    derivatives->values[53] = K2_22_xB;
-    derivatives->values[54] = M_11_zB;
-    derivatives->values[55] = t112;
-    derivatives->values[56] = t256;
-    derivatives->values[57] = p->mB;
-    derivatives->values[58] = t257;
-    derivatives->values[59] = M_11_mB;
-    derivatives->values[60] = t260;
-    derivatives->values[61] = M_22_mB;
-    derivatives->values[62] = t263;
-    derivatives->values[63] = C1_22_mB;
-    derivatives->values[64] = p->zB;
-    derivatives->values[65] = t259;
-    derivatives->values[66] = t266;
-    derivatives->values[67] = t262;
-    derivatives->values[68] = K2_22_mB;
-    derivatives->values[69] = mu;
-    derivatives->values[70] = yaw_per_v_delta;
-    derivatives->values[71] = t268;
-    derivatives->values[72] = t270;
-    derivatives->values[73] = t272;
-    derivatives->values[74] = C1_22_xH;
-    derivatives->values[75] = t267;
-    derivatives->values[76] = t278;
-    derivatives->values[77] = K2_22_xH;
-    derivatives->values[78] = M_11_zH;
-    derivatives->values[79] = M_12_zH;
-    derivatives->values[80] = M_22_zH;
-    derivatives->values[81] = t284;
-    derivatives->values[82] = t285;
-    derivatives->values[83] = p->mH;
-    derivatives->values[84] = K0_12_zH;
-    derivatives->values[85] = K0_22_zH;
-    derivatives->values[86] = t288;
-    derivatives->values[87] = t289;
-    derivatives->values[88] = M_11_mH;
-    derivatives->values[89] = M_12_mH;
-    derivatives->values[90] = M_22_mH;
-    derivatives->values[91] = t290;
-    derivatives->values[92] = t291;
-    derivatives->values[93] = p->zH;
-    derivatives->values[94] = K0_12_mH;
-    derivatives->values[95] = K0_22_mH;
-    derivatives->values[96] = t271;
-    derivatives->values[97] = t275;
-    derivatives->values[98] = wx_delta2_delta;
-    derivatives->values[99] = M_22_IHxx;
-    derivatives->values[100] = M_22_IHzz;
-    derivatives->values[101] = C1_22_IHzz;
-    derivatives->values[102] = wz_delta2_delta;
-    derivatives->values[103] = M_22_IHxz;
-    derivatives->values[104] = K2_22_SF;
-    derivatives->values[105] = M_11_rF;
-    derivatives->values[106] = M_12_rF;
-    derivatives->values[107] = M_22_rF;
-    derivatives->values[108] = C1_12_rF;
-    derivatives->values[109] = C1_21_rF;
-    derivatives->values[110] = C1_22_rF;
-    derivatives->values[111] = p->mF;
-    derivatives->values[112] = t119;
-    derivatives->values[113] = t306;
-    derivatives->values[114] = K2_12_rF;
-    derivatives->values[115] = K2_22_rF;
-    derivatives->values[116] = M_11_mF;
-    derivatives->values[117] = M_12_mF;
-    derivatives->values[118] = M_22_mF;
-    derivatives->values[119] = C1_12_mF;
-    derivatives->values[120] = C1_22_mF;
-    derivatives->values[121] = p->rF;
-    derivatives->values[122] = t314;
-    derivatives->values[123] = t315;
-    derivatives->values[124] = K2_12_mF;
-    derivatives->values[125] = K2_22_mF;
-    derivatives->values[126] = M_22_IFxx;
-    derivatives->values[127] = C1_12_IFyy;
-    derivatives->values[128] = K2_12_IFyy;
-    derivatives->values[129] = K2_22_IFyy;
+    derivatives->values[0] = p->rR;
+    derivatives->values[1] = p->mR;
+    derivatives->values[2] = p->zB;
+    derivatives->values[3] = p->mB;
+    derivatives->values[4] = p->zH;
+    derivatives->values[5] = p->mH;
+    derivatives->values[6] = p->rF;
+    derivatives->values[7] = p->mF;
+    derivatives->values[8] = 1.0F;
+    derivatives->values[9] = wx_delta2_delta;
+    derivatives->values[10] = M_11_mF;
+    derivatives->values[11] = M_11_rR;
+    derivatives->values[12] = M_11_mR;
+    derivatives->values[13] = M_11_zB;
+    derivatives->values[14] = M_11_mB;
+    derivatives->values[15] = M_11_zH;
+    derivatives->values[16] = M_11_mH;
+    derivatives->values[17] = M_11_rF;
+    derivatives->values[18] = mu;
+    derivatives->values[19] = yaw_per_v_delta;
+    derivatives->values[20] = C0_21_lam;
+    derivatives->values[21] = M_12_mF;
+    derivatives->values[22] = t93;
+    derivatives->values[23] = C0_21_w;
+    derivatives->values[24] = M_22_mF;
+    derivatives->values[25] = C1_21_rR;
+    derivatives->values[26] = K2_12_rR;
+    derivatives->values[27] = C1_12_mR;
+    derivatives->values[28] = K2_12_mR;
+    derivatives->values[29] = K2_12_IRyy;
+    derivatives->values[30] = C1_12_IRyy;
+    derivatives->values[31] = t108;
+    derivatives->values[32] = t109;
+    derivatives->values[33] = t110;
+    derivatives->values[34] = t111;
+    derivatives->values[35] = t112;
+    derivatives->values[36] = K2_12_mF;
+    derivatives->values[37] = K2_22_mF;
+    derivatives->values[38] = K2_12_IFyy;
+    derivatives->values[39] = C1_12_rR;
+    derivatives->values[40] = K0_12_mH;
+    derivatives->values[41] = M_12_zH;
+    derivatives->values[42] = M_22_mH;
+    derivatives->values[43] = K0_22_mH;
+    derivatives->values[44] = t127;
+    derivatives->values[45] = M_12_mH;
+    derivatives->values[46] = wz_delta2_delta;
+    derivatives->values[47] = t130;
+    derivatives->values[48] = C1_12_rF;
+    derivatives->values[49] = K2_12_rF;
+    derivatives->values[50] = K2_22_rF;
+    derivatives->values[51] = C1_12_mF;
+    derivatives->values[52] = M_12_w;
+    derivatives->values[53] = M_12_c;
+    derivatives->values[54] = t154;
+    derivatives->values[55] = t157;
+    derivatives->values[56] = t158;
+    derivatives->values[57] = M_22_mB;
+    derivatives->values[58] = t160;
+    derivatives->values[59] = t164;
+    derivatives->values[60] = t165;
+    derivatives->values[61] = t166;
+    derivatives->values[62] = K2_22_xB;
+    derivatives->values[63] = t169;
+    derivatives->values[64] = M_22_IHxz;
+    derivatives->values[65] = M_22_xB;
+    derivatives->values[66] = t174;
+    derivatives->values[67] = C1_22_mF;
+    derivatives->values[68] = t186;
+    derivatives->values[69] = t189;
+    derivatives->values[70] = t190;
+    derivatives->values[71] = K1_12;
+    derivatives->values[72] = t199;
+    derivatives->values[73] = K2_22_SF;
+    derivatives->values[74] = K2_22_IFyy;
+    derivatives->values[75] = t203;
+    derivatives->values[76] = C1_12_IFyy;
+    derivatives->values[77] = C1_21_rF;
+    derivatives->values[78] = K2_12;
+    derivatives->values[79] = t207;
+    derivatives->values[80] = t216;
+    derivatives->values[81] = C1_22_c;
+    derivatives->values[82] = M_22_c;
+    derivatives->values[83] = M_22_lam;
+    derivatives->values[84] = t230;
+    derivatives->values[85] = C1_21_w;
+    derivatives->values[86] = K0_12_c;
+    derivatives->values[87] = t236;
+    derivatives->values[88] = K0_22_c;
+    derivatives->values[89] = t238;
+    derivatives->values[90] = t239;
+    derivatives->values[91] = C1_22_xB;
+    derivatives->values[92] = K0_12_w;
+    derivatives->values[93] = C1_21_lam;
+    derivatives->values[94] = C1_22_IRxx;
+    derivatives->values[95] = M_22_IRxx;
+    derivatives->values[96] = t251;
+    derivatives->values[97] = K0_12_zH;
+    derivatives->values[98] = t257;
+    derivatives->values[99] = K0_22_w;
+    derivatives->values[100] = t259;
+    derivatives->values[101] = t265;
+    derivatives->values[102] = t269;
+    derivatives->values[103] = t270;
+    derivatives->values[104] = t271;
+    derivatives->values[105] = t272;
+    derivatives->values[106] = C1_22_lam;
+    derivatives->values[107] = t286;
+    derivatives->values[108] = C1_22_IHzz;
+    derivatives->values[109] = K2_22_mB;
+    derivatives->values[110] = C1_22_mB;
+    derivatives->values[111] = M_12_rF;
+    derivatives->values[112] = M_22_rF;
+    derivatives->values[113] = K0_12_lam;
+    derivatives->values[114] = K2_22_lam;
+    derivatives->values[115] = t300;
+    derivatives->values[116] = t301;
+    derivatives->values[117] = t302;
+    derivatives->values[118] = t303;
+    derivatives->values[119] = M_22_xH;
+    derivatives->values[120] = C1_22_xH;
+    derivatives->values[121] = t308;
+    derivatives->values[122] = K2_22_xH;
+    derivatives->values[123] = M_22_IHxx;
+    derivatives->values[124] = K0_22_zH;
+    derivatives->values[125] = M_22_IHzz;
+    derivatives->values[126] = t313;
+    derivatives->values[127] = C1_22_rF;
+    derivatives->values[128] = t315;
+    derivatives->values[129] = M_22_IFxx;
 }
 
 void flywheel_bicycle_f32_with_respect_to(const flywheel_bicycle_f32_derivatives_t *derivatives,

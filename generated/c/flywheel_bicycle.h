@@ -360,7 +360,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 100 additions, 189 multiplications, 3 divisions, 6 negations and 2 trigonometric functions: 300 operations.
+ * 97 additions, 186 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 290 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -604,7 +604,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 100 additions, 189 multiplications, 3 divisions, 6 negations and 2 trigonometric functions: 300 operations.
+ * 97 additions, 186 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 290 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

@@ -131,202 +131,202 @@ const char *motorcycle_validity_text(motorcycle_validity_t validity)
 }
 
 const carvallo_partial_t motorcycle_partials[MOTORCYCLE_PARTIALS] = {
-    {CARVALLO_MATRIX_M, 0U, 0U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 1U, false},
-    {CARVALLO_MATRIX_M, 0U, 2U, 0U, 2U, false},
-    {CARVALLO_MATRIX_M, 0U, 3U, 0U, 3U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 1U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 4U, false},
-    {CARVALLO_MATRIX_M, 1U, 2U, 0U, 5U, true},
-    {CARVALLO_MATRIX_M, 1U, 3U, 0U, 6U, false},
-    {CARVALLO_MATRIX_M, 2U, 0U, 0U, 2U, false},
-    {CARVALLO_MATRIX_M, 2U, 1U, 0U, 5U, true},
-    {CARVALLO_MATRIX_M, 2U, 2U, 0U, 7U, false},
-    {CARVALLO_MATRIX_M, 2U, 3U, 0U, 8U, true},
-    {CARVALLO_MATRIX_M, 3U, 0U, 0U, 3U, false},
-    {CARVALLO_MATRIX_M, 3U, 1U, 0U, 6U, false},
-    {CARVALLO_MATRIX_M, 3U, 2U, 0U, 8U, true},
-    {CARVALLO_MATRIX_M, 3U, 3U, 0U, 9U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 0U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 1U, false},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 0U, 2U, false},
-    {CARVALLO_MATRIX_C1, 3U, 1U, 0U, 3U, false},
-    {CARVALLO_MATRIX_K0, 2U, 2U, 0U, 2U, true},
-    {CARVALLO_MATRIX_K0, 2U, 3U, 0U, 10U, false},
-    {CARVALLO_MATRIX_K0, 3U, 2U, 0U, 10U, false},
-    {CARVALLO_MATRIX_K0, 3U, 3U, 0U, 11U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 1U, 0U, false},
-    {CARVALLO_MATRIX_M, 0U, 2U, 1U, 12U, false},
-    {CARVALLO_MATRIX_M, 2U, 0U, 1U, 12U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 1U, 13U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 0U, false},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 1U, 12U, false},
-    {CARVALLO_MATRIX_K0, 2U, 2U, 1U, 12U, true},
-    {CARVALLO_MATRIX_M, 2U, 2U, 2U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 3U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 2U, 4U, 14U, false},
-    {CARVALLO_MATRIX_M, 2U, 1U, 4U, 14U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 5U, 15U, false},
-    {CARVALLO_MATRIX_M, 1U, 2U, 5U, 16U, true},
-    {CARVALLO_MATRIX_M, 2U, 1U, 5U, 16U, true},
-    {CARVALLO_MATRIX_M, 2U, 2U, 5U, 17U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 6U, 17U, false},
-    {CARVALLO_MATRIX_M, 1U, 2U, 6U, 16U, false},
-    {CARVALLO_MATRIX_M, 1U, 3U, 6U, 18U, false},
-    {CARVALLO_MATRIX_M, 2U, 1U, 6U, 16U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 6U, 15U, false},
-    {CARVALLO_MATRIX_M, 2U, 3U, 6U, 19U, false},
-    {CARVALLO_MATRIX_M, 3U, 1U, 6U, 18U, false},
-    {CARVALLO_MATRIX_M, 3U, 2U, 6U, 19U, false},
-    {CARVALLO_MATRIX_M, 3U, 3U, 6U, 0U, false},
-    {CARVALLO_MATRIX_C1, 1U, 2U, 7U, 20U, true},
-    {CARVALLO_MATRIX_C1, 1U, 3U, 7U, 21U, true},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 7U, 20U, false},
-    {CARVALLO_MATRIX_C1, 2U, 3U, 7U, 22U, false},
-    {CARVALLO_MATRIX_C1, 3U, 1U, 7U, 21U, false},
-    {CARVALLO_MATRIX_C1, 3U, 2U, 7U, 22U, true},
-    {CARVALLO_MATRIX_C1, 1U, 2U, 8U, 23U, true},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 8U, 23U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 9U, 24U, false},
-    {CARVALLO_MATRIX_M, 0U, 2U, 9U, 25U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 9U, 24U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 9U, 26U, true},
-    {CARVALLO_MATRIX_M, 1U, 2U, 9U, 27U, false},
-    {CARVALLO_MATRIX_M, 1U, 3U, 9U, 28U, false},
-    {CARVALLO_MATRIX_M, 2U, 0U, 9U, 25U, false},
-    {CARVALLO_MATRIX_M, 2U, 1U, 9U, 27U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 9U, 29U, false},
-    {CARVALLO_MATRIX_M, 2U, 3U, 9U, 30U, true},
-    {CARVALLO_MATRIX_M, 3U, 1U, 9U, 28U, false},
-    {CARVALLO_MATRIX_M, 3U, 2U, 9U, 30U, true},
-    {CARVALLO_MATRIX_C0, 5U, 1U, 9U, 31U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 9U, 24U, false},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 9U, 25U, false},
-    {CARVALLO_MATRIX_KC, 1U, 5U, 9U, 31U, false},
-    {CARVALLO_MATRIX_K0, 2U, 2U, 9U, 25U, true},
-    {CARVALLO_MATRIX_C0, 4U, 1U, 10U, 32U, false},
-    {CARVALLO_MATRIX_KC, 1U, 4U, 10U, 32U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 11U, 24U, false},
-    {CARVALLO_MATRIX_M, 0U, 2U, 11U, 25U, false},
-    {CARVALLO_MATRIX_M, 0U, 3U, 11U, 33U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 11U, 24U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 11U, 26U, true},
-    {CARVALLO_MATRIX_M, 1U, 2U, 11U, 27U, false},
-    {CARVALLO_MATRIX_M, 1U, 3U, 11U, 34U, true},
-    {CARVALLO_MATRIX_M, 2U, 0U, 11U, 25U, false},
-    {CARVALLO_MATRIX_M, 2U, 1U, 11U, 27U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 11U, 29U, false},
-    {CARVALLO_MATRIX_M, 2U, 3U, 11U, 35U, false},
-    {CARVALLO_MATRIX_M, 3U, 0U, 11U, 33U, false},
-    {CARVALLO_MATRIX_M, 3U, 1U, 11U, 34U, true},
-    {CARVALLO_MATRIX_M, 3U, 2U, 11U, 35U, false},
-    {CARVALLO_MATRIX_M, 3U, 3U, 11U, 36U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 11U, 24U, false},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 11U, 25U, false},
-    {CARVALLO_MATRIX_C1, 3U, 1U, 11U, 33U, false},
-    {CARVALLO_MATRIX_K0, 2U, 2U, 11U, 25U, true},
-    {CARVALLO_MATRIX_K0, 2U, 3U, 11U, 37U, true},
-    {CARVALLO_MATRIX_K0, 3U, 2U, 11U, 37U, true},
-    {CARVALLO_MATRIX_K0, 3U, 3U, 11U, 38U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 12U, 25U, true},
-    {CARVALLO_MATRIX_M, 0U, 2U, 12U, 24U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 12U, 25U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 12U, 39U, false},
-    {CARVALLO_MATRIX_M, 1U, 2U, 12U, 40U, true},
-    {CARVALLO_MATRIX_M, 1U, 3U, 12U, 41U, false},
-    {CARVALLO_MATRIX_M, 2U, 0U, 12U, 24U, false},
-    {CARVALLO_MATRIX_M, 2U, 1U, 12U, 40U, true},
-    {CARVALLO_MATRIX_M, 2U, 2U, 12U, 42U, false},
-    {CARVALLO_MATRIX_M, 2U, 3U, 12U, 43U, true},
-    {CARVALLO_MATRIX_M, 3U, 1U, 12U, 41U, false},
-    {CARVALLO_MATRIX_M, 3U, 2U, 12U, 43U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 12U, 25U, true},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 12U, 24U, false},
-    {CARVALLO_MATRIX_K0, 2U, 2U, 12U, 24U, true},
-    {CARVALLO_MATRIX_M, 0U, 2U, 13U, 44U, false},
-    {CARVALLO_MATRIX_M, 2U, 0U, 13U, 44U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 13U, 45U, false},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 13U, 44U, false},
-    {CARVALLO_MATRIX_K0, 2U, 2U, 13U, 44U, true},
-    {CARVALLO_MATRIX_C1, 1U, 2U, 14U, 46U, false},
-    {CARVALLO_MATRIX_C1, 1U, 3U, 14U, 47U, false},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 14U, 46U, true},
-    {CARVALLO_MATRIX_C1, 2U, 3U, 14U, 48U, true},
-    {CARVALLO_MATRIX_C1, 3U, 1U, 14U, 47U, true},
-    {CARVALLO_MATRIX_C1, 3U, 2U, 14U, 48U, false},
-    {CARVALLO_MATRIX_C1, 1U, 2U, 15U, 49U, false},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 15U, 49U, true},
-    {CARVALLO_MATRIX_C0, 5U, 1U, 16U, 31U, false},
-    {CARVALLO_MATRIX_C0, 5U, 3U, 16U, 50U, false},
-    {CARVALLO_MATRIX_KC, 1U, 5U, 16U, 31U, true},
-    {CARVALLO_MATRIX_KC, 3U, 5U, 16U, 50U, true},
-    {CARVALLO_MATRIX_K0, 2U, 3U, 16U, 51U, true},
-    {CARVALLO_MATRIX_K0, 3U, 2U, 16U, 51U, true},
-    {CARVALLO_MATRIX_K0, 3U, 3U, 16U, 52U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 53U, true},
-    {CARVALLO_MATRIX_M, 0U, 2U, 17U, 54U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 53U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 17U, 55U, true},
-    {CARVALLO_MATRIX_M, 1U, 2U, 17U, 56U, false},
-    {CARVALLO_MATRIX_M, 1U, 3U, 17U, 57U, false},
-    {CARVALLO_MATRIX_M, 2U, 0U, 17U, 54U, true},
-    {CARVALLO_MATRIX_M, 2U, 1U, 17U, 56U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 17U, 55U, false},
-    {CARVALLO_MATRIX_M, 2U, 3U, 17U, 58U, false},
-    {CARVALLO_MATRIX_M, 3U, 1U, 17U, 57U, false},
-    {CARVALLO_MATRIX_M, 3U, 2U, 17U, 58U, false},
-    {CARVALLO_MATRIX_C0, 5U, 1U, 17U, 59U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 53U, true},
-    {CARVALLO_MATRIX_C1, 1U, 3U, 17U, 60U, true},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 17U, 54U, true},
-    {CARVALLO_MATRIX_C1, 2U, 3U, 17U, 61U, true},
-    {CARVALLO_MATRIX_C1, 3U, 1U, 17U, 60U, false},
-    {CARVALLO_MATRIX_C1, 3U, 2U, 17U, 61U, false},
-    {CARVALLO_MATRIX_KC, 1U, 5U, 17U, 59U, false},
-    {CARVALLO_MATRIX_K0, 2U, 2U, 17U, 54U, false},
-    {CARVALLO_MATRIX_K0, 3U, 3U, 17U, 62U, false},
-    {CARVALLO_MATRIX_K1, 5U, 3U, 17U, 63U, false},
-    {CARVALLO_MATRIX_C0, 5U, 0U, 18U, 64U, true},
-    {CARVALLO_MATRIX_C0, 5U, 1U, 18U, 65U, true},
-    {CARVALLO_MATRIX_C0, 5U, 3U, 18U, 66U, false},
-    {CARVALLO_MATRIX_C0, 5U, 5U, 18U, 64U, false},
-    {CARVALLO_MATRIX_KC, 0U, 5U, 18U, 64U, false},
-    {CARVALLO_MATRIX_KC, 1U, 5U, 18U, 65U, false},
-    {CARVALLO_MATRIX_KC, 3U, 5U, 18U, 66U, true},
-    {CARVALLO_MATRIX_K1, 5U, 3U, 18U, 67U, false},
-    {CARVALLO_MATRIX_K1, 5U, 5U, 18U, 68U, false},
-    {CARVALLO_MATRIX_K1, 5U, 2U, 19U, 64U, false},
-    {CARVALLO_MATRIX_K1, 5U, 3U, 19U, 69U, false},
-    {CARVALLO_MATRIX_C0, 4U, 0U, 20U, 64U, true},
-    {CARVALLO_MATRIX_C0, 4U, 1U, 20U, 70U, false},
-    {CARVALLO_MATRIX_C0, 4U, 4U, 20U, 64U, false},
-    {CARVALLO_MATRIX_KC, 0U, 4U, 20U, 64U, false},
-    {CARVALLO_MATRIX_KC, 1U, 4U, 20U, 70U, true},
-    {CARVALLO_MATRIX_K1, 4U, 4U, 20U, 68U, false},
-    {CARVALLO_MATRIX_K1, 4U, 2U, 21U, 64U, false},
-    {CARVALLO_MATRIX_C0, 3U, 3U, 22U, 0U, false},
-    {CARVALLO_MATRIX_C0, 4U, 0U, 23U, 71U, false},
-    {CARVALLO_MATRIX_C0, 4U, 1U, 23U, 72U, true},
-    {CARVALLO_MATRIX_C0, 4U, 4U, 23U, 71U, true},
-    {CARVALLO_MATRIX_C0, 5U, 0U, 23U, 73U, false},
-    {CARVALLO_MATRIX_C0, 5U, 1U, 23U, 74U, false},
-    {CARVALLO_MATRIX_C0, 5U, 3U, 23U, 75U, true},
-    {CARVALLO_MATRIX_C0, 5U, 5U, 23U, 73U, true},
-    {CARVALLO_MATRIX_KC, 0U, 4U, 23U, 71U, true},
-    {CARVALLO_MATRIX_KC, 0U, 5U, 23U, 73U, true},
-    {CARVALLO_MATRIX_KC, 1U, 4U, 23U, 72U, false},
-    {CARVALLO_MATRIX_KC, 1U, 5U, 23U, 74U, true},
-    {CARVALLO_MATRIX_KC, 3U, 5U, 23U, 75U, false},
-    {CARVALLO_MATRIX_K1, 4U, 2U, 23U, 76U, true},
-    {CARVALLO_MATRIX_K1, 4U, 4U, 23U, 77U, true},
-    {CARVALLO_MATRIX_K1, 5U, 2U, 23U, 78U, true},
-    {CARVALLO_MATRIX_K1, 5U, 3U, 23U, 79U, true},
-    {CARVALLO_MATRIX_K1, 5U, 5U, 23U, 80U, true},
-    {CARVALLO_MATRIX_K0, 2U, 3U, 24U, 81U, true},
-    {CARVALLO_MATRIX_K0, 3U, 2U, 24U, 81U, true},
-    {CARVALLO_MATRIX_K0, 3U, 3U, 24U, 82U, true},
-    {CARVALLO_MATRIX_K0, 2U, 3U, 25U, 83U, false},
-    {CARVALLO_MATRIX_K0, 3U, 2U, 25U, 83U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 0U, 2U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 41U, false},
+    {CARVALLO_MATRIX_M, 0U, 2U, 0U, 26U, false},
+    {CARVALLO_MATRIX_M, 0U, 3U, 0U, 54U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 41U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 48U, false},
+    {CARVALLO_MATRIX_M, 1U, 2U, 0U, 49U, true},
+    {CARVALLO_MATRIX_M, 1U, 3U, 0U, 55U, false},
+    {CARVALLO_MATRIX_M, 2U, 0U, 0U, 26U, false},
+    {CARVALLO_MATRIX_M, 2U, 1U, 0U, 49U, true},
+    {CARVALLO_MATRIX_M, 2U, 2U, 0U, 47U, false},
+    {CARVALLO_MATRIX_M, 2U, 3U, 0U, 56U, true},
+    {CARVALLO_MATRIX_M, 3U, 0U, 0U, 54U, false},
+    {CARVALLO_MATRIX_M, 3U, 1U, 0U, 55U, false},
+    {CARVALLO_MATRIX_M, 3U, 2U, 0U, 56U, true},
+    {CARVALLO_MATRIX_M, 3U, 3U, 0U, 68U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 2U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 41U, false},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 0U, 26U, false},
+    {CARVALLO_MATRIX_C1, 3U, 1U, 0U, 54U, false},
+    {CARVALLO_MATRIX_K0, 2U, 2U, 0U, 26U, true},
+    {CARVALLO_MATRIX_K0, 2U, 3U, 0U, 69U, false},
+    {CARVALLO_MATRIX_K0, 3U, 2U, 0U, 69U, false},
+    {CARVALLO_MATRIX_K0, 3U, 3U, 0U, 70U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 1U, 2U, false},
+    {CARVALLO_MATRIX_M, 0U, 2U, 1U, 1U, false},
+    {CARVALLO_MATRIX_M, 2U, 0U, 1U, 1U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 1U, 7U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 2U, false},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 1U, 1U, false},
+    {CARVALLO_MATRIX_K0, 2U, 2U, 1U, 1U, true},
+    {CARVALLO_MATRIX_M, 2U, 2U, 2U, 2U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 3U, 2U, false},
+    {CARVALLO_MATRIX_M, 1U, 2U, 4U, 3U, false},
+    {CARVALLO_MATRIX_M, 2U, 1U, 4U, 3U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 5U, 27U, false},
+    {CARVALLO_MATRIX_M, 1U, 2U, 5U, 29U, true},
+    {CARVALLO_MATRIX_M, 2U, 1U, 5U, 29U, true},
+    {CARVALLO_MATRIX_M, 2U, 2U, 5U, 28U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 6U, 28U, false},
+    {CARVALLO_MATRIX_M, 1U, 2U, 6U, 29U, false},
+    {CARVALLO_MATRIX_M, 1U, 3U, 6U, 61U, false},
+    {CARVALLO_MATRIX_M, 2U, 1U, 6U, 29U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 6U, 27U, false},
+    {CARVALLO_MATRIX_M, 2U, 3U, 6U, 63U, false},
+    {CARVALLO_MATRIX_M, 3U, 1U, 6U, 61U, false},
+    {CARVALLO_MATRIX_M, 3U, 2U, 6U, 63U, false},
+    {CARVALLO_MATRIX_M, 3U, 3U, 6U, 2U, false},
+    {CARVALLO_MATRIX_C1, 1U, 2U, 7U, 5U, true},
+    {CARVALLO_MATRIX_C1, 1U, 3U, 7U, 30U, true},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 7U, 5U, false},
+    {CARVALLO_MATRIX_C1, 2U, 3U, 7U, 32U, false},
+    {CARVALLO_MATRIX_C1, 3U, 1U, 7U, 30U, false},
+    {CARVALLO_MATRIX_C1, 3U, 2U, 7U, 32U, true},
+    {CARVALLO_MATRIX_C1, 1U, 2U, 8U, 6U, true},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 8U, 6U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 9U, 37U, false},
+    {CARVALLO_MATRIX_M, 0U, 2U, 9U, 38U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 9U, 37U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 9U, 72U, true},
+    {CARVALLO_MATRIX_M, 1U, 2U, 9U, 65U, false},
+    {CARVALLO_MATRIX_M, 1U, 3U, 9U, 82U, false},
+    {CARVALLO_MATRIX_M, 2U, 0U, 9U, 38U, false},
+    {CARVALLO_MATRIX_M, 2U, 1U, 9U, 65U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 9U, 67U, false},
+    {CARVALLO_MATRIX_M, 2U, 3U, 9U, 83U, false},
+    {CARVALLO_MATRIX_M, 3U, 1U, 9U, 82U, false},
+    {CARVALLO_MATRIX_M, 3U, 2U, 9U, 83U, false},
+    {CARVALLO_MATRIX_C0, 5U, 1U, 9U, 51U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 9U, 37U, false},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 9U, 38U, false},
+    {CARVALLO_MATRIX_KC, 1U, 5U, 9U, 51U, false},
+    {CARVALLO_MATRIX_K0, 2U, 2U, 9U, 38U, true},
+    {CARVALLO_MATRIX_C0, 4U, 1U, 10U, 10U, false},
+    {CARVALLO_MATRIX_KC, 1U, 4U, 10U, 10U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 11U, 37U, false},
+    {CARVALLO_MATRIX_M, 0U, 2U, 11U, 38U, false},
+    {CARVALLO_MATRIX_M, 0U, 3U, 11U, 75U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 11U, 37U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 11U, 72U, true},
+    {CARVALLO_MATRIX_M, 1U, 2U, 11U, 65U, false},
+    {CARVALLO_MATRIX_M, 1U, 3U, 11U, 79U, true},
+    {CARVALLO_MATRIX_M, 2U, 0U, 11U, 38U, false},
+    {CARVALLO_MATRIX_M, 2U, 1U, 11U, 65U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 11U, 67U, false},
+    {CARVALLO_MATRIX_M, 2U, 3U, 11U, 81U, false},
+    {CARVALLO_MATRIX_M, 3U, 0U, 11U, 75U, false},
+    {CARVALLO_MATRIX_M, 3U, 1U, 11U, 79U, true},
+    {CARVALLO_MATRIX_M, 3U, 2U, 11U, 81U, false},
+    {CARVALLO_MATRIX_M, 3U, 3U, 11U, 59U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 11U, 37U, false},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 11U, 38U, false},
+    {CARVALLO_MATRIX_C1, 3U, 1U, 11U, 75U, false},
+    {CARVALLO_MATRIX_K0, 2U, 2U, 11U, 38U, true},
+    {CARVALLO_MATRIX_K0, 2U, 3U, 11U, 76U, true},
+    {CARVALLO_MATRIX_K0, 3U, 2U, 11U, 76U, true},
+    {CARVALLO_MATRIX_K0, 3U, 3U, 11U, 77U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 12U, 38U, true},
+    {CARVALLO_MATRIX_M, 0U, 2U, 12U, 37U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 12U, 38U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 12U, 66U, false},
+    {CARVALLO_MATRIX_M, 1U, 2U, 12U, 71U, true},
+    {CARVALLO_MATRIX_M, 1U, 3U, 12U, 80U, false},
+    {CARVALLO_MATRIX_M, 2U, 0U, 12U, 37U, false},
+    {CARVALLO_MATRIX_M, 2U, 1U, 12U, 71U, true},
+    {CARVALLO_MATRIX_M, 2U, 2U, 12U, 52U, false},
+    {CARVALLO_MATRIX_M, 2U, 3U, 12U, 78U, true},
+    {CARVALLO_MATRIX_M, 3U, 1U, 12U, 80U, false},
+    {CARVALLO_MATRIX_M, 3U, 2U, 12U, 78U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 12U, 38U, true},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 12U, 37U, false},
+    {CARVALLO_MATRIX_K0, 2U, 2U, 12U, 37U, true},
+    {CARVALLO_MATRIX_M, 0U, 2U, 13U, 0U, false},
+    {CARVALLO_MATRIX_M, 2U, 0U, 13U, 0U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 13U, 8U, false},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 13U, 0U, false},
+    {CARVALLO_MATRIX_K0, 2U, 2U, 13U, 0U, true},
+    {CARVALLO_MATRIX_C1, 1U, 2U, 14U, 22U, false},
+    {CARVALLO_MATRIX_C1, 1U, 3U, 14U, 42U, false},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 14U, 22U, true},
+    {CARVALLO_MATRIX_C1, 2U, 3U, 14U, 33U, true},
+    {CARVALLO_MATRIX_C1, 3U, 1U, 14U, 42U, true},
+    {CARVALLO_MATRIX_C1, 3U, 2U, 14U, 33U, false},
+    {CARVALLO_MATRIX_C1, 1U, 2U, 15U, 15U, false},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 15U, 15U, true},
+    {CARVALLO_MATRIX_C0, 5U, 1U, 16U, 51U, false},
+    {CARVALLO_MATRIX_C0, 5U, 3U, 16U, 12U, false},
+    {CARVALLO_MATRIX_KC, 1U, 5U, 16U, 51U, true},
+    {CARVALLO_MATRIX_KC, 3U, 5U, 16U, 12U, true},
+    {CARVALLO_MATRIX_K0, 2U, 3U, 16U, 23U, true},
+    {CARVALLO_MATRIX_K0, 3U, 2U, 16U, 23U, true},
+    {CARVALLO_MATRIX_K0, 3U, 3U, 16U, 34U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 45U, true},
+    {CARVALLO_MATRIX_M, 0U, 2U, 17U, 44U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 45U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 17U, 60U, false},
+    {CARVALLO_MATRIX_M, 1U, 2U, 17U, 58U, false},
+    {CARVALLO_MATRIX_M, 1U, 3U, 17U, 64U, false},
+    {CARVALLO_MATRIX_M, 2U, 0U, 17U, 44U, true},
+    {CARVALLO_MATRIX_M, 2U, 1U, 17U, 58U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 17U, 60U, true},
+    {CARVALLO_MATRIX_M, 2U, 3U, 17U, 62U, false},
+    {CARVALLO_MATRIX_M, 3U, 1U, 17U, 64U, false},
+    {CARVALLO_MATRIX_M, 3U, 2U, 17U, 62U, false},
+    {CARVALLO_MATRIX_C0, 5U, 1U, 17U, 57U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 45U, true},
+    {CARVALLO_MATRIX_C1, 1U, 3U, 17U, 31U, true},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 17U, 44U, true},
+    {CARVALLO_MATRIX_C1, 2U, 3U, 17U, 43U, true},
+    {CARVALLO_MATRIX_C1, 3U, 1U, 17U, 31U, false},
+    {CARVALLO_MATRIX_C1, 3U, 2U, 17U, 43U, false},
+    {CARVALLO_MATRIX_KC, 1U, 5U, 17U, 57U, false},
+    {CARVALLO_MATRIX_K0, 2U, 2U, 17U, 44U, false},
+    {CARVALLO_MATRIX_K0, 3U, 3U, 17U, 73U, false},
+    {CARVALLO_MATRIX_K1, 5U, 3U, 17U, 40U, false},
+    {CARVALLO_MATRIX_C0, 5U, 0U, 18U, 4U, true},
+    {CARVALLO_MATRIX_C0, 5U, 1U, 18U, 50U, true},
+    {CARVALLO_MATRIX_C0, 5U, 3U, 18U, 9U, false},
+    {CARVALLO_MATRIX_C0, 5U, 5U, 18U, 4U, false},
+    {CARVALLO_MATRIX_KC, 0U, 5U, 18U, 4U, false},
+    {CARVALLO_MATRIX_KC, 1U, 5U, 18U, 50U, false},
+    {CARVALLO_MATRIX_KC, 3U, 5U, 18U, 9U, true},
+    {CARVALLO_MATRIX_K1, 5U, 3U, 18U, 35U, false},
+    {CARVALLO_MATRIX_K1, 5U, 5U, 18U, 13U, false},
+    {CARVALLO_MATRIX_K1, 5U, 2U, 19U, 4U, false},
+    {CARVALLO_MATRIX_K1, 5U, 3U, 19U, 39U, false},
+    {CARVALLO_MATRIX_C0, 4U, 0U, 20U, 4U, true},
+    {CARVALLO_MATRIX_C0, 4U, 1U, 20U, 11U, false},
+    {CARVALLO_MATRIX_C0, 4U, 4U, 20U, 4U, false},
+    {CARVALLO_MATRIX_KC, 0U, 4U, 20U, 4U, false},
+    {CARVALLO_MATRIX_KC, 1U, 4U, 20U, 11U, true},
+    {CARVALLO_MATRIX_K1, 4U, 4U, 20U, 13U, false},
+    {CARVALLO_MATRIX_K1, 4U, 2U, 21U, 4U, false},
+    {CARVALLO_MATRIX_C0, 3U, 3U, 22U, 2U, false},
+    {CARVALLO_MATRIX_C0, 4U, 0U, 23U, 17U, false},
+    {CARVALLO_MATRIX_C0, 4U, 1U, 23U, 18U, true},
+    {CARVALLO_MATRIX_C0, 4U, 4U, 23U, 17U, true},
+    {CARVALLO_MATRIX_C0, 5U, 0U, 23U, 16U, false},
+    {CARVALLO_MATRIX_C0, 5U, 1U, 23U, 53U, false},
+    {CARVALLO_MATRIX_C0, 5U, 3U, 23U, 19U, true},
+    {CARVALLO_MATRIX_C0, 5U, 5U, 23U, 16U, true},
+    {CARVALLO_MATRIX_KC, 0U, 4U, 23U, 17U, true},
+    {CARVALLO_MATRIX_KC, 0U, 5U, 23U, 16U, true},
+    {CARVALLO_MATRIX_KC, 1U, 4U, 23U, 18U, false},
+    {CARVALLO_MATRIX_KC, 1U, 5U, 23U, 53U, true},
+    {CARVALLO_MATRIX_KC, 3U, 5U, 23U, 19U, false},
+    {CARVALLO_MATRIX_K1, 4U, 2U, 23U, 14U, true},
+    {CARVALLO_MATRIX_K1, 4U, 4U, 23U, 24U, true},
+    {CARVALLO_MATRIX_K1, 5U, 2U, 23U, 21U, true},
+    {CARVALLO_MATRIX_K1, 5U, 3U, 23U, 46U, true},
+    {CARVALLO_MATRIX_K1, 5U, 5U, 23U, 25U, true},
+    {CARVALLO_MATRIX_K0, 2U, 3U, 24U, 20U, true},
+    {CARVALLO_MATRIX_K0, 3U, 2U, 24U, 20U, true},
+    {CARVALLO_MATRIX_K0, 3U, 3U, 24U, 36U, true},
+    {CARVALLO_MATRIX_K0, 2U, 3U, 25U, 74U, false},
+    {CARVALLO_MATRIX_K0, 3U, 2U, 25U, 74U, false},
     {CARVALLO_MATRIX_K0, 3U, 3U, 25U, 84U, false}
 };
 
@@ -853,152 +853,147 @@ void motorcycle_f64_kinematics(const motorcycle_f64_t *p, motorcycle_f64_kinemat
 void motorcycle_f64_derivatives(const motorcycle_f64_t *p, motorcycle_f64_matrices_t *matrices,
     motorcycle_f64_derivatives_t *derivatives)
 {
-    const double M_11 = p->Mf + p->Mr;
     double s = 0.0;
     double s_eps = 0.0;
     carvallo_sin_cos_f64(p->eps, &s, &s_eps);
-    const double t6 = s * p->f;
-    const double t10 = p->a + p->e;
-    const double t11 = s_eps * t10;
-    const double t12 = t6 - t11;
-    const double K0_33_eps = p->Mf * t12;
-    const double t15 = p->Mr * p->h;
-    const double j = (p->f * s_eps) + (s * t10);
-    const double t19 = p->Mf * j;
-    const double M_13 = t15 + t19;
+    const double M_11 = p->Mf + p->Mr;
+    const double t32 = p->a + p->e;
+    const double t33 = p->Mr * p->h;
+    const double C0_66_Cf1 = 1.0 / p->sigma;
+    const double C1_32_ify = 1.0 / p->Rf;
+    const double C1_32_iry = 1.0 / p->Rr;
+    const double M_33_Mr = p->h * p->h;
+    const double M_33_h = t33 + t33;
+    const double C0_64_Cf1 = C0_66_Cf1 * p->t;
+    const double C0_55 = p->Cr1 * C0_66_Cf1;
+    const double C0_52_Cr1 = C0_66_Cf1 * p->b;
+    const double C0_66 = C0_66_Cf1 * p->Cf1;
+    const double h_spin_F = p->ify * C1_32_ify;
+    const double t44 = p->iry * C1_32_iry;
+    const double t45 = 1.0 / p->g;
+    const double K1_53 = C0_66_Cf1 * p->Cr2;
+    const double t47 = p->sigma * p->sigma;
+    const double K1_66_Cf1 = 1.0 / t47;
+    const double t49 = C0_66_Cf1 * K1_53;
+    const double C0_52 = p->Cr1 * C0_52_Cr1;
+    const double C1_23_Rr = C1_32_iry * t44;
+    const double h_wheels_all = h_spin_F + t44;
+    const double C0_61_sigma = C0_66_Cf1 * C0_66;
+    const double t55 = 1.0 / (p->sigma * t47);
+    const double C0_51 = -C0_55;
+    const double C0_51_sigma = C0_66_Cf1 * C0_55;
+    const double C0_61 = -C0_66;
+    const double Kc_25_sigma = p->b * C0_51_sigma;
+    const double Kc_25 = -C0_52;
+    const double C1_23 = -h_wheels_all;
+    const double K1_55 = p->Cr1 * K1_66_Cf1;
+    const double K1_66 = p->Cf1 * K1_66_Cf1;
+    const double C0_64 = C0_66 * p->t;
+    const double Kc_46_sigma = C0_66_Cf1 * C0_64;
+    const double Kc_46 = -C0_64;
+    const double t67 = p->g * t45;
+    const double t68 = p->t * t45;
+    const double K1_63 = C0_66_Cf1 * p->Cf2;
+    const double t70 = C0_66_Cf1 * K1_63;
+    const double C1_23_Rf = C1_32_ify * h_spin_F;
+    const double t72 = t55 + t55;
+    const double t73 = t45 * p->Zf;
+    const double t74 = p->Cr1 * t72;
+    const double t75 = p->Cf1 * t72;
+    const double t76 = s * p->f;
+    const double t77 = s_eps * t32;
+    const double j = (p->f * s_eps) + (s * t32);
     const double M_22_Ifx = s * s;
     const double M_33_Ifx = s_eps * s_eps;
-    const double t23 = M_22_Ifx + M_33_Ifx;
-    const double t24 = t10 * t23;
-    const double t25 = p->a - t24;
-    const double t26 = p->Mf * t25;
-    const double M_22_Mf = t12 * t12;
-    const double t34 = p->Mf * M_22_Mf;
-    const double M_22 = p->Irz + (M_22_Ifx * p->Ifx) + (M_33_Ifx * p->Ifz) + t34;
     const double M_23_Ifz = s * s_eps;
-    const double t40 = p->Ifz - p->Ifx;
-    const double t42 = t12 * j;
-    const double t44 = (M_23_Ifz * t40) - (p->Mf * t42);
-    const double M_23 = t44 - p->Crxz;
-    const double M_24_Mf = t12 * t25;
-    const double M_24_Ifz = s_eps * t23;
-    const double M_24 = (p->Mf * M_24_Mf) + (p->Ifz * M_24_Ifz);
-    const double M_33_Mf = j * j;
-    const double t52 = p->Mf * M_33_Mf;
-    const double M_33 = t52 + p->Irx + (p->h * t15) + (M_22_Ifx * p->Ifz) + (M_33_Ifx * p->Ifx);
-    const double t61 = j * t25;
-    const double t62 = p->Mf * t61;
-    const double M_34_Ifz = s * t23;
-    const double t64 = p->Ifz * M_34_Ifz;
-    const double M_24_eps = t62 - t64;
-    const double M_33_j = t25 * t26;
-    const double M_44 = p->Ifz + M_33_j;
-    const double C0_66_Cf1 = 1.0 / p->sigma;
-    const double C0_55 = p->Cr1 * C0_66_Cf1;
-    const double C0_52 = C0_55 * p->b;
-    const double C0_66 = C0_66_Cf1 * p->Cf1;
-    const double t77 = 1.0 / s_eps;
-    const double t80 = t77 * (p->a - p->t);
-    const double Kc_26 = C0_66 * t80;
-    const double C0_64 = C0_66 * p->t;
-    const double C1_32_ify = 1.0 / p->Rf;
-    const double h_spin_F = p->ify * C1_32_ify;
-    const double C1_32_iry = 1.0 / p->Rr;
-    const double t90 = p->iry * C1_32_iry;
-    const double h_wheels_all = h_spin_F + t90;
+    const double t84 = 1.0 / s_eps;
     const double C1_42_ify = s * C1_32_ify;
-    const double C1_43_eps = p->ify * C1_42_ify;
-    const double C1_32 = M_13 + h_wheels_all;
     const double C1_34 = s_eps * h_spin_F;
-    const double C1_42 = C1_43_eps - t26;
-    const double t98 = 1.0 / p->g;
-    const double t99 = p->g * t98;
-    const double K0_34_Mf = t25 * t99;
-    const double t103 = p->t * t98;
-    const double K0_34 = (p->Mf * K0_34_Mf) - (p->Zf * t103);
-    const double K0_44 = s * K0_34;
-    const double K1_53 = C0_66_Cf1 * p->Cr2;
-    const double t109 = p->sigma * p->sigma;
-    const double K1_66_Cf1 = 1.0 / t109;
-    const double K1_55 = p->Cr1 * K1_66_Cf1;
-    const double K1_63 = C0_66_Cf1 * p->Cf2;
-    const double K1_64_Cf1 = s_eps * C0_66_Cf1;
-    const double K1_64 = (s * K1_63) + (p->Cf1 * K1_64_Cf1);
-    const double K1_66 = p->Cf1 * K1_66_Cf1;
-    const double M_44_Mf = t25 * t25;
-    const double K0_44_Mf = s * K0_34_Mf;
-    const double M_33_Mr = p->h * p->h;
+    const double K1_64 = (s * K1_63) + (s_eps * C0_66);
     const double C1_34_ify = s_eps * C1_32_ify;
+    const double C1_43_Rf = s_eps * C1_23_Rf;
+    const double t92 = s * t73;
+    const double K1_64_Cf1 = s_eps * C0_66_Cf1;
+    const double t94 = s * t68;
     const double M_12_a = p->Mf * s_eps;
     const double M_13_a = p->Mf * s;
-    const double t126 = s_eps * K0_33_eps;
-    const double t127 = t126 + t126;
-    const double t128 = s * K0_33_eps;
-    const double t129 = j * M_12_a;
-    const double M_23_a = t129 - t128;
-    const double t131 = t25 * M_12_a;
-    const double t133 = t131 + (K0_33_eps * t23);
-    const double M_24_a = K0_33_eps - t133;
-    const double t135 = s * t19;
-    const double M_33_a = t135 + t135;
-    const double M_24_f = s * t26;
-    const double M_14_e = p->Mf * t23;
-    const double t139 = j * M_14_e;
-    const double t141 = t19 + (M_24_f - t139);
-    const double Kc_26_a = C0_66 * t77;
-    const double t144 = t25 * (M_14_e + M_14_e);
-    const double t145 = t99 * M_14_e;
-    const double t146 = s * t145;
-    const double M_22_f = t128 + t128;
-    const double t148 = t126 + t135;
-    const double M_33_f = t129 + t129;
-    const double M_33_h = t15 + t15;
-    const double C1_23_Rf = C1_32_ify * h_spin_F;
-    const double C1_24_Rf = C1_32_ify * C1_43_eps;
-    const double C1_43_Rf = s_eps * C1_23_Rf;
-    const double C1_23_Rr = C1_32_iry * t90;
-    const double t155 = t98 * p->Zf;
-    const double t156 = s * t155;
-    const double M_33_eps = t44 + t44;
-    const double M_23_eps = t34 - t52 - (t40 * (M_22_Ifx - M_33_Ifx));
-    const double t162 = s * C0_66;
-    const double Kc_26_eps = t77 * t80 * t162;
-    const double K0_44_eps = s_eps * K0_34;
-    const double K1_64_eps = (s_eps * K1_63) - t162;
-    const double Kc_26_Cf1 = C0_66_Cf1 * t80;
-    const double C0_64_Cf1 = C0_66_Cf1 * p->t;
     const double K1_64_Cf2 = s * C0_66_Cf1;
-    const double C0_52_Cr1 = C0_66_Cf1 * p->b;
-    const double C0_51_sigma = C0_66_Cf1 * C0_55;
-    const double Kc_25_sigma = C0_55 * C0_52_Cr1;
-    const double C0_61_sigma = C0_66_Cf1 * C0_66;
-    const double C0_62_sigma = C0_66 * Kc_26_Cf1;
-    const double Kc_46_sigma = C0_66_Cf1 * C0_64;
-    const double t177 = C0_66_Cf1 * K1_53;
-    const double t179 = 1.0 / (p->sigma * t109);
-    const double t180 = t179 + t179;
-    const double t181 = p->Cr1 * t180;
-    const double t182 = C0_66_Cf1 * K1_63;
-    const double t183 = C0_66_Cf1 * K1_64;
-    const double t184 = p->Cf1 * t180;
-    const double t185 = s * t103;
-    const double K0_34_g = t98 * (t26 - K0_34);
-    const double K0_44_g = s * K0_34_g;
-    const double M_12 = -K0_33_eps;
-    const double M_14 = -t26;
-    const double M_34 = t64 - t62;
-    const double C0_51 = -C0_55;
-    const double C0_61 = -C0_66;
-    const double C0_62 = -Kc_26;
-    const double C1_23 = -h_wheels_all;
-    const double C1_24 = -C1_43_eps;
+    const double t98 = t76 - t77;
+    const double K1_64_eps = (s_eps * K1_63) - (p->Cf1 * K1_64_Cf2);
+    const double M_12_Mf = t77 - t76;
+    const double C1_24_Rf = h_spin_F * C1_42_ify;
     const double C1_43 = -C1_34;
-    const double Kc_25 = -C0_52;
-    const double Kc_46 = -C0_64;
+    const double C1_43_eps = p->ify * C1_42_ify;
+    const double t106 = M_22_Ifx + M_33_Ifx;
+    const double K0_33_eps = p->Mf * t98;
+    const double t108 = p->Mf * j;
+    const double t109 = C0_66_Cf1 * K1_64;
+    const double t110 = t32 * t106;
+    const double M_33_Mf = j * j;
+    const double t112 = j * M_12_a;
+    const double C1_24 = -C1_43_eps;
+    const double M_22_Mf = t98 * t98;
+    const double t115 = t98 * j;
+    const double Kc_26_Cf1 = C0_66_Cf1 * t84 * (p->a - p->t);
+    const double t122 = (M_23_Ifz * (p->Ifx - p->Ifz)) + (p->Mf * t115);
+    const double t127 = (p->Mf * M_22_Mf) + (M_33_Ifx * p->Ifz) + (M_22_Ifx * p->Ifx);
+    const double t132 = (j * t108) + (M_33_Ifx * p->Ifx) + (M_22_Ifx * p->Ifz);
+    const double Kc_26_a = C0_66 * t84;
+    const double M_33_f = t112 + t112;
+    const double M_12 = -K0_33_eps;
+    const double C0_62_sigma = C0_66 * Kc_26_Cf1;
+    const double Kc_26 = p->Cf1 * Kc_26_Cf1;
+    const double M_14_Mf = t110 - p->a;
+    const double t139 = p->a - t110;
+    const double M_24_Mf = t98 * t139;
+    const double t141 = j * t139;
+    const double M_13 = t33 + t108;
+    const double C1_32 = M_13 + h_wheels_all;
     const double K0_33 = -M_13;
-    const double M_12_Mf = t11 - t6;
-    const double M_14_Mf = t24 - p->a;
-    const double M_34_e = t139 - M_24_f;
+    const double t145 = p->Mf * t139;
+    const double C1_42 = C1_43_eps - t145;
+    const double Kc_26_eps = s * t84 * Kc_26;
+    const double M_33 = p->Irx + t132 + (p->h * t33);
+    const double M_23_eps = t127 - t132;
+    const double M_22 = p->Irz + t127;
+    const double C0_62 = -Kc_26;
+    const double t156 = t106 * (t145 + t145);
+    const double M_22_eps = t122 + t122;
+    const double M_23 = -(p->Crxz + t122);
+    const double M_14 = -t145;
+    const double M_24_Ifz = s_eps * t106;
+    const double M_24 = (p->Ifz * M_24_Ifz) + (K0_33_eps * t139);
+    const double M_34_Ifz = s * t106;
+    const double t166 = p->Ifz * M_34_Ifz;
+    const double t167 = j * t145;
+    const double M_34 = t166 - t167;
+    const double M_24_eps = t167 - t166;
+    const double t170 = j * M_13_a;
+    const double t171 = t98 * M_13_a;
+    const double M_23_a = t112 - t171;
+    const double M_22_f = t171 + t171;
+    const double M_33_a = t170 + t170;
+    const double M_44_Mf = t139 * t139;
+    const double M_44 = p->Ifz + (p->Mf * M_44_Mf);
+    const double K0_34_Mf = t139 * t67;
+    const double K0_34 = (p->Mf * K0_34_Mf) - (p->Zf * t68);
+    const double K0_44_Mf = s * K0_34_Mf;
+    const double t183 = s_eps * K0_33_eps;
+    const double t184 = t183 + t170;
+    const double t185 = t183 + t183;
+    const double K0_44 = s * K0_34;
+    const double K0_44_eps = s_eps * K0_34;
+    const double K0_34_g = t45 * (t145 - K0_34);
+    const double M_14_e = p->Mf * t106;
+    const double t191 = t67 * M_14_e;
+    const double t192 = s * t191;
+    const double t193 = s_eps * t145;
+    const double t195 = (t98 * M_14_e) + t193;
+    const double M_24_f = s * t145;
+    const double M_34_e = (t108 * t106) - M_24_f;
+    const double M_24_a = K0_33_eps - t195;
+    const double M_34_a = M_34_e - t108;
+    const double K0_44_g = s * K0_34_g;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[0][2] = M_13;
@@ -1215,90 +1210,90 @@ void motorcycle_f64_derivatives(const motorcycle_f64_t *p, motorcycle_f64_matric
     matrices->k1[5][3] = K1_64;
     matrices->k1[5][4] = 0.0;
     matrices->k1[5][5] = K1_66;
-    derivatives->values[0] = 1.0;
-    derivatives->values[1] = M_12_Mf;
-    derivatives->values[2] = j;
-    derivatives->values[3] = M_14_Mf;
-    derivatives->values[4] = M_22_Mf;
-    derivatives->values[5] = t42;
-    derivatives->values[6] = M_24_Mf;
-    derivatives->values[7] = M_33_Mf;
-    derivatives->values[8] = t61;
-    derivatives->values[9] = M_44_Mf;
-    derivatives->values[10] = K0_34_Mf;
-    derivatives->values[11] = K0_44_Mf;
-    derivatives->values[12] = p->h;
-    derivatives->values[13] = M_33_Mr;
-    derivatives->values[14] = (-1.0);
-    derivatives->values[15] = M_22_Ifx;
-    derivatives->values[16] = M_23_Ifz;
-    derivatives->values[17] = M_33_Ifx;
-    derivatives->values[18] = M_24_Ifz;
-    derivatives->values[19] = M_34_Ifz;
-    derivatives->values[20] = C1_32_ify;
-    derivatives->values[21] = C1_42_ify;
-    derivatives->values[22] = C1_34_ify;
-    derivatives->values[23] = C1_32_iry;
-    derivatives->values[24] = M_12_a;
-    derivatives->values[25] = M_13_a;
-    derivatives->values[26] = t127;
-    derivatives->values[27] = M_23_a;
-    derivatives->values[28] = M_24_a;
-    derivatives->values[29] = M_33_a;
-    derivatives->values[30] = t141;
-    derivatives->values[31] = Kc_26_a;
-    derivatives->values[32] = C0_55;
-    derivatives->values[33] = M_14_e;
-    derivatives->values[34] = t133;
-    derivatives->values[35] = M_34_e;
-    derivatives->values[36] = t144;
-    derivatives->values[37] = t145;
-    derivatives->values[38] = t146;
-    derivatives->values[39] = M_22_f;
-    derivatives->values[40] = t148;
-    derivatives->values[41] = M_24_f;
-    derivatives->values[42] = M_33_f;
-    derivatives->values[43] = t131;
-    derivatives->values[44] = p->Mr;
-    derivatives->values[45] = M_33_h;
-    derivatives->values[46] = C1_23_Rf;
-    derivatives->values[47] = C1_24_Rf;
-    derivatives->values[48] = C1_43_Rf;
-    derivatives->values[49] = C1_23_Rr;
-    derivatives->values[50] = C0_66;
-    derivatives->values[51] = t155;
-    derivatives->values[52] = t156;
-    derivatives->values[53] = t19;
-    derivatives->values[54] = K0_33_eps;
-    derivatives->values[55] = M_33_eps;
-    derivatives->values[56] = M_23_eps;
-    derivatives->values[57] = M_24_eps;
-    derivatives->values[58] = M_24;
-    derivatives->values[59] = Kc_26_eps;
-    derivatives->values[60] = C1_34;
-    derivatives->values[61] = C1_43_eps;
-    derivatives->values[62] = K0_44_eps;
-    derivatives->values[63] = K1_64_eps;
-    derivatives->values[64] = C0_66_Cf1;
-    derivatives->values[65] = Kc_26_Cf1;
-    derivatives->values[66] = C0_64_Cf1;
-    derivatives->values[67] = K1_64_Cf1;
-    derivatives->values[68] = K1_66_Cf1;
-    derivatives->values[69] = K1_64_Cf2;
-    derivatives->values[70] = C0_52_Cr1;
-    derivatives->values[71] = C0_51_sigma;
-    derivatives->values[72] = Kc_25_sigma;
-    derivatives->values[73] = C0_61_sigma;
-    derivatives->values[74] = C0_62_sigma;
-    derivatives->values[75] = Kc_46_sigma;
-    derivatives->values[76] = t177;
-    derivatives->values[77] = t181;
-    derivatives->values[78] = t182;
-    derivatives->values[79] = t183;
-    derivatives->values[80] = t184;
-    derivatives->values[81] = t103;
-    derivatives->values[82] = t185;
-    derivatives->values[83] = K0_34_g;
+    derivatives->values[0] = p->Mr;
+    derivatives->values[1] = p->h;
+    derivatives->values[2] = 1.0;
+    derivatives->values[3] = (-1.0);
+    derivatives->values[4] = C0_66_Cf1;
+    derivatives->values[5] = C1_32_ify;
+    derivatives->values[6] = C1_32_iry;
+    derivatives->values[7] = M_33_Mr;
+    derivatives->values[8] = M_33_h;
+    derivatives->values[9] = C0_64_Cf1;
+    derivatives->values[10] = C0_55;
+    derivatives->values[11] = C0_52_Cr1;
+    derivatives->values[12] = C0_66;
+    derivatives->values[13] = K1_66_Cf1;
+    derivatives->values[14] = t49;
+    derivatives->values[15] = C1_23_Rr;
+    derivatives->values[16] = C0_61_sigma;
+    derivatives->values[17] = C0_51_sigma;
+    derivatives->values[18] = Kc_25_sigma;
+    derivatives->values[19] = Kc_46_sigma;
+    derivatives->values[20] = t68;
+    derivatives->values[21] = t70;
+    derivatives->values[22] = C1_23_Rf;
+    derivatives->values[23] = t73;
+    derivatives->values[24] = t74;
+    derivatives->values[25] = t75;
+    derivatives->values[26] = j;
+    derivatives->values[27] = M_22_Ifx;
+    derivatives->values[28] = M_33_Ifx;
+    derivatives->values[29] = M_23_Ifz;
+    derivatives->values[30] = C1_42_ify;
+    derivatives->values[31] = C1_34;
+    derivatives->values[32] = C1_34_ify;
+    derivatives->values[33] = C1_43_Rf;
+    derivatives->values[34] = t92;
+    derivatives->values[35] = K1_64_Cf1;
+    derivatives->values[36] = t94;
+    derivatives->values[37] = M_12_a;
+    derivatives->values[38] = M_13_a;
+    derivatives->values[39] = K1_64_Cf2;
+    derivatives->values[40] = K1_64_eps;
+    derivatives->values[41] = M_12_Mf;
+    derivatives->values[42] = C1_24_Rf;
+    derivatives->values[43] = C1_43_eps;
+    derivatives->values[44] = K0_33_eps;
+    derivatives->values[45] = t108;
+    derivatives->values[46] = t109;
+    derivatives->values[47] = M_33_Mf;
+    derivatives->values[48] = M_22_Mf;
+    derivatives->values[49] = t115;
+    derivatives->values[50] = Kc_26_Cf1;
+    derivatives->values[51] = Kc_26_a;
+    derivatives->values[52] = M_33_f;
+    derivatives->values[53] = C0_62_sigma;
+    derivatives->values[54] = M_14_Mf;
+    derivatives->values[55] = M_24_Mf;
+    derivatives->values[56] = t141;
+    derivatives->values[57] = Kc_26_eps;
+    derivatives->values[58] = M_23_eps;
+    derivatives->values[59] = t156;
+    derivatives->values[60] = M_22_eps;
+    derivatives->values[61] = M_24_Ifz;
+    derivatives->values[62] = M_24;
+    derivatives->values[63] = M_34_Ifz;
+    derivatives->values[64] = M_24_eps;
+    derivatives->values[65] = M_23_a;
+    derivatives->values[66] = M_22_f;
+    derivatives->values[67] = M_33_a;
+    derivatives->values[68] = M_44_Mf;
+    derivatives->values[69] = K0_34_Mf;
+    derivatives->values[70] = K0_44_Mf;
+    derivatives->values[71] = t184;
+    derivatives->values[72] = t185;
+    derivatives->values[73] = K0_44_eps;
+    derivatives->values[74] = K0_34_g;
+    derivatives->values[75] = M_14_e;
+    derivatives->values[76] = t191;
+    derivatives->values[77] = t192;
+    derivatives->values[78] = t193;
+    derivatives->values[79] = t195;
+    derivatives->values[80] = M_24_f;
+    derivatives->values[81] = M_34_e;
+    derivatives->values[82] = M_24_a;
+    derivatives->values[83] = M_34_a;
     derivatives->values[84] = K0_44_g;
 }
 
@@ -1870,152 +1865,147 @@ void motorcycle_f32_kinematics(const motorcycle_f32_t *p, motorcycle_f32_kinemat
 void motorcycle_f32_derivatives(const motorcycle_f32_t *p, motorcycle_f32_matrices_t *matrices,
     motorcycle_f32_derivatives_t *derivatives)
 {
-    const float M_11 = p->Mf + p->Mr;
     float s = 0.0F;
     float s_eps = 0.0F;
     carvallo_sin_cos_f32(p->eps, &s, &s_eps);
-    const float t6 = s * p->f;
-    const float t10 = p->a + p->e;
-    const float t11 = s_eps * t10;
-    const float t12 = t6 - t11;
-    const float K0_33_eps = p->Mf * t12;
-    const float t15 = p->Mr * p->h;
-    const float j = (p->f * s_eps) + (s * t10);
-    const float t19 = p->Mf * j;
-    const float M_13 = t15 + t19;
+    const float M_11 = p->Mf + p->Mr;
+    const float t32 = p->a + p->e;
+    const float t33 = p->Mr * p->h;
+    const float C0_66_Cf1 = 1.0F / p->sigma;
+    const float C1_32_ify = 1.0F / p->Rf;
+    const float C1_32_iry = 1.0F / p->Rr;
+    const float M_33_Mr = p->h * p->h;
+    const float M_33_h = t33 + t33;
+    const float C0_64_Cf1 = C0_66_Cf1 * p->t;
+    const float C0_55 = p->Cr1 * C0_66_Cf1;
+    const float C0_52_Cr1 = C0_66_Cf1 * p->b;
+    const float C0_66 = C0_66_Cf1 * p->Cf1;
+    const float h_spin_F = p->ify * C1_32_ify;
+    const float t44 = p->iry * C1_32_iry;
+    const float t45 = 1.0F / p->g;
+    const float K1_53 = C0_66_Cf1 * p->Cr2;
+    const float t47 = p->sigma * p->sigma;
+    const float K1_66_Cf1 = 1.0F / t47;
+    const float t49 = C0_66_Cf1 * K1_53;
+    const float C0_52 = p->Cr1 * C0_52_Cr1;
+    const float C1_23_Rr = C1_32_iry * t44;
+    const float h_wheels_all = h_spin_F + t44;
+    const float C0_61_sigma = C0_66_Cf1 * C0_66;
+    const float t55 = 1.0F / (p->sigma * t47);
+    const float C0_51 = -C0_55;
+    const float C0_51_sigma = C0_66_Cf1 * C0_55;
+    const float C0_61 = -C0_66;
+    const float Kc_25_sigma = p->b * C0_51_sigma;
+    const float Kc_25 = -C0_52;
+    const float C1_23 = -h_wheels_all;
+    const float K1_55 = p->Cr1 * K1_66_Cf1;
+    const float K1_66 = p->Cf1 * K1_66_Cf1;
+    const float C0_64 = C0_66 * p->t;
+    const float Kc_46_sigma = C0_66_Cf1 * C0_64;
+    const float Kc_46 = -C0_64;
+    const float t67 = p->g * t45;
+    const float t68 = p->t * t45;
+    const float K1_63 = C0_66_Cf1 * p->Cf2;
+    const float t70 = C0_66_Cf1 * K1_63;
+    const float C1_23_Rf = C1_32_ify * h_spin_F;
+    const float t72 = t55 + t55;
+    const float t73 = t45 * p->Zf;
+    const float t74 = p->Cr1 * t72;
+    const float t75 = p->Cf1 * t72;
+    const float t76 = s * p->f;
+    const float t77 = s_eps * t32;
+    const float j = (p->f * s_eps) + (s * t32);
     const float M_22_Ifx = s * s;
     const float M_33_Ifx = s_eps * s_eps;
-    const float t23 = M_22_Ifx + M_33_Ifx;
-    const float t24 = t10 * t23;
-    const float t25 = p->a - t24;
-    const float t26 = p->Mf * t25;
-    const float M_22_Mf = t12 * t12;
-    const float t34 = p->Mf * M_22_Mf;
-    const float M_22 = p->Irz + (M_22_Ifx * p->Ifx) + (M_33_Ifx * p->Ifz) + t34;
     const float M_23_Ifz = s * s_eps;
-    const float t40 = p->Ifz - p->Ifx;
-    const float t42 = t12 * j;
-    const float t44 = (M_23_Ifz * t40) - (p->Mf * t42);
-    const float M_23 = t44 - p->Crxz;
-    const float M_24_Mf = t12 * t25;
-    const float M_24_Ifz = s_eps * t23;
-    const float M_24 = (p->Mf * M_24_Mf) + (p->Ifz * M_24_Ifz);
-    const float M_33_Mf = j * j;
-    const float t52 = p->Mf * M_33_Mf;
-    const float M_33 = t52 + p->Irx + (p->h * t15) + (M_22_Ifx * p->Ifz) + (M_33_Ifx * p->Ifx);
-    const float t61 = j * t25;
-    const float t62 = p->Mf * t61;
-    const float M_34_Ifz = s * t23;
-    const float t64 = p->Ifz * M_34_Ifz;
-    const float M_24_eps = t62 - t64;
-    const float M_33_j = t25 * t26;
-    const float M_44 = p->Ifz + M_33_j;
-    const float C0_66_Cf1 = 1.0F / p->sigma;
-    const float C0_55 = p->Cr1 * C0_66_Cf1;
-    const float C0_52 = C0_55 * p->b;
-    const float C0_66 = C0_66_Cf1 * p->Cf1;
-    const float t77 = 1.0F / s_eps;
-    const float t80 = t77 * (p->a - p->t);
-    const float Kc_26 = C0_66 * t80;
-    const float C0_64 = C0_66 * p->t;
-    const float C1_32_ify = 1.0F / p->Rf;
-    const float h_spin_F = p->ify * C1_32_ify;
-    const float C1_32_iry = 1.0F / p->Rr;
-    const float t90 = p->iry * C1_32_iry;
-    const float h_wheels_all = h_spin_F + t90;
+    const float t84 = 1.0F / s_eps;
     const float C1_42_ify = s * C1_32_ify;
-    const float C1_43_eps = p->ify * C1_42_ify;
-    const float C1_32 = M_13 + h_wheels_all;
     const float C1_34 = s_eps * h_spin_F;
-    const float C1_42 = C1_43_eps - t26;
-    const float t98 = 1.0F / p->g;
-    const float t99 = p->g * t98;
-    const float K0_34_Mf = t25 * t99;
-    const float t103 = p->t * t98;
-    const float K0_34 = (p->Mf * K0_34_Mf) - (p->Zf * t103);
-    const float K0_44 = s * K0_34;
-    const float K1_53 = C0_66_Cf1 * p->Cr2;
-    const float t109 = p->sigma * p->sigma;
-    const float K1_66_Cf1 = 1.0F / t109;
-    const float K1_55 = p->Cr1 * K1_66_Cf1;
-    const float K1_63 = C0_66_Cf1 * p->Cf2;
-    const float K1_64_Cf1 = s_eps * C0_66_Cf1;
-    const float K1_64 = (s * K1_63) + (p->Cf1 * K1_64_Cf1);
-    const float K1_66 = p->Cf1 * K1_66_Cf1;
-    const float M_44_Mf = t25 * t25;
-    const float K0_44_Mf = s * K0_34_Mf;
-    const float M_33_Mr = p->h * p->h;
+    const float K1_64 = (s * K1_63) + (s_eps * C0_66);
     const float C1_34_ify = s_eps * C1_32_ify;
+    const float C1_43_Rf = s_eps * C1_23_Rf;
+    const float t92 = s * t73;
+    const float K1_64_Cf1 = s_eps * C0_66_Cf1;
+    const float t94 = s * t68;
     const float M_12_a = p->Mf * s_eps;
     const float M_13_a = p->Mf * s;
-    const float t126 = s_eps * K0_33_eps;
-    const float t127 = t126 + t126;
-    const float t128 = s * K0_33_eps;
-    const float t129 = j * M_12_a;
-    const float M_23_a = t129 - t128;
-    const float t131 = t25 * M_12_a;
-    const float t133 = t131 + (K0_33_eps * t23);
-    const float M_24_a = K0_33_eps - t133;
-    const float t135 = s * t19;
-    const float M_33_a = t135 + t135;
-    const float M_24_f = s * t26;
-    const float M_14_e = p->Mf * t23;
-    const float t139 = j * M_14_e;
-    const float t141 = t19 + (M_24_f - t139);
-    const float Kc_26_a = C0_66 * t77;
-    const float t144 = t25 * (M_14_e + M_14_e);
-    const float t145 = t99 * M_14_e;
-    const float t146 = s * t145;
-    const float M_22_f = t128 + t128;
-    const float t148 = t126 + t135;
-    const float M_33_f = t129 + t129;
-    const float M_33_h = t15 + t15;
-    const float C1_23_Rf = C1_32_ify * h_spin_F;
-    const float C1_24_Rf = C1_32_ify * C1_43_eps;
-    const float C1_43_Rf = s_eps * C1_23_Rf;
-    const float C1_23_Rr = C1_32_iry * t90;
-    const float t155 = t98 * p->Zf;
-    const float t156 = s * t155;
-    const float M_33_eps = t44 + t44;
-    const float M_23_eps = t34 - t52 - (t40 * (M_22_Ifx - M_33_Ifx));
-    const float t162 = s * C0_66;
-    const float Kc_26_eps = t77 * t80 * t162;
-    const float K0_44_eps = s_eps * K0_34;
-    const float K1_64_eps = (s_eps * K1_63) - t162;
-    const float Kc_26_Cf1 = C0_66_Cf1 * t80;
-    const float C0_64_Cf1 = C0_66_Cf1 * p->t;
     const float K1_64_Cf2 = s * C0_66_Cf1;
-    const float C0_52_Cr1 = C0_66_Cf1 * p->b;
-    const float C0_51_sigma = C0_66_Cf1 * C0_55;
-    const float Kc_25_sigma = C0_55 * C0_52_Cr1;
-    const float C0_61_sigma = C0_66_Cf1 * C0_66;
-    const float C0_62_sigma = C0_66 * Kc_26_Cf1;
-    const float Kc_46_sigma = C0_66_Cf1 * C0_64;
-    const float t177 = C0_66_Cf1 * K1_53;
-    const float t179 = 1.0F / (p->sigma * t109);
-    const float t180 = t179 + t179;
-    const float t181 = p->Cr1 * t180;
-    const float t182 = C0_66_Cf1 * K1_63;
-    const float t183 = C0_66_Cf1 * K1_64;
-    const float t184 = p->Cf1 * t180;
-    const float t185 = s * t103;
-    const float K0_34_g = t98 * (t26 - K0_34);
-    const float K0_44_g = s * K0_34_g;
-    const float M_12 = -K0_33_eps;
-    const float M_14 = -t26;
-    const float M_34 = t64 - t62;
-    const float C0_51 = -C0_55;
-    const float C0_61 = -C0_66;
-    const float C0_62 = -Kc_26;
-    const float C1_23 = -h_wheels_all;
-    const float C1_24 = -C1_43_eps;
+    const float t98 = t76 - t77;
+    const float K1_64_eps = (s_eps * K1_63) - (p->Cf1 * K1_64_Cf2);
+    const float M_12_Mf = t77 - t76;
+    const float C1_24_Rf = h_spin_F * C1_42_ify;
     const float C1_43 = -C1_34;
-    const float Kc_25 = -C0_52;
-    const float Kc_46 = -C0_64;
+    const float C1_43_eps = p->ify * C1_42_ify;
+    const float t106 = M_22_Ifx + M_33_Ifx;
+    const float K0_33_eps = p->Mf * t98;
+    const float t108 = p->Mf * j;
+    const float t109 = C0_66_Cf1 * K1_64;
+    const float t110 = t32 * t106;
+    const float M_33_Mf = j * j;
+    const float t112 = j * M_12_a;
+    const float C1_24 = -C1_43_eps;
+    const float M_22_Mf = t98 * t98;
+    const float t115 = t98 * j;
+    const float Kc_26_Cf1 = C0_66_Cf1 * t84 * (p->a - p->t);
+    const float t122 = (M_23_Ifz * (p->Ifx - p->Ifz)) + (p->Mf * t115);
+    const float t127 = (p->Mf * M_22_Mf) + (M_33_Ifx * p->Ifz) + (M_22_Ifx * p->Ifx);
+    const float t132 = (j * t108) + (M_33_Ifx * p->Ifx) + (M_22_Ifx * p->Ifz);
+    const float Kc_26_a = C0_66 * t84;
+    const float M_33_f = t112 + t112;
+    const float M_12 = -K0_33_eps;
+    const float C0_62_sigma = C0_66 * Kc_26_Cf1;
+    const float Kc_26 = p->Cf1 * Kc_26_Cf1;
+    const float M_14_Mf = t110 - p->a;
+    const float t139 = p->a - t110;
+    const float M_24_Mf = t98 * t139;
+    const float t141 = j * t139;
+    const float M_13 = t33 + t108;
+    const float C1_32 = M_13 + h_wheels_all;
     const float K0_33 = -M_13;
-    const float M_12_Mf = t11 - t6;
-    const float M_14_Mf = t24 - p->a;
-    const float M_34_e = t139 - M_24_f;
+    const float t145 = p->Mf * t139;
+    const float C1_42 = C1_43_eps - t145;
+    const float Kc_26_eps = s * t84 * Kc_26;
+    const float M_33 = p->Irx + t132 + (p->h * t33);
+    const float M_23_eps = t127 - t132;
+    const float M_22 = p->Irz + t127;
+    const float C0_62 = -Kc_26;
+    const float t156 = t106 * (t145 + t145);
+    const float M_22_eps = t122 + t122;
+    const float M_23 = -(p->Crxz + t122);
+    const float M_14 = -t145;
+    const float M_24_Ifz = s_eps * t106;
+    const float M_24 = (p->Ifz * M_24_Ifz) + (K0_33_eps * t139);
+    const float M_34_Ifz = s * t106;
+    const float t166 = p->Ifz * M_34_Ifz;
+    const float t167 = j * t145;
+    const float M_34 = t166 - t167;
+    const float M_24_eps = t167 - t166;
+    const float t170 = j * M_13_a;
+    const float t171 = t98 * M_13_a;
+    const float M_23_a = t112 - t171;
+    const float M_22_f = t171 + t171;
+    const float M_33_a = t170 + t170;
+    const float M_44_Mf = t139 * t139;
+    const float M_44 = p->Ifz + (p->Mf * M_44_Mf);
+    const float K0_34_Mf = t139 * t67;
+    const float K0_34 = (p->Mf * K0_34_Mf) - (p->Zf * t68);
+    const float K0_44_Mf = s * K0_34_Mf;
+    const float t183 = s_eps * K0_33_eps;
+    const float t184 = t183 + t170;
+    const float t185 = t183 + t183;
+    const float K0_44 = s * K0_34;
+    const float K0_44_eps = s_eps * K0_34;
+    const float K0_34_g = t45 * (t145 - K0_34);
+    const float M_14_e = p->Mf * t106;
+    const float t191 = t67 * M_14_e;
+    const float t192 = s * t191;
+    const float t193 = s_eps * t145;
+    const float t195 = (t98 * M_14_e) + t193;
+    const float M_24_f = s * t145;
+    const float M_34_e = (t108 * t106) - M_24_f;
+    const float M_24_a = K0_33_eps - t195;
+    const float M_34_a = M_34_e - t108;
+    const float K0_44_g = s * K0_34_g;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[0][2] = M_13;
@@ -2232,90 +2222,90 @@ void motorcycle_f32_derivatives(const motorcycle_f32_t *p, motorcycle_f32_matric
     matrices->k1[5][3] = K1_64;
     matrices->k1[5][4] = 0.0F;
     matrices->k1[5][5] = K1_66;
-    derivatives->values[0] = 1.0F;
-    derivatives->values[1] = M_12_Mf;
-    derivatives->values[2] = j;
-    derivatives->values[3] = M_14_Mf;
-    derivatives->values[4] = M_22_Mf;
-    derivatives->values[5] = t42;
-    derivatives->values[6] = M_24_Mf;
-    derivatives->values[7] = M_33_Mf;
-    derivatives->values[8] = t61;
-    derivatives->values[9] = M_44_Mf;
-    derivatives->values[10] = K0_34_Mf;
-    derivatives->values[11] = K0_44_Mf;
-    derivatives->values[12] = p->h;
-    derivatives->values[13] = M_33_Mr;
-    derivatives->values[14] = (-1.0F);
-    derivatives->values[15] = M_22_Ifx;
-    derivatives->values[16] = M_23_Ifz;
-    derivatives->values[17] = M_33_Ifx;
-    derivatives->values[18] = M_24_Ifz;
-    derivatives->values[19] = M_34_Ifz;
-    derivatives->values[20] = C1_32_ify;
-    derivatives->values[21] = C1_42_ify;
-    derivatives->values[22] = C1_34_ify;
-    derivatives->values[23] = C1_32_iry;
-    derivatives->values[24] = M_12_a;
-    derivatives->values[25] = M_13_a;
-    derivatives->values[26] = t127;
-    derivatives->values[27] = M_23_a;
-    derivatives->values[28] = M_24_a;
-    derivatives->values[29] = M_33_a;
-    derivatives->values[30] = t141;
-    derivatives->values[31] = Kc_26_a;
-    derivatives->values[32] = C0_55;
-    derivatives->values[33] = M_14_e;
-    derivatives->values[34] = t133;
-    derivatives->values[35] = M_34_e;
-    derivatives->values[36] = t144;
-    derivatives->values[37] = t145;
-    derivatives->values[38] = t146;
-    derivatives->values[39] = M_22_f;
-    derivatives->values[40] = t148;
-    derivatives->values[41] = M_24_f;
-    derivatives->values[42] = M_33_f;
-    derivatives->values[43] = t131;
-    derivatives->values[44] = p->Mr;
-    derivatives->values[45] = M_33_h;
-    derivatives->values[46] = C1_23_Rf;
-    derivatives->values[47] = C1_24_Rf;
-    derivatives->values[48] = C1_43_Rf;
-    derivatives->values[49] = C1_23_Rr;
-    derivatives->values[50] = C0_66;
-    derivatives->values[51] = t155;
-    derivatives->values[52] = t156;
-    derivatives->values[53] = t19;
-    derivatives->values[54] = K0_33_eps;
-    derivatives->values[55] = M_33_eps;
-    derivatives->values[56] = M_23_eps;
-    derivatives->values[57] = M_24_eps;
-    derivatives->values[58] = M_24;
-    derivatives->values[59] = Kc_26_eps;
-    derivatives->values[60] = C1_34;
-    derivatives->values[61] = C1_43_eps;
-    derivatives->values[62] = K0_44_eps;
-    derivatives->values[63] = K1_64_eps;
-    derivatives->values[64] = C0_66_Cf1;
-    derivatives->values[65] = Kc_26_Cf1;
-    derivatives->values[66] = C0_64_Cf1;
-    derivatives->values[67] = K1_64_Cf1;
-    derivatives->values[68] = K1_66_Cf1;
-    derivatives->values[69] = K1_64_Cf2;
-    derivatives->values[70] = C0_52_Cr1;
-    derivatives->values[71] = C0_51_sigma;
-    derivatives->values[72] = Kc_25_sigma;
-    derivatives->values[73] = C0_61_sigma;
-    derivatives->values[74] = C0_62_sigma;
-    derivatives->values[75] = Kc_46_sigma;
-    derivatives->values[76] = t177;
-    derivatives->values[77] = t181;
-    derivatives->values[78] = t182;
-    derivatives->values[79] = t183;
-    derivatives->values[80] = t184;
-    derivatives->values[81] = t103;
-    derivatives->values[82] = t185;
-    derivatives->values[83] = K0_34_g;
+    derivatives->values[0] = p->Mr;
+    derivatives->values[1] = p->h;
+    derivatives->values[2] = 1.0F;
+    derivatives->values[3] = (-1.0F);
+    derivatives->values[4] = C0_66_Cf1;
+    derivatives->values[5] = C1_32_ify;
+    derivatives->values[6] = C1_32_iry;
+    derivatives->values[7] = M_33_Mr;
+    derivatives->values[8] = M_33_h;
+    derivatives->values[9] = C0_64_Cf1;
+    derivatives->values[10] = C0_55;
+    derivatives->values[11] = C0_52_Cr1;
+    derivatives->values[12] = C0_66;
+    derivatives->values[13] = K1_66_Cf1;
+    derivatives->values[14] = t49;
+    derivatives->values[15] = C1_23_Rr;
+    derivatives->values[16] = C0_61_sigma;
+    derivatives->values[17] = C0_51_sigma;
+    derivatives->values[18] = Kc_25_sigma;
+    derivatives->values[19] = Kc_46_sigma;
+    derivatives->values[20] = t68;
+    derivatives->values[21] = t70;
+    derivatives->values[22] = C1_23_Rf;
+    derivatives->values[23] = t73;
+    derivatives->values[24] = t74;
+    derivatives->values[25] = t75;
+    derivatives->values[26] = j;
+    derivatives->values[27] = M_22_Ifx;
+    derivatives->values[28] = M_33_Ifx;
+    derivatives->values[29] = M_23_Ifz;
+    derivatives->values[30] = C1_42_ify;
+    derivatives->values[31] = C1_34;
+    derivatives->values[32] = C1_34_ify;
+    derivatives->values[33] = C1_43_Rf;
+    derivatives->values[34] = t92;
+    derivatives->values[35] = K1_64_Cf1;
+    derivatives->values[36] = t94;
+    derivatives->values[37] = M_12_a;
+    derivatives->values[38] = M_13_a;
+    derivatives->values[39] = K1_64_Cf2;
+    derivatives->values[40] = K1_64_eps;
+    derivatives->values[41] = M_12_Mf;
+    derivatives->values[42] = C1_24_Rf;
+    derivatives->values[43] = C1_43_eps;
+    derivatives->values[44] = K0_33_eps;
+    derivatives->values[45] = t108;
+    derivatives->values[46] = t109;
+    derivatives->values[47] = M_33_Mf;
+    derivatives->values[48] = M_22_Mf;
+    derivatives->values[49] = t115;
+    derivatives->values[50] = Kc_26_Cf1;
+    derivatives->values[51] = Kc_26_a;
+    derivatives->values[52] = M_33_f;
+    derivatives->values[53] = C0_62_sigma;
+    derivatives->values[54] = M_14_Mf;
+    derivatives->values[55] = M_24_Mf;
+    derivatives->values[56] = t141;
+    derivatives->values[57] = Kc_26_eps;
+    derivatives->values[58] = M_23_eps;
+    derivatives->values[59] = t156;
+    derivatives->values[60] = M_22_eps;
+    derivatives->values[61] = M_24_Ifz;
+    derivatives->values[62] = M_24;
+    derivatives->values[63] = M_34_Ifz;
+    derivatives->values[64] = M_24_eps;
+    derivatives->values[65] = M_23_a;
+    derivatives->values[66] = M_22_f;
+    derivatives->values[67] = M_33_a;
+    derivatives->values[68] = M_44_Mf;
+    derivatives->values[69] = K0_34_Mf;
+    derivatives->values[70] = K0_44_Mf;
+    derivatives->values[71] = t184;
+    derivatives->values[72] = t185;
+    derivatives->values[73] = K0_44_eps;
+    derivatives->values[74] = K0_34_g;
+    derivatives->values[75] = M_14_e;
+    derivatives->values[76] = t191;
+    derivatives->values[77] = t192;
+    derivatives->values[78] = t193;
+    derivatives->values[79] = t195;
+    derivatives->values[80] = M_24_f;
+    derivatives->values[81] = M_34_e;
+    derivatives->values[82] = M_24_a;
+    derivatives->values[83] = M_34_a;
     derivatives->values[84] = K0_44_g;
 }
 

@@ -351,7 +351,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 49 additions, 107 multiplications, 7 divisions, 11 negations and 2 trigonometric functions: 176 operations.
+ * 46 additions, 106 multiplications, 7 divisions, 12 negations and 2 trigonometric functions: 173 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -588,7 +588,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 49 additions, 107 multiplications, 7 divisions, 11 negations and 2 trigonometric functions: 176 operations.
+ * 46 additions, 106 multiplications, 7 divisions, 12 negations and 2 trigonometric functions: 173 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

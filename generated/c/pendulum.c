@@ -41,11 +41,11 @@ const char *pendulum_validity_text(pendulum_validity_t validity)
 }
 
 const carvallo_partial_t pendulum_partials[PENDULUM_PARTIALS] = {
-    {CARVALLO_MATRIX_M, 0U, 0U, 0U, 0U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 0U, 3U, false},
     {CARVALLO_MATRIX_K0, 0U, 0U, 0U, 1U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 1U, 2U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 1U, 3U, false},
-    {CARVALLO_MATRIX_C0, 0U, 0U, 2U, 4U, false}
+    {CARVALLO_MATRIX_M, 0U, 0U, 1U, 4U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 1U, 0U, false},
+    {CARVALLO_MATRIX_C0, 0U, 0U, 2U, 2U, false}
 };
 
 const pendulum_f64_t pendulum_f64_sets[PENDULUM_SETS] = {
@@ -171,11 +171,11 @@ void pendulum_f64_derivatives(const pendulum_f64_t *p, pendulum_f64_matrices_t *
     matrices->m[0][0] = M_11;
     matrices->c0[0][0] = p->c;
     matrices->k0[0][0] = K0_11;
-    derivatives->values[0] = M_11_m;
+    derivatives->values[0] = p->m;
     derivatives->values[1] = p->l;
-    derivatives->values[2] = M_11_l;
-    derivatives->values[3] = p->m;
-    derivatives->values[4] = 1.0;
+    derivatives->values[2] = 1.0;
+    derivatives->values[3] = M_11_m;
+    derivatives->values[4] = M_11_l;
 }
 
 void pendulum_f64_with_respect_to(const pendulum_f64_derivatives_t *derivatives, size_t parameter,
@@ -334,11 +334,11 @@ void pendulum_f32_derivatives(const pendulum_f32_t *p, pendulum_f32_matrices_t *
     matrices->m[0][0] = M_11;
     matrices->c0[0][0] = p->c;
     matrices->k0[0][0] = K0_11;
-    derivatives->values[0] = M_11_m;
+    derivatives->values[0] = p->m;
     derivatives->values[1] = p->l;
-    derivatives->values[2] = M_11_l;
-    derivatives->values[3] = p->m;
-    derivatives->values[4] = 1.0F;
+    derivatives->values[2] = 1.0F;
+    derivatives->values[3] = M_11_m;
+    derivatives->values[4] = M_11_l;
 }
 
 void pendulum_f32_with_respect_to(const pendulum_f32_derivatives_t *derivatives, size_t parameter,

@@ -99,162 +99,162 @@ const char *rear_steered_validity_text(rear_steered_validity_t validity)
 }
 
 const carvallo_partial_t rear_steered_partials[REAR_STEERED_PARTIALS] = {
-    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 0U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 0U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 1U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 2U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 3U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 4U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 5U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 5U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 6U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 7U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 8U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 1U, 9U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 1U, 9U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 10U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 11U, true},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 1U, 12U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 13U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 1U, 14U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 1U, 14U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 15U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 16U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 17U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 17U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 18U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 19U, true},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 2U, 20U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 21U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 2U, 22U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 2U, 22U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 23U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 2U, 24U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 25U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 4U, 26U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 4U, 27U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 4U, 28U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 4U, 29U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 4U, 30U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 5U, 31U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 5U, 32U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 5U, 33U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 5U, 34U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 6U, 35U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 6U, 36U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 6U, 37U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 7U, 38U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 7U, 38U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 7U, 39U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 8U, 40U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 8U, 40U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 8U, 41U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 8U, 42U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 8U, 43U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 8U, 44U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 8U, 44U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 8U, 45U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 8U, 46U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 9U, 47U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 9U, 48U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 9U, 48U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 9U, 49U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 9U, 50U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 9U, 51U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 10U, 52U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 10U, 53U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 10U, 53U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 10U, 54U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 10U, 55U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 10U, 56U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 10U, 57U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 10U, 58U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 10U, 58U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 10U, 59U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 10U, 60U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 10U, 61U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 11U, 35U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 13U, 36U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 13U, 37U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 14U, 62U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 14U, 62U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 14U, 63U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 15U, 64U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 15U, 64U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 65U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 15U, 66U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 15U, 67U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 15U, 68U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 15U, 68U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 15U, 69U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 15U, 70U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 16U, 71U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 16U, 72U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 16U, 72U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 73U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 74U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 16U, 75U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 16U, 76U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 16U, 77U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 16U, 77U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 16U, 78U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 16U, 79U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 16U, 80U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 17U, 81U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 82U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 82U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 17U, 83U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 84U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 85U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 17U, 86U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 87U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 87U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 88U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 17U, 89U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 90U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 18U, 35U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 18U, 91U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 18U, 91U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 18U, 92U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 20U, 93U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 20U, 94U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 21U, 95U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 21U, 95U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 21U, 96U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 21U, 63U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 21U, 97U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 22U, 98U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 22U, 99U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 22U, 99U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 22U, 100U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 22U, 101U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 22U, 102U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 22U, 103U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 22U, 104U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 22U, 105U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 22U, 105U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 22U, 106U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 107U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 108U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 23U, 109U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 110U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 110U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 23U, 111U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 23U, 112U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 113U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 23U, 114U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 115U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 115U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 116U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 23U, 117U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 118U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 24U, 35U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 24U, 91U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 24U, 91U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 24U, 119U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 24U, 94U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 25U, 120U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 25U, 120U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 51U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 51U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 59U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 43U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 19U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 65U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 52U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 52U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 55U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 46U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 56U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 1U, 20U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 1U, 20U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 60U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 45U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 1U, 21U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 58U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 1U, 67U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 1U, 67U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 70U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 71U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 73U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 73U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 74U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 53U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 2U, 22U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 72U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 2U, 76U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 2U, 76U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 80U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 2U, 54U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 75U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 4U, 17U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 4U, 88U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 4U, 84U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 4U, 1U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 4U, 82U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 5U, 13U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 5U, 31U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 5U, 0U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 5U, 23U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 6U, 8U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 6U, 86U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 6U, 85U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 7U, 83U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 7U, 83U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 7U, 24U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 8U, 30U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 8U, 30U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 8U, 97U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 8U, 25U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 8U, 99U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 8U, 91U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 8U, 91U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 8U, 92U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 8U, 87U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 9U, 14U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 9U, 44U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 9U, 44U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 9U, 98U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 9U, 3U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 9U, 66U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 10U, 12U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 10U, 94U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 10U, 94U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 10U, 95U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 10U, 101U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 10U, 90U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 10U, 2U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 10U, 93U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 10U, 93U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 10U, 96U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 10U, 100U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 10U, 89U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 11U, 8U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 13U, 86U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 13U, 85U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 14U, 29U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 14U, 29U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 14U, 18U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 15U, 34U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 15U, 34U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 81U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 15U, 26U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 15U, 48U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 15U, 61U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 15U, 61U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 15U, 62U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 15U, 103U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 16U, 16U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 16U, 39U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 16U, 39U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 78U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 63U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 16U, 64U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 16U, 5U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 16U, 68U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 16U, 68U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 16U, 106U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 16U, 47U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 16U, 69U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 17U, 10U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 42U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 42U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 17U, 40U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 108U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 50U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 17U, 4U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 32U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 32U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 41U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 17U, 107U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 49U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 18U, 8U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 18U, 9U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 18U, 9U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 18U, 104U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 20U, 109U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 20U, 102U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 21U, 33U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 21U, 33U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 21U, 79U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 21U, 18U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 21U, 57U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 22U, 15U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 22U, 27U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 22U, 27U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 22U, 77U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 22U, 35U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 22U, 112U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 22U, 114U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 22U, 7U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 22U, 113U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 22U, 113U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 22U, 115U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 36U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 37U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 23U, 11U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 117U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 117U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 23U, 105U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 23U, 38U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 118U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 23U, 6U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 116U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 116U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 119U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 23U, 28U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 120U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 24U, 8U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 24U, 9U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 24U, 9U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 24U, 110U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 24U, 102U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 25U, 111U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 25U, 111U, true},
     {CARVALLO_MATRIX_K2, 0U, 1U, 25U, 121U, true},
     {CARVALLO_MATRIX_K2, 1U, 1U, 25U, 122U, false}
 };
@@ -546,202 +546,198 @@ void rear_steered_f64_kinematics(const rear_steered_f64_t *p, rear_steered_f64_k
 void rear_steered_f64_derivatives(const rear_steered_f64_t *p,
     rear_steered_f64_matrices_t *matrices, rear_steered_f64_derivatives_t *derivatives)
 {
-    const double t3 = p->zH * p->mH;
-    const double t8 = p->rF * p->mF;
-    const double t12 = p->IFxx + (p->zH * t3) + p->IHxx + (p->rF * t8);
-    const double t17 = p->rR * p->mR;
-    const double t21 = p->zB * p->mB;
-    const double M_11 = t12 + p->IRxx + p->IBxx + (p->rR * t17) + (p->zB * t21);
     double sin_lam = 0.0;
     double cos_lam = 0.0;
     carvallo_sin_cos_f64(p->lam, &sin_lam, &cos_lam);
-    const double t31 = 1.0 / p->w;
-    const double C1_12_IBxz = cos_lam * t31;
-    const double yaw_by_delta = p->c * C1_12_IBxz;
-    const double t39 = (t21 * p->xB) - p->IHxz - p->IBxz;
-    const double t43 = p->c + p->w - p->xH;
-    const double t45 = yaw_by_delta * p->xH;
-    const double t46 = t45 - (cos_lam * t43);
-    const double t49 = t12 * sin_lam;
-    const double t50 = (t3 * t46) - t49;
-    const double t51 = cos_lam * p->IHxz;
-    const double M_12 = (yaw_by_delta * t39) + t50 - t51;
-    const double wz_delta2_delta = cos_lam + yaw_by_delta;
-    const double t55 = p->IHxz * sin_lam;
-    const double t57 = p->IFxx + p->IHzz;
-    const double t59 = t55 + (wz_delta2_delta * t57);
-    const double t63 = p->mB * p->xB;
-    const double t66 = p->IRxx + p->IBzz + (p->xB * t63);
-    const double t67 = yaw_by_delta * t66;
-    const double t69 = p->zH * sin_lam;
-    const double K0_12_mH = t46 - t69;
-    const double t71 = t69 - K0_12_mH;
-    const double t72 = p->mH * t71;
-    const double M_22 = (wz_delta2_delta * (t55 + t59)) + (yaw_by_delta * t67) + (sin_lam * t49) -
-        (t46 * t72);
-    const double K0_11 = t3 + t21 - t8 - t17;
-    const double t85 = t39 + (p->c * K0_11) + (t3 * p->xH);
-    const double t86 = C1_12_IBxz * t85;
-    const double t88 = 1.0 / p->rF;
-    const double h_spin_R = p->IFyy * t88;
-    const double t91 = 1.0 / p->rR;
-    const double t92 = p->IRyy * t91;
-    const double t93 = h_spin_R + t92;
-    const double t94 = yaw_by_delta * t93;
-    const double t95 = cos_lam * h_spin_R;
-    const double t96 = t94 + t95;
-    const double t97 = t8 * cos_lam;
-    const double C1_12 = t96 + t97 - t86;
-    const double K0_12_mF = p->rF * sin_lam;
-    const double t101 = p->mF * K0_12_mF;
-    const double t102 = p->mH * K0_12_mH;
-    const double M_22_wz_delta2_delta = p->xH * t102;
-    const double t104 = C1_12_IBxz * t63;
-    const double M_12_zB = p->c * t104;
-    const double K0_12 = t101 + t102 + M_12_zB;
-    const double t109 = t59 + t67;
-    const double t112 = t31 * (M_22_wz_delta2_delta + (p->c * K0_12) + t109);
-    const double t113 = t101 + t112;
-    const double t116 = K0_11 - t93;
-    const double K2_12 = C1_12_IBxz * t116;
-    const double t118 = sin_lam * h_spin_R;
-    const double t119 = K0_12 + t118;
-    const double K2_22 = C1_12_IBxz * t119;
-    const double t122 = cos_lam + (t31 * t45);
-    const double t124 = t31 * yaw_by_delta;
-    const double t126 = (t3 * t122) + (t39 * t124);
-    const double M_22_yaw_by_delta = t109 + t109;
-    const double t129 = t102 + t102;
-    const double t131 = (t124 * M_22_yaw_by_delta) + (t122 * t129);
-    const double C1_21_w = t31 * t94;
-    const double C1_12_w = (t31 * t86) - C1_21_w;
-    const double t135 = p->mH * t122;
-    const double t136 = C1_12_IBxz * p->xH;
-    const double t137 = yaw_by_delta + t136;
-    const double t139 = t57 + t66;
-    const double t141 = M_12_zB + (C1_12_IBxz * t139);
-    const double C1_22_w = (t135 * t137) + (t124 * t141) + (C1_12_IBxz * t112);
-    const double t147 = t135 + (t31 * M_12_zB);
-    const double K0_22_w = sin_lam * t147;
-    const double t149 = t31 * K2_12;
-    const double t152 = C1_12_IBxz * (t147 + (t31 * t119));
-    const double t154 = cos_lam - t136;
-    const double M_12_c = (C1_12_IBxz * t39) - (t3 * t154);
-    const double M_22_c = (C1_12_IBxz * M_22_yaw_by_delta) - (t129 * t154);
-    const double t160 = C1_12_IBxz * t93;
-    const double t161 = p->mH * t154;
-    const double t162 = p->c + p->xH;
-    const double t166 = C1_12_IBxz * (K0_12 + t141 - (t161 * t162));
-    const double K0_12_c = t104 - t161;
-    const double t171 = t31 * sin_lam;
-    const double t172 = p->c * t171;
-    const double t174 = (p->xH * t172) - (t43 * sin_lam);
-    const double t177 = t12 * cos_lam;
-    const double M_12_lam = t55 - (t3 * t174) - (t39 * t172) - t177;
-    const double t181 = wz_delta2_delta + wz_delta2_delta;
-    const double t185 = p->mH * t174;
-    const double t188 = t185 + (t3 * cos_lam);
-    const double t196 = (t71 * t185) - (cos_lam * (t50 - (p->IHxz * t181))) - (t46 * t188) -
-        (sin_lam * (t59 + t59 - t177));
-    const double M_22_lam = t196 - (M_22_yaw_by_delta * t172);
-    const double C1_21_lam = t118 + (t93 * t172);
-    const double t202 = t101 + C1_21_lam - (t85 * t171);
-    const double ay_all1_delta = t139 * t171;
-    const double K0_12_lam = t97 - t188 - (t63 * t172);
-    const double t215 = t97 + (t31 * (t51 - (p->xH * t188) - (p->c * (ay_all1_delta - K0_12_lam)) -
-        (sin_lam * t57)));
-    const double C1_22_lam = (sin_lam * t113) - (cos_lam * t215);
-    const double t221 = (sin_lam * K0_12_lam) + (cos_lam * K0_12);
-    const double t222 = t116 * t171;
-    const double K2_22_lam = (C1_12_IBxz * (t95 + K0_12_lam)) - (t119 * t171);
-    const double M_11_rR = t17 + t17;
-    const double t230 = C1_12_IBxz * (p->mR - (t91 * t92));
-    const double C1_12_rR = p->c * t230;
-    const double C1_12_IRyy = yaw_by_delta * t91;
-    const double C1_21_rR = t92 * C1_12_IRyy;
-    const double M_11_mR = p->rR * p->rR;
-    const double C1_12_mR = p->rR * yaw_by_delta;
-    const double t236 = p->rR * C1_12_IBxz;
-    const double M_22_IRxx = yaw_by_delta * yaw_by_delta;
-    const double t239 = cos_lam * t124;
-    const double t240 = C1_12_IBxz * t91;
-    const double K2_12_mB = p->zB * C1_12_IBxz;
-    const double t242 = p->mB * K2_12_mB;
-    const double M_12_xB = p->c * t242;
-    const double M_22_xB = yaw_by_delta * (M_12_zB + M_12_zB);
-    const double t246 = p->c + p->xB;
-    const double K2_22_xB = p->mB * t239;
-    const double t249 = (p->xB + t246) * K2_22_xB;
-    const double K2_12_zB = p->mB * C1_12_IBxz;
-    const double K0_12_xB = p->c * K2_12_zB;
-    const double t252 = sin_lam * K0_12_xB;
-    const double M_11_zB = t21 + t21;
-    const double t254 = t104 + K0_12_xB;
+    const double M_11_mH = p->zH * p->zH;
+    const double ay_all1_delta_mF = p->rF * p->rF;
+    const double t31 = p->IHxx + p->IFxx + (p->mF * ay_all1_delta_mF);
     const double M_11_mB = p->zB * p->zB;
-    const double K0_12_mB = yaw_by_delta * p->xB;
+    const double M_11_mR = p->rR * p->rR;
+    const double t34 = p->mB * p->xB;
+    const double t37 = (p->zB * t34) - p->IHxz - p->IBxz;
+    const double M_11 = (p->mH * M_11_mH) + p->IRxx + p->IBxx + t31 + (p->mB * M_11_mB) + (p->mR *
+        M_11_mR);
+    const double t46 = 1.0 / p->w;
+    const double t47 = p->IFxx + p->IHzz;
+    const double t50 = p->IRxx + p->IBzz + (p->xB * t34);
+    const double t51 = p->c * t46;
+    const double t52 = 1.0 / p->rF;
+    const double t53 = 1.0 / p->rR;
+    const double t54 = p->mB * p->zB;
+    const double M_11_zB = t54 + t54;
+    const double t56 = p->mF * p->rF;
+    const double ay_all1_delta_rF = t56 + t56;
+    const double h_spin_R = p->IFyy * t52;
+    const double t59 = p->IRyy * t53;
+    const double t60 = p->mH * p->zH;
+    const double M_11_zH = t60 + t60;
+    const double t62 = p->xH * t51;
+    const double t63 = p->mR * p->rR;
+    const double M_11_rR = t63 + t63;
+    const double K0_11 = t54 - (t56 + t63 - t60);
+    const double t68 = h_spin_R + t59;
+    const double t70 = t37 + (p->xH * t60);
+    const double t73 = p->c + p->w - p->xH - t62;
+    const double t74 = t56 + h_spin_R;
+    const double t75 = p->c + p->xH;
+    const double t76 = p->xB + p->c;
+    const double t78 = p->mF - (t52 * h_spin_R);
+    const double t79 = t51 * t68;
+    const double t80 = t68 - K0_11;
+    const double C1_12_IBxz = cos_lam * t46;
+    const double t82 = p->zH * sin_lam;
+    const double t83 = p->IHxz * cos_lam;
+    const double t84 = p->IHxz * sin_lam;
+    const double t85 = cos_lam * t74;
+    const double t86 = sin_lam * t74;
+    const double ay_all1_delta = sin_lam * t56;
+    const double t88 = cos_lam * t56;
+    const double t89 = h_spin_R + t79;
+    const double t90 = p->mH * cos_lam;
+    const double t92 = t70 - (p->c * t80);
+    const double t93 = cos_lam + cos_lam;
+    const double t94 = cos_lam * t60;
+    const double C1_21_w = C1_12_IBxz * t79;
+    const double M_12_c = (C1_12_IBxz * t70) - t94;
+    const double t98 = C1_12_IBxz * t68;
+    const double C1_21_lam = sin_lam * t89;
+    const double C1_21 = -(cos_lam * t89);
+    const double t102 = p->rR * C1_12_IBxz;
+    const double t103 = C1_12_IBxz * t53;
+    const double t104 = C1_12_IBxz * t54;
+    const double t105 = t46 * t94;
+    const double t106 = ay_all1_delta + ay_all1_delta;
+    const double t107 = p->rF * C1_12_IBxz;
+    const double yaw_by_delta = p->c * C1_12_IBxz;
+    const double M_12_xB = yaw_by_delta * t54;
+    const double C1_12_mR = p->rR * yaw_by_delta;
+    const double t111 = t37 * yaw_by_delta;
+    const double t113 = (cos_lam * t73) + t82;
+    const double wz_delta2_delta = cos_lam + yaw_by_delta;
+    const double M_12_xH = wz_delta2_delta * t60;
+    const double C1_12_rF = wz_delta2_delta * t78;
+    const double t117 = C1_12_IBxz * t78;
+    const double K2_22_rF = sin_lam * t117;
+    const double C1_12_mF = p->rF * wz_delta2_delta;
+    const double t121 = t84 + (t47 * wz_delta2_delta);
+    const double t123 = p->mH * (t82 + t113);
+    const double M_22_mH = t113 * t113;
+    const double K0_22_mH = sin_lam * t113;
+    const double t126 = p->zH * t113;
+    const double t127 = p->mH * t113;
+    const double t128 = C1_12_IBxz * t92;
+    const double C1_12 = t85 - t128;
+    const double C1_12_w = t46 * t128;
+    const double t134 = (t31 * sin_lam) + (p->mH * t126) + t83;
+    const double t136 = t121 + (yaw_by_delta * t50);
+    const double M_12_zB = t34 * yaw_by_delta;
+    const double t140 = M_12_zB + (C1_12_IBxz * (t47 + t50));
+    const double t141 = M_12_zB - t127;
+    const double K0_12 = ay_all1_delta + t141;
+    const double t144 = t46 * (t141 + t86);
+    const double C1_12_c = C1_12_IBxz * t80;
+    const double K2_12_w = t46 * C1_12_c;
+    const double K2_12 = -C1_12_c;
+    const double K2_12_zH = p->mH * C1_12_IBxz;
+    const double t150 = (t62 * K2_12_zH) + t90;
+    const double t153 = K2_12_zH * ((wz_delta2_delta * t75) - t113);
+    const double t154 = C1_12_IBxz * t113;
+    const double C1_22_mH = t75 * t154;
+    const double t159 = t121 + (t73 * t127) + (t51 * t136);
+    const double t162 = t46 * (t136 - (p->xH * t127));
+    const double M_12 = t111 - t134;
+    const double t166 = (p->zH * t150) + (t46 * t111);
+    const double t168 = t134 + (t51 * t83);
+    const double K2_22 = cos_lam * t144;
+    const double t171 = t150 + (t46 * M_12_zB);
+    const double t172 = t46 * sin_lam;
+    const double C1_12_lam = (t92 * t172) - t86;
+    const double K2_12_lam = t80 * t172;
+    const double K0_22_w = sin_lam * t171;
+    const double t178 = C1_12_IBxz * (t144 + t171);
+    const double K2_22_h_spin_R = cos_lam * t172;
+    const double t180 = p->c * t172;
+    const double K0_22 = -(sin_lam * K0_12);
+    const double t183 = t51 * t140;
+    const double t185 = t90 - (p->xH * K2_12_zH);
+    const double C1_22_c = C1_12_IBxz * ((t75 * t185) - K0_12 - t140);
+    const double M_22 = (cos_lam * t159) + (sin_lam * t168);
+    const double t195 = ((t51 * t162) - t127) * t93;
+    const double M_22_c = t93 * (t127 + t162);
+    const double t199 = t162 + (t51 * K0_12);
+    const double K0_12_xH = t90 + (t51 * t90);
+    const double t202 = sin_lam * K0_12_xH;
+    const double t203 = K2_12_zH * t75;
+    const double C1_22_zH = sin_lam * t203;
+    const double C1_22_w = C1_12_IBxz * (t199 + (t150 * t75) + t183);
+    const double t209 = ay_all1_delta + t199;
+    const double K2_12_zB = p->mB * C1_12_IBxz;
+    const double t211 = p->xB * K2_12_zB;
+    const double K0_12_c = t211 - t185;
+    const double t213 = t185 - t211;
+    const double t214 = p->mH * sin_lam;
+    const double M_22_yaw_by_delta = t94 - (t73 * t214);
+    const double t217 = C1_12_IBxz * t214;
+    const double K0_22_c = sin_lam * t213;
+    const double t219 = C1_12_IBxz * t213;
+    const double C1_22 = -(cos_lam * t209);
+    const double C1_22_lam = (sin_lam * (t209 + t183 + (C1_12_IBxz * t47))) + (C1_12_IBxz * ((t75 *
+        M_22_yaw_by_delta) - t83)) - (wz_delta2_delta * t88);
+    const double M_12_lam = t84 - (t31 * cos_lam) - (t37 * t180) - (p->zH * M_22_yaw_by_delta);
+    const double t239 = M_22_yaw_by_delta + (t34 * t180);
+    const double t240 = sin_lam + sin_lam;
+    const double M_22_lam = (t168 * t93) - (t159 * t240);
+    const double t247 = (sin_lam * t144) + (C1_12_IBxz * (t239 - t85));
+    const double K0_12_lam = t88 - t239;
+    const double M_22_rF = ay_all1_delta * t240;
+    const double M_22_zH = t127 * t240;
+    const double M_22_IHxz = wz_delta2_delta * t240;
+    const double K0_22_lam = -((cos_lam * K0_12) + (sin_lam * K0_12_lam));
+    const double t256 = wz_delta2_delta * t127;
+    const double t257 = t256 + t256;
+    const double t260 = C1_12_IBxz * (p->mR - (t53 * t59));
+    const double C1_12_IRyy = yaw_by_delta * t53;
+    const double C1_21_rR = t59 * C1_12_IRyy;
+    const double t263 = C1_12_IBxz * yaw_by_delta;
+    const double M_22_IRxx = p->c * t263;
+    const double K2_22_xB = p->mB * t263;
+    const double C1_12_rR = p->c * t260;
+    const double K2_22_mB = p->xB * t263;
+    const double t268 = t76 * K2_22_mB;
+    const double K0_12_xB = p->mB * yaw_by_delta;
+    const double t270 = sin_lam * K0_12_xB;
+    const double K0_12_mB = p->xB * yaw_by_delta;
     const double M_12_mB = p->zB * K0_12_mB;
     const double M_22_mB = K0_12_mB * K0_12_mB;
-    const double t259 = K2_12_mB * t246;
-    const double K2_22_mB = C1_12_IBxz * K0_12_mB;
-    const double t261 = t246 * K2_22_mB;
-    const double t262 = sin_lam * K0_12_mB;
-    const double M_12_xH = t3 * wz_delta2_delta;
-    const double M_22_xH = t102 * t181;
-    const double K2_12_zH = p->mH * C1_12_IBxz;
-    const double t266 = p->zH * K2_12_zH;
-    const double K0_12_xH = p->mH * wz_delta2_delta;
-    const double t270 = (t137 * K0_12_xH) + (K0_12_mH * K2_12_zH);
-    const double t271 = sin_lam * K0_12_xH;
-    const double K2_22_xH = wz_delta2_delta * K2_12_zH;
-    const double M_11_zH = t3 + t3;
-    const double t274 = sin_lam * t129;
-    const double t275 = p->mH * t137;
-    const double C1_22_zH = sin_lam * t275;
-    const double t277 = p->mH * sin_lam;
-    const double K0_22_zH = sin_lam * t277;
-    const double t279 = sin_lam * K2_12_zH;
-    const double M_11_mH = p->zH * p->zH;
-    const double M_12_mH = p->zH * K0_12_mH;
-    const double M_22_mH = K0_12_mH * K0_12_mH;
-    const double t283 = p->zH * t137;
-    const double K2_22_mH = C1_12_IBxz * K0_12_mH;
-    const double t285 = t162 * K2_22_mH;
-    const double t286 = sin_lam * K0_12_mH;
-    const double K2_12_mH = p->zH * C1_12_IBxz;
+    const double t274 = sin_lam * K0_12_mB;
+    const double t275 = K0_12_xB * K0_12_mB;
+    const double M_22_xB = t275 + t275;
+    const double t277 = t211 + K0_12_xB;
+    const double t279 = yaw_by_delta * (t211 + t277);
+    const double K2_12_mB = p->zB * C1_12_IBxz;
+    const double t281 = t76 * K2_12_mB;
+    const double t282 = C1_12_IBxz * wz_delta2_delta;
+    const double K2_22_xH = p->mH * t282;
     const double M_22_ay_all1_delta = sin_lam * sin_lam;
+    const double M_22_mF = ay_all1_delta_mF * M_22_ay_all1_delta;
+    const double K0_22_zH = p->mH * M_22_ay_all1_delta;
+    const double K2_12_mH = p->zH * C1_12_IBxz;
+    const double t288 = t75 * K2_12_mH;
     const double M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-    const double t290 = C1_12_IBxz * wz_delta2_delta;
-    const double M_22_IHxz = sin_lam * t181;
-    const double K2_22_h_spin_R = C1_12_IBxz * sin_lam;
-    const double ay_all1_delta_rF = t8 + t8;
-    const double t294 = t101 + t101;
-    const double M_22_rF = sin_lam * t294;
-    const double t296 = t88 * h_spin_R;
-    const double t297 = p->mF - t296;
-    const double C1_12_rF = wz_delta2_delta * t297;
-    const double C1_21_rF = wz_delta2_delta * t296;
-    const double K0_12_rF = p->mF * sin_lam;
-    const double t301 = wz_delta2_delta * K0_12_rF;
-    const double t302 = sin_lam * K0_12_rF;
-    const double t303 = C1_12_IBxz * t297;
-    const double K2_22_rF = K2_22_h_spin_R * t297;
-    const double ay_all1_delta_mF = p->rF * p->rF;
-    const double t306 = sin_lam * ay_all1_delta_mF;
-    const double t307 = sin_lam * K0_12_mF;
-    const double M_22_mF = p->rF * t307;
-    const double C1_12_mF = p->rF * wz_delta2_delta;
-    const double t310 = wz_delta2_delta * K0_12_mF;
-    const double t311 = p->rF * C1_12_IBxz;
-    const double K2_22_mF = C1_12_IBxz * K0_12_mF;
     const double M_22_IFxx = M_22_ay_all1_delta + M_22_IHzz;
-    const double C1_12_IFyy = wz_delta2_delta * t88;
-    const double t315 = C1_12_IBxz * t88;
-    const double K2_22_IFyy = sin_lam * t315;
-    const double C1_21 = -t96;
-    const double C1_22 = -(cos_lam * t113);
-    const double K0_22 = -(sin_lam * K0_12);
-    const double K0_22_c = -(sin_lam * K0_12_c);
-    const double t321 = -(C1_12_IBxz * K0_12_c);
+    const double C1_12_IFyy = wz_delta2_delta * t52;
+    const double C1_21_rF = h_spin_R * C1_12_IFyy;
+    const double K0_12_rF = p->mF * sin_lam;
+    const double t294 = wz_delta2_delta * K0_12_rF;
+    const double t295 = sin_lam * K0_12_rF;
+    const double K0_12_mF = p->rF * sin_lam;
+    const double t297 = p->rF * K0_12_mF;
+    const double t298 = wz_delta2_delta * K0_12_mF;
+    const double t299 = sin_lam * K0_12_mF;
+    const double K2_22_mF = C1_12_IBxz * K0_12_mF;
+    const double t301 = C1_12_IBxz * t52;
+    const double K2_22_IFyy = sin_lam * t301;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -758,128 +754,128 @@ void rear_steered_f64_derivatives(const rear_steered_f64_t *p,
     matrices->k2[0][1] = K2_12;
     matrices->k2[1][0] = 0.0;
     matrices->k2[1][1] = K2_22;
-    derivatives->values[0] = t126;
-    derivatives->values[1] = t131;
-    derivatives->values[2] = C1_12_w;
-    derivatives->values[3] = C1_21_w;
-    derivatives->values[4] = C1_22_w;
-    derivatives->values[5] = t147;
-    derivatives->values[6] = K0_22_w;
-    derivatives->values[7] = t149;
-    derivatives->values[8] = t152;
-    derivatives->values[9] = M_12_c;
-    derivatives->values[10] = M_22_c;
-    derivatives->values[11] = K2_12;
-    derivatives->values[12] = t160;
-    derivatives->values[13] = t166;
-    derivatives->values[14] = K0_12_c;
-    derivatives->values[15] = K0_22_c;
-    derivatives->values[16] = t321;
-    derivatives->values[17] = M_12_lam;
-    derivatives->values[18] = M_22_lam;
-    derivatives->values[19] = t202;
-    derivatives->values[20] = C1_21_lam;
-    derivatives->values[21] = C1_22_lam;
-    derivatives->values[22] = K0_12_lam;
-    derivatives->values[23] = t221;
-    derivatives->values[24] = t222;
-    derivatives->values[25] = K2_22_lam;
-    derivatives->values[26] = M_11_rR;
-    derivatives->values[27] = C1_12_rR;
-    derivatives->values[28] = C1_21_rR;
-    derivatives->values[29] = p->mR;
-    derivatives->values[30] = t230;
-    derivatives->values[31] = M_11_mR;
-    derivatives->values[32] = C1_12_mR;
-    derivatives->values[33] = p->rR;
-    derivatives->values[34] = t236;
-    derivatives->values[35] = 1.0;
-    derivatives->values[36] = M_22_IRxx;
-    derivatives->values[37] = t239;
-    derivatives->values[38] = C1_12_IRyy;
-    derivatives->values[39] = t240;
-    derivatives->values[40] = M_12_xB;
-    derivatives->values[41] = M_22_xB;
-    derivatives->values[42] = t242;
-    derivatives->values[43] = t249;
-    derivatives->values[44] = K0_12_xB;
-    derivatives->values[45] = t252;
-    derivatives->values[46] = K2_22_xB;
-    derivatives->values[47] = M_11_zB;
-    derivatives->values[48] = M_12_zB;
-    derivatives->values[49] = t254;
-    derivatives->values[50] = p->mB;
-    derivatives->values[51] = K2_12_zB;
-    derivatives->values[52] = M_11_mB;
-    derivatives->values[53] = M_12_mB;
-    derivatives->values[54] = M_22_mB;
-    derivatives->values[55] = t259;
-    derivatives->values[56] = t261;
-    derivatives->values[57] = p->zB;
-    derivatives->values[58] = K0_12_mB;
-    derivatives->values[59] = t262;
-    derivatives->values[60] = K2_12_mB;
-    derivatives->values[61] = K2_22_mB;
-    derivatives->values[62] = yaw_by_delta;
-    derivatives->values[63] = C1_12_IBxz;
-    derivatives->values[64] = M_12_xH;
-    derivatives->values[65] = M_22_xH;
-    derivatives->values[66] = t266;
-    derivatives->values[67] = t270;
-    derivatives->values[68] = K0_12_xH;
-    derivatives->values[69] = t271;
-    derivatives->values[70] = K2_22_xH;
-    derivatives->values[71] = M_11_zH;
-    derivatives->values[72] = t72;
-    derivatives->values[73] = t274;
-    derivatives->values[74] = t275;
-    derivatives->values[75] = C1_22_zH;
-    derivatives->values[76] = p->mH;
-    derivatives->values[77] = t277;
-    derivatives->values[78] = K0_22_zH;
-    derivatives->values[79] = K2_12_zH;
-    derivatives->values[80] = t279;
-    derivatives->values[81] = M_11_mH;
-    derivatives->values[82] = M_12_mH;
-    derivatives->values[83] = M_22_mH;
-    derivatives->values[84] = t283;
-    derivatives->values[85] = t285;
-    derivatives->values[86] = p->zH;
-    derivatives->values[87] = K0_12_mH;
-    derivatives->values[88] = t286;
-    derivatives->values[89] = K2_12_mH;
-    derivatives->values[90] = K2_22_mH;
-    derivatives->values[91] = sin_lam;
-    derivatives->values[92] = M_22_ay_all1_delta;
-    derivatives->values[93] = M_22_IHzz;
-    derivatives->values[94] = t290;
-    derivatives->values[95] = wz_delta2_delta;
-    derivatives->values[96] = M_22_IHxz;
-    derivatives->values[97] = K2_22_h_spin_R;
-    derivatives->values[98] = ay_all1_delta_rF;
-    derivatives->values[99] = t294;
-    derivatives->values[100] = M_22_rF;
-    derivatives->values[101] = C1_12_rF;
-    derivatives->values[102] = C1_21_rF;
-    derivatives->values[103] = t301;
-    derivatives->values[104] = p->mF;
-    derivatives->values[105] = K0_12_rF;
-    derivatives->values[106] = t302;
-    derivatives->values[107] = t303;
-    derivatives->values[108] = K2_22_rF;
-    derivatives->values[109] = ay_all1_delta_mF;
-    derivatives->values[110] = t306;
-    derivatives->values[111] = M_22_mF;
-    derivatives->values[112] = C1_12_mF;
-    derivatives->values[113] = t310;
-    derivatives->values[114] = p->rF;
-    derivatives->values[115] = K0_12_mF;
-    derivatives->values[116] = t307;
-    derivatives->values[117] = t311;
-    derivatives->values[118] = K2_22_mF;
-    derivatives->values[119] = M_22_IFxx;
-    derivatives->values[120] = C1_12_IFyy;
-    derivatives->values[121] = t315;
+    derivatives->values[0] = p->rR;
+    derivatives->values[1] = p->mR;
+    derivatives->values[2] = p->zB;
+    derivatives->values[3] = p->mB;
+    derivatives->values[4] = p->zH;
+    derivatives->values[5] = p->mH;
+    derivatives->values[6] = p->rF;
+    derivatives->values[7] = p->mF;
+    derivatives->values[8] = 1.0;
+    derivatives->values[9] = sin_lam;
+    derivatives->values[10] = M_11_mH;
+    derivatives->values[11] = ay_all1_delta_mF;
+    derivatives->values[12] = M_11_mB;
+    derivatives->values[13] = M_11_mR;
+    derivatives->values[14] = M_11_zB;
+    derivatives->values[15] = ay_all1_delta_rF;
+    derivatives->values[16] = M_11_zH;
+    derivatives->values[17] = M_11_rR;
+    derivatives->values[18] = C1_12_IBxz;
+    derivatives->values[19] = C1_21_w;
+    derivatives->values[20] = M_12_c;
+    derivatives->values[21] = t98;
+    derivatives->values[22] = C1_21_lam;
+    derivatives->values[23] = t102;
+    derivatives->values[24] = t103;
+    derivatives->values[25] = t104;
+    derivatives->values[26] = t105;
+    derivatives->values[27] = t106;
+    derivatives->values[28] = t107;
+    derivatives->values[29] = yaw_by_delta;
+    derivatives->values[30] = M_12_xB;
+    derivatives->values[31] = C1_12_mR;
+    derivatives->values[32] = t113;
+    derivatives->values[33] = wz_delta2_delta;
+    derivatives->values[34] = M_12_xH;
+    derivatives->values[35] = C1_12_rF;
+    derivatives->values[36] = t117;
+    derivatives->values[37] = K2_22_rF;
+    derivatives->values[38] = C1_12_mF;
+    derivatives->values[39] = t123;
+    derivatives->values[40] = M_22_mH;
+    derivatives->values[41] = K0_22_mH;
+    derivatives->values[42] = t126;
+    derivatives->values[43] = C1_12_w;
+    derivatives->values[44] = M_12_zB;
+    derivatives->values[45] = C1_12_c;
+    derivatives->values[46] = K2_12_w;
+    derivatives->values[47] = K2_12_zH;
+    derivatives->values[48] = t153;
+    derivatives->values[49] = t154;
+    derivatives->values[50] = C1_22_mH;
+    derivatives->values[51] = t166;
+    derivatives->values[52] = t171;
+    derivatives->values[53] = C1_12_lam;
+    derivatives->values[54] = K2_12_lam;
+    derivatives->values[55] = K0_22_w;
+    derivatives->values[56] = t178;
+    derivatives->values[57] = K2_22_h_spin_R;
+    derivatives->values[58] = C1_22_c;
+    derivatives->values[59] = t195;
+    derivatives->values[60] = M_22_c;
+    derivatives->values[61] = K0_12_xH;
+    derivatives->values[62] = t202;
+    derivatives->values[63] = t203;
+    derivatives->values[64] = C1_22_zH;
+    derivatives->values[65] = C1_22_w;
+    derivatives->values[66] = K2_12_zB;
+    derivatives->values[67] = K0_12_c;
+    derivatives->values[68] = t214;
+    derivatives->values[69] = t217;
+    derivatives->values[70] = K0_22_c;
+    derivatives->values[71] = t219;
+    derivatives->values[72] = C1_22_lam;
+    derivatives->values[73] = M_12_lam;
+    derivatives->values[74] = M_22_lam;
+    derivatives->values[75] = t247;
+    derivatives->values[76] = K0_12_lam;
+    derivatives->values[77] = M_22_rF;
+    derivatives->values[78] = M_22_zH;
+    derivatives->values[79] = M_22_IHxz;
+    derivatives->values[80] = K0_22_lam;
+    derivatives->values[81] = t257;
+    derivatives->values[82] = t260;
+    derivatives->values[83] = C1_12_IRyy;
+    derivatives->values[84] = C1_21_rR;
+    derivatives->values[85] = t263;
+    derivatives->values[86] = M_22_IRxx;
+    derivatives->values[87] = K2_22_xB;
+    derivatives->values[88] = C1_12_rR;
+    derivatives->values[89] = K2_22_mB;
+    derivatives->values[90] = t268;
+    derivatives->values[91] = K0_12_xB;
+    derivatives->values[92] = t270;
+    derivatives->values[93] = K0_12_mB;
+    derivatives->values[94] = M_12_mB;
+    derivatives->values[95] = M_22_mB;
+    derivatives->values[96] = t274;
+    derivatives->values[97] = M_22_xB;
+    derivatives->values[98] = t277;
+    derivatives->values[99] = t279;
+    derivatives->values[100] = K2_12_mB;
+    derivatives->values[101] = t281;
+    derivatives->values[102] = t282;
+    derivatives->values[103] = K2_22_xH;
+    derivatives->values[104] = M_22_ay_all1_delta;
+    derivatives->values[105] = M_22_mF;
+    derivatives->values[106] = K0_22_zH;
+    derivatives->values[107] = K2_12_mH;
+    derivatives->values[108] = t288;
+    derivatives->values[109] = M_22_IHzz;
+    derivatives->values[110] = M_22_IFxx;
+    derivatives->values[111] = C1_12_IFyy;
+    derivatives->values[112] = C1_21_rF;
+    derivatives->values[113] = K0_12_rF;
+    derivatives->values[114] = t294;
+    derivatives->values[115] = t295;
+    derivatives->values[116] = K0_12_mF;
+    derivatives->values[117] = t297;
+    derivatives->values[118] = t298;
+    derivatives->values[119] = t299;
+    derivatives->values[120] = K2_22_mF;
+    derivatives->values[121] = t301;
     derivatives->values[122] = K2_22_IFyy;
 }
 
@@ -1207,202 +1203,198 @@ void rear_steered_f32_kinematics(const rear_steered_f32_t *p, rear_steered_f32_k
 void rear_steered_f32_derivatives(const rear_steered_f32_t *p,
     rear_steered_f32_matrices_t *matrices, rear_steered_f32_derivatives_t *derivatives)
 {
-    const float t3 = p->zH * p->mH;
-    const float t8 = p->rF * p->mF;
-    const float t12 = p->IFxx + (p->zH * t3) + p->IHxx + (p->rF * t8);
-    const float t17 = p->rR * p->mR;
-    const float t21 = p->zB * p->mB;
-    const float M_11 = t12 + p->IRxx + p->IBxx + (p->rR * t17) + (p->zB * t21);
     float sin_lam = 0.0F;
     float cos_lam = 0.0F;
     carvallo_sin_cos_f32(p->lam, &sin_lam, &cos_lam);
-    const float t31 = 1.0F / p->w;
-    const float C1_12_IBxz = cos_lam * t31;
-    const float yaw_by_delta = p->c * C1_12_IBxz;
-    const float t39 = (t21 * p->xB) - p->IHxz - p->IBxz;
-    const float t43 = p->c + p->w - p->xH;
-    const float t45 = yaw_by_delta * p->xH;
-    const float t46 = t45 - (cos_lam * t43);
-    const float t49 = t12 * sin_lam;
-    const float t50 = (t3 * t46) - t49;
-    const float t51 = cos_lam * p->IHxz;
-    const float M_12 = (yaw_by_delta * t39) + t50 - t51;
-    const float wz_delta2_delta = cos_lam + yaw_by_delta;
-    const float t55 = p->IHxz * sin_lam;
-    const float t57 = p->IFxx + p->IHzz;
-    const float t59 = t55 + (wz_delta2_delta * t57);
-    const float t63 = p->mB * p->xB;
-    const float t66 = p->IRxx + p->IBzz + (p->xB * t63);
-    const float t67 = yaw_by_delta * t66;
-    const float t69 = p->zH * sin_lam;
-    const float K0_12_mH = t46 - t69;
-    const float t71 = t69 - K0_12_mH;
-    const float t72 = p->mH * t71;
-    const float M_22 = (wz_delta2_delta * (t55 + t59)) + (yaw_by_delta * t67) + (sin_lam * t49) -
-        (t46 * t72);
-    const float K0_11 = t3 + t21 - t8 - t17;
-    const float t85 = t39 + (p->c * K0_11) + (t3 * p->xH);
-    const float t86 = C1_12_IBxz * t85;
-    const float t88 = 1.0F / p->rF;
-    const float h_spin_R = p->IFyy * t88;
-    const float t91 = 1.0F / p->rR;
-    const float t92 = p->IRyy * t91;
-    const float t93 = h_spin_R + t92;
-    const float t94 = yaw_by_delta * t93;
-    const float t95 = cos_lam * h_spin_R;
-    const float t96 = t94 + t95;
-    const float t97 = t8 * cos_lam;
-    const float C1_12 = t96 + t97 - t86;
-    const float K0_12_mF = p->rF * sin_lam;
-    const float t101 = p->mF * K0_12_mF;
-    const float t102 = p->mH * K0_12_mH;
-    const float M_22_wz_delta2_delta = p->xH * t102;
-    const float t104 = C1_12_IBxz * t63;
-    const float M_12_zB = p->c * t104;
-    const float K0_12 = t101 + t102 + M_12_zB;
-    const float t109 = t59 + t67;
-    const float t112 = t31 * (M_22_wz_delta2_delta + (p->c * K0_12) + t109);
-    const float t113 = t101 + t112;
-    const float t116 = K0_11 - t93;
-    const float K2_12 = C1_12_IBxz * t116;
-    const float t118 = sin_lam * h_spin_R;
-    const float t119 = K0_12 + t118;
-    const float K2_22 = C1_12_IBxz * t119;
-    const float t122 = cos_lam + (t31 * t45);
-    const float t124 = t31 * yaw_by_delta;
-    const float t126 = (t3 * t122) + (t39 * t124);
-    const float M_22_yaw_by_delta = t109 + t109;
-    const float t129 = t102 + t102;
-    const float t131 = (t124 * M_22_yaw_by_delta) + (t122 * t129);
-    const float C1_21_w = t31 * t94;
-    const float C1_12_w = (t31 * t86) - C1_21_w;
-    const float t135 = p->mH * t122;
-    const float t136 = C1_12_IBxz * p->xH;
-    const float t137 = yaw_by_delta + t136;
-    const float t139 = t57 + t66;
-    const float t141 = M_12_zB + (C1_12_IBxz * t139);
-    const float C1_22_w = (t135 * t137) + (t124 * t141) + (C1_12_IBxz * t112);
-    const float t147 = t135 + (t31 * M_12_zB);
-    const float K0_22_w = sin_lam * t147;
-    const float t149 = t31 * K2_12;
-    const float t152 = C1_12_IBxz * (t147 + (t31 * t119));
-    const float t154 = cos_lam - t136;
-    const float M_12_c = (C1_12_IBxz * t39) - (t3 * t154);
-    const float M_22_c = (C1_12_IBxz * M_22_yaw_by_delta) - (t129 * t154);
-    const float t160 = C1_12_IBxz * t93;
-    const float t161 = p->mH * t154;
-    const float t162 = p->c + p->xH;
-    const float t166 = C1_12_IBxz * (K0_12 + t141 - (t161 * t162));
-    const float K0_12_c = t104 - t161;
-    const float t171 = t31 * sin_lam;
-    const float t172 = p->c * t171;
-    const float t174 = (p->xH * t172) - (t43 * sin_lam);
-    const float t177 = t12 * cos_lam;
-    const float M_12_lam = t55 - (t3 * t174) - (t39 * t172) - t177;
-    const float t181 = wz_delta2_delta + wz_delta2_delta;
-    const float t185 = p->mH * t174;
-    const float t188 = t185 + (t3 * cos_lam);
-    const float t196 = (t71 * t185) - (cos_lam * (t50 - (p->IHxz * t181))) - (t46 * t188) -
-        (sin_lam * (t59 + t59 - t177));
-    const float M_22_lam = t196 - (M_22_yaw_by_delta * t172);
-    const float C1_21_lam = t118 + (t93 * t172);
-    const float t202 = t101 + C1_21_lam - (t85 * t171);
-    const float ay_all1_delta = t139 * t171;
-    const float K0_12_lam = t97 - t188 - (t63 * t172);
-    const float t215 = t97 + (t31 * (t51 - (p->xH * t188) - (p->c * (ay_all1_delta - K0_12_lam)) -
-        (sin_lam * t57)));
-    const float C1_22_lam = (sin_lam * t113) - (cos_lam * t215);
-    const float t221 = (sin_lam * K0_12_lam) + (cos_lam * K0_12);
-    const float t222 = t116 * t171;
-    const float K2_22_lam = (C1_12_IBxz * (t95 + K0_12_lam)) - (t119 * t171);
-    const float M_11_rR = t17 + t17;
-    const float t230 = C1_12_IBxz * (p->mR - (t91 * t92));
-    const float C1_12_rR = p->c * t230;
-    const float C1_12_IRyy = yaw_by_delta * t91;
-    const float C1_21_rR = t92 * C1_12_IRyy;
-    const float M_11_mR = p->rR * p->rR;
-    const float C1_12_mR = p->rR * yaw_by_delta;
-    const float t236 = p->rR * C1_12_IBxz;
-    const float M_22_IRxx = yaw_by_delta * yaw_by_delta;
-    const float t239 = cos_lam * t124;
-    const float t240 = C1_12_IBxz * t91;
-    const float K2_12_mB = p->zB * C1_12_IBxz;
-    const float t242 = p->mB * K2_12_mB;
-    const float M_12_xB = p->c * t242;
-    const float M_22_xB = yaw_by_delta * (M_12_zB + M_12_zB);
-    const float t246 = p->c + p->xB;
-    const float K2_22_xB = p->mB * t239;
-    const float t249 = (p->xB + t246) * K2_22_xB;
-    const float K2_12_zB = p->mB * C1_12_IBxz;
-    const float K0_12_xB = p->c * K2_12_zB;
-    const float t252 = sin_lam * K0_12_xB;
-    const float M_11_zB = t21 + t21;
-    const float t254 = t104 + K0_12_xB;
+    const float M_11_mH = p->zH * p->zH;
+    const float ay_all1_delta_mF = p->rF * p->rF;
+    const float t31 = p->IHxx + p->IFxx + (p->mF * ay_all1_delta_mF);
     const float M_11_mB = p->zB * p->zB;
-    const float K0_12_mB = yaw_by_delta * p->xB;
+    const float M_11_mR = p->rR * p->rR;
+    const float t34 = p->mB * p->xB;
+    const float t37 = (p->zB * t34) - p->IHxz - p->IBxz;
+    const float M_11 = (p->mH * M_11_mH) + p->IRxx + p->IBxx + t31 + (p->mB * M_11_mB) + (p->mR *
+        M_11_mR);
+    const float t46 = 1.0F / p->w;
+    const float t47 = p->IFxx + p->IHzz;
+    const float t50 = p->IRxx + p->IBzz + (p->xB * t34);
+    const float t51 = p->c * t46;
+    const float t52 = 1.0F / p->rF;
+    const float t53 = 1.0F / p->rR;
+    const float t54 = p->mB * p->zB;
+    const float M_11_zB = t54 + t54;
+    const float t56 = p->mF * p->rF;
+    const float ay_all1_delta_rF = t56 + t56;
+    const float h_spin_R = p->IFyy * t52;
+    const float t59 = p->IRyy * t53;
+    const float t60 = p->mH * p->zH;
+    const float M_11_zH = t60 + t60;
+    const float t62 = p->xH * t51;
+    const float t63 = p->mR * p->rR;
+    const float M_11_rR = t63 + t63;
+    const float K0_11 = t54 - (t56 + t63 - t60);
+    const float t68 = h_spin_R + t59;
+    const float t70 = t37 + (p->xH * t60);
+    const float t73 = p->c + p->w - p->xH - t62;
+    const float t74 = t56 + h_spin_R;
+    const float t75 = p->c + p->xH;
+    const float t76 = p->xB + p->c;
+    const float t78 = p->mF - (t52 * h_spin_R);
+    const float t79 = t51 * t68;
+    const float t80 = t68 - K0_11;
+    const float C1_12_IBxz = cos_lam * t46;
+    const float t82 = p->zH * sin_lam;
+    const float t83 = p->IHxz * cos_lam;
+    const float t84 = p->IHxz * sin_lam;
+    const float t85 = cos_lam * t74;
+    const float t86 = sin_lam * t74;
+    const float ay_all1_delta = sin_lam * t56;
+    const float t88 = cos_lam * t56;
+    const float t89 = h_spin_R + t79;
+    const float t90 = p->mH * cos_lam;
+    const float t92 = t70 - (p->c * t80);
+    const float t93 = cos_lam + cos_lam;
+    const float t94 = cos_lam * t60;
+    const float C1_21_w = C1_12_IBxz * t79;
+    const float M_12_c = (C1_12_IBxz * t70) - t94;
+    const float t98 = C1_12_IBxz * t68;
+    const float C1_21_lam = sin_lam * t89;
+    const float C1_21 = -(cos_lam * t89);
+    const float t102 = p->rR * C1_12_IBxz;
+    const float t103 = C1_12_IBxz * t53;
+    const float t104 = C1_12_IBxz * t54;
+    const float t105 = t46 * t94;
+    const float t106 = ay_all1_delta + ay_all1_delta;
+    const float t107 = p->rF * C1_12_IBxz;
+    const float yaw_by_delta = p->c * C1_12_IBxz;
+    const float M_12_xB = yaw_by_delta * t54;
+    const float C1_12_mR = p->rR * yaw_by_delta;
+    const float t111 = t37 * yaw_by_delta;
+    const float t113 = (cos_lam * t73) + t82;
+    const float wz_delta2_delta = cos_lam + yaw_by_delta;
+    const float M_12_xH = wz_delta2_delta * t60;
+    const float C1_12_rF = wz_delta2_delta * t78;
+    const float t117 = C1_12_IBxz * t78;
+    const float K2_22_rF = sin_lam * t117;
+    const float C1_12_mF = p->rF * wz_delta2_delta;
+    const float t121 = t84 + (t47 * wz_delta2_delta);
+    const float t123 = p->mH * (t82 + t113);
+    const float M_22_mH = t113 * t113;
+    const float K0_22_mH = sin_lam * t113;
+    const float t126 = p->zH * t113;
+    const float t127 = p->mH * t113;
+    const float t128 = C1_12_IBxz * t92;
+    const float C1_12 = t85 - t128;
+    const float C1_12_w = t46 * t128;
+    const float t134 = (t31 * sin_lam) + (p->mH * t126) + t83;
+    const float t136 = t121 + (yaw_by_delta * t50);
+    const float M_12_zB = t34 * yaw_by_delta;
+    const float t140 = M_12_zB + (C1_12_IBxz * (t47 + t50));
+    const float t141 = M_12_zB - t127;
+    const float K0_12 = ay_all1_delta + t141;
+    const float t144 = t46 * (t141 + t86);
+    const float C1_12_c = C1_12_IBxz * t80;
+    const float K2_12_w = t46 * C1_12_c;
+    const float K2_12 = -C1_12_c;
+    const float K2_12_zH = p->mH * C1_12_IBxz;
+    const float t150 = (t62 * K2_12_zH) + t90;
+    const float t153 = K2_12_zH * ((wz_delta2_delta * t75) - t113);
+    const float t154 = C1_12_IBxz * t113;
+    const float C1_22_mH = t75 * t154;
+    const float t159 = t121 + (t73 * t127) + (t51 * t136);
+    const float t162 = t46 * (t136 - (p->xH * t127));
+    const float M_12 = t111 - t134;
+    const float t166 = (p->zH * t150) + (t46 * t111);
+    const float t168 = t134 + (t51 * t83);
+    const float K2_22 = cos_lam * t144;
+    const float t171 = t150 + (t46 * M_12_zB);
+    const float t172 = t46 * sin_lam;
+    const float C1_12_lam = (t92 * t172) - t86;
+    const float K2_12_lam = t80 * t172;
+    const float K0_22_w = sin_lam * t171;
+    const float t178 = C1_12_IBxz * (t144 + t171);
+    const float K2_22_h_spin_R = cos_lam * t172;
+    const float t180 = p->c * t172;
+    const float K0_22 = -(sin_lam * K0_12);
+    const float t183 = t51 * t140;
+    const float t185 = t90 - (p->xH * K2_12_zH);
+    const float C1_22_c = C1_12_IBxz * ((t75 * t185) - K0_12 - t140);
+    const float M_22 = (cos_lam * t159) + (sin_lam * t168);
+    const float t195 = ((t51 * t162) - t127) * t93;
+    const float M_22_c = t93 * (t127 + t162);
+    const float t199 = t162 + (t51 * K0_12);
+    const float K0_12_xH = t90 + (t51 * t90);
+    const float t202 = sin_lam * K0_12_xH;
+    const float t203 = K2_12_zH * t75;
+    const float C1_22_zH = sin_lam * t203;
+    const float C1_22_w = C1_12_IBxz * (t199 + (t150 * t75) + t183);
+    const float t209 = ay_all1_delta + t199;
+    const float K2_12_zB = p->mB * C1_12_IBxz;
+    const float t211 = p->xB * K2_12_zB;
+    const float K0_12_c = t211 - t185;
+    const float t213 = t185 - t211;
+    const float t214 = p->mH * sin_lam;
+    const float M_22_yaw_by_delta = t94 - (t73 * t214);
+    const float t217 = C1_12_IBxz * t214;
+    const float K0_22_c = sin_lam * t213;
+    const float t219 = C1_12_IBxz * t213;
+    const float C1_22 = -(cos_lam * t209);
+    const float C1_22_lam = (sin_lam * (t209 + t183 + (C1_12_IBxz * t47))) + (C1_12_IBxz * ((t75 *
+        M_22_yaw_by_delta) - t83)) - (wz_delta2_delta * t88);
+    const float M_12_lam = t84 - (t31 * cos_lam) - (t37 * t180) - (p->zH * M_22_yaw_by_delta);
+    const float t239 = M_22_yaw_by_delta + (t34 * t180);
+    const float t240 = sin_lam + sin_lam;
+    const float M_22_lam = (t168 * t93) - (t159 * t240);
+    const float t247 = (sin_lam * t144) + (C1_12_IBxz * (t239 - t85));
+    const float K0_12_lam = t88 - t239;
+    const float M_22_rF = ay_all1_delta * t240;
+    const float M_22_zH = t127 * t240;
+    const float M_22_IHxz = wz_delta2_delta * t240;
+    const float K0_22_lam = -((cos_lam * K0_12) + (sin_lam * K0_12_lam));
+    const float t256 = wz_delta2_delta * t127;
+    const float t257 = t256 + t256;
+    const float t260 = C1_12_IBxz * (p->mR - (t53 * t59));
+    const float C1_12_IRyy = yaw_by_delta * t53;
+    const float C1_21_rR = t59 * C1_12_IRyy;
+    const float t263 = C1_12_IBxz * yaw_by_delta;
+    const float M_22_IRxx = p->c * t263;
+    const float K2_22_xB = p->mB * t263;
+    const float C1_12_rR = p->c * t260;
+    const float K2_22_mB = p->xB * t263;
+    const float t268 = t76 * K2_22_mB;
+    const float K0_12_xB = p->mB * yaw_by_delta;
+    const float t270 = sin_lam * K0_12_xB;
+    const float K0_12_mB = p->xB * yaw_by_delta;
     const float M_12_mB = p->zB * K0_12_mB;
     const float M_22_mB = K0_12_mB * K0_12_mB;
-    const float t259 = K2_12_mB * t246;
-    const float K2_22_mB = C1_12_IBxz * K0_12_mB;
-    const float t261 = t246 * K2_22_mB;
-    const float t262 = sin_lam * K0_12_mB;
-    const float M_12_xH = t3 * wz_delta2_delta;
-    const float M_22_xH = t102 * t181;
-    const float K2_12_zH = p->mH * C1_12_IBxz;
-    const float t266 = p->zH * K2_12_zH;
-    const float K0_12_xH = p->mH * wz_delta2_delta;
-    const float t270 = (t137 * K0_12_xH) + (K0_12_mH * K2_12_zH);
-    const float t271 = sin_lam * K0_12_xH;
-    const float K2_22_xH = wz_delta2_delta * K2_12_zH;
-    const float M_11_zH = t3 + t3;
-    const float t274 = sin_lam * t129;
-    const float t275 = p->mH * t137;
-    const float C1_22_zH = sin_lam * t275;
-    const float t277 = p->mH * sin_lam;
-    const float K0_22_zH = sin_lam * t277;
-    const float t279 = sin_lam * K2_12_zH;
-    const float M_11_mH = p->zH * p->zH;
-    const float M_12_mH = p->zH * K0_12_mH;
-    const float M_22_mH = K0_12_mH * K0_12_mH;
-    const float t283 = p->zH * t137;
-    const float K2_22_mH = C1_12_IBxz * K0_12_mH;
-    const float t285 = t162 * K2_22_mH;
-    const float t286 = sin_lam * K0_12_mH;
-    const float K2_12_mH = p->zH * C1_12_IBxz;
+    const float t274 = sin_lam * K0_12_mB;
+    const float t275 = K0_12_xB * K0_12_mB;
+    const float M_22_xB = t275 + t275;
+    const float t277 = t211 + K0_12_xB;
+    const float t279 = yaw_by_delta * (t211 + t277);
+    const float K2_12_mB = p->zB * C1_12_IBxz;
+    const float t281 = t76 * K2_12_mB;
+    const float t282 = C1_12_IBxz * wz_delta2_delta;
+    const float K2_22_xH = p->mH * t282;
     const float M_22_ay_all1_delta = sin_lam * sin_lam;
+    const float M_22_mF = ay_all1_delta_mF * M_22_ay_all1_delta;
+    const float K0_22_zH = p->mH * M_22_ay_all1_delta;
+    const float K2_12_mH = p->zH * C1_12_IBxz;
+    const float t288 = t75 * K2_12_mH;
     const float M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-    const float t290 = C1_12_IBxz * wz_delta2_delta;
-    const float M_22_IHxz = sin_lam * t181;
-    const float K2_22_h_spin_R = C1_12_IBxz * sin_lam;
-    const float ay_all1_delta_rF = t8 + t8;
-    const float t294 = t101 + t101;
-    const float M_22_rF = sin_lam * t294;
-    const float t296 = t88 * h_spin_R;
-    const float t297 = p->mF - t296;
-    const float C1_12_rF = wz_delta2_delta * t297;
-    const float C1_21_rF = wz_delta2_delta * t296;
-    const float K0_12_rF = p->mF * sin_lam;
-    const float t301 = wz_delta2_delta * K0_12_rF;
-    const float t302 = sin_lam * K0_12_rF;
-    const float t303 = C1_12_IBxz * t297;
-    const float K2_22_rF = K2_22_h_spin_R * t297;
-    const float ay_all1_delta_mF = p->rF * p->rF;
-    const float t306 = sin_lam * ay_all1_delta_mF;
-    const float t307 = sin_lam * K0_12_mF;
-    const float M_22_mF = p->rF * t307;
-    const float C1_12_mF = p->rF * wz_delta2_delta;
-    const float t310 = wz_delta2_delta * K0_12_mF;
-    const float t311 = p->rF * C1_12_IBxz;
-    const float K2_22_mF = C1_12_IBxz * K0_12_mF;
     const float M_22_IFxx = M_22_ay_all1_delta + M_22_IHzz;
-    const float C1_12_IFyy = wz_delta2_delta * t88;
-    const float t315 = C1_12_IBxz * t88;
-    const float K2_22_IFyy = sin_lam * t315;
-    const float C1_21 = -t96;
-    const float C1_22 = -(cos_lam * t113);
-    const float K0_22 = -(sin_lam * K0_12);
-    const float K0_22_c = -(sin_lam * K0_12_c);
-    const float t321 = -(C1_12_IBxz * K0_12_c);
+    const float C1_12_IFyy = wz_delta2_delta * t52;
+    const float C1_21_rF = h_spin_R * C1_12_IFyy;
+    const float K0_12_rF = p->mF * sin_lam;
+    const float t294 = wz_delta2_delta * K0_12_rF;
+    const float t295 = sin_lam * K0_12_rF;
+    const float K0_12_mF = p->rF * sin_lam;
+    const float t297 = p->rF * K0_12_mF;
+    const float t298 = wz_delta2_delta * K0_12_mF;
+    const float t299 = sin_lam * K0_12_mF;
+    const float K2_22_mF = C1_12_IBxz * K0_12_mF;
+    const float t301 = C1_12_IBxz * t52;
+    const float K2_22_IFyy = sin_lam * t301;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -1419,128 +1411,128 @@ void rear_steered_f32_derivatives(const rear_steered_f32_t *p,
     matrices->k2[0][1] = K2_12;
     matrices->k2[1][0] = 0.0F;
     matrices->k2[1][1] = K2_22;
-    derivatives->values[0] = t126;
-    derivatives->values[1] = t131;
-    derivatives->values[2] = C1_12_w;
-    derivatives->values[3] = C1_21_w;
-    derivatives->values[4] = C1_22_w;
-    derivatives->values[5] = t147;
-    derivatives->values[6] = K0_22_w;
-    derivatives->values[7] = t149;
-    derivatives->values[8] = t152;
-    derivatives->values[9] = M_12_c;
-    derivatives->values[10] = M_22_c;
-    derivatives->values[11] = K2_12;
-    derivatives->values[12] = t160;
-    derivatives->values[13] = t166;
-    derivatives->values[14] = K0_12_c;
-    derivatives->values[15] = K0_22_c;
-    derivatives->values[16] = t321;
-    derivatives->values[17] = M_12_lam;
-    derivatives->values[18] = M_22_lam;
-    derivatives->values[19] = t202;
-    derivatives->values[20] = C1_21_lam;
-    derivatives->values[21] = C1_22_lam;
-    derivatives->values[22] = K0_12_lam;
-    derivatives->values[23] = t221;
-    derivatives->values[24] = t222;
-    derivatives->values[25] = K2_22_lam;
-    derivatives->values[26] = M_11_rR;
-    derivatives->values[27] = C1_12_rR;
-    derivatives->values[28] = C1_21_rR;
-    derivatives->values[29] = p->mR;
-    derivatives->values[30] = t230;
-    derivatives->values[31] = M_11_mR;
-    derivatives->values[32] = C1_12_mR;
-    derivatives->values[33] = p->rR;
-    derivatives->values[34] = t236;
-    derivatives->values[35] = 1.0F;
-    derivatives->values[36] = M_22_IRxx;
-    derivatives->values[37] = t239;
-    derivatives->values[38] = C1_12_IRyy;
-    derivatives->values[39] = t240;
-    derivatives->values[40] = M_12_xB;
-    derivatives->values[41] = M_22_xB;
-    derivatives->values[42] = t242;
-    derivatives->values[43] = t249;
-    derivatives->values[44] = K0_12_xB;
-    derivatives->values[45] = t252;
-    derivatives->values[46] = K2_22_xB;
-    derivatives->values[47] = M_11_zB;
-    derivatives->values[48] = M_12_zB;
-    derivatives->values[49] = t254;
-    derivatives->values[50] = p->mB;
-    derivatives->values[51] = K2_12_zB;
-    derivatives->values[52] = M_11_mB;
-    derivatives->values[53] = M_12_mB;
-    derivatives->values[54] = M_22_mB;
-    derivatives->values[55] = t259;
-    derivatives->values[56] = t261;
-    derivatives->values[57] = p->zB;
-    derivatives->values[58] = K0_12_mB;
-    derivatives->values[59] = t262;
-    derivatives->values[60] = K2_12_mB;
-    derivatives->values[61] = K2_22_mB;
-    derivatives->values[62] = yaw_by_delta;
-    derivatives->values[63] = C1_12_IBxz;
-    derivatives->values[64] = M_12_xH;
-    derivatives->values[65] = M_22_xH;
-    derivatives->values[66] = t266;
-    derivatives->values[67] = t270;
-    derivatives->values[68] = K0_12_xH;
-    derivatives->values[69] = t271;
-    derivatives->values[70] = K2_22_xH;
-    derivatives->values[71] = M_11_zH;
-    derivatives->values[72] = t72;
-    derivatives->values[73] = t274;
-    derivatives->values[74] = t275;
-    derivatives->values[75] = C1_22_zH;
-    derivatives->values[76] = p->mH;
-    derivatives->values[77] = t277;
-    derivatives->values[78] = K0_22_zH;
-    derivatives->values[79] = K2_12_zH;
-    derivatives->values[80] = t279;
-    derivatives->values[81] = M_11_mH;
-    derivatives->values[82] = M_12_mH;
-    derivatives->values[83] = M_22_mH;
-    derivatives->values[84] = t283;
-    derivatives->values[85] = t285;
-    derivatives->values[86] = p->zH;
-    derivatives->values[87] = K0_12_mH;
-    derivatives->values[88] = t286;
-    derivatives->values[89] = K2_12_mH;
-    derivatives->values[90] = K2_22_mH;
-    derivatives->values[91] = sin_lam;
-    derivatives->values[92] = M_22_ay_all1_delta;
-    derivatives->values[93] = M_22_IHzz;
-    derivatives->values[94] = t290;
-    derivatives->values[95] = wz_delta2_delta;
-    derivatives->values[96] = M_22_IHxz;
-    derivatives->values[97] = K2_22_h_spin_R;
-    derivatives->values[98] = ay_all1_delta_rF;
-    derivatives->values[99] = t294;
-    derivatives->values[100] = M_22_rF;
-    derivatives->values[101] = C1_12_rF;
-    derivatives->values[102] = C1_21_rF;
-    derivatives->values[103] = t301;
-    derivatives->values[104] = p->mF;
-    derivatives->values[105] = K0_12_rF;
-    derivatives->values[106] = t302;
-    derivatives->values[107] = t303;
-    derivatives->values[108] = K2_22_rF;
-    derivatives->values[109] = ay_all1_delta_mF;
-    derivatives->values[110] = t306;
-    derivatives->values[111] = M_22_mF;
-    derivatives->values[112] = C1_12_mF;
-    derivatives->values[113] = t310;
-    derivatives->values[114] = p->rF;
-    derivatives->values[115] = K0_12_mF;
-    derivatives->values[116] = t307;
-    derivatives->values[117] = t311;
-    derivatives->values[118] = K2_22_mF;
-    derivatives->values[119] = M_22_IFxx;
-    derivatives->values[120] = C1_12_IFyy;
-    derivatives->values[121] = t315;
+    derivatives->values[0] = p->rR;
+    derivatives->values[1] = p->mR;
+    derivatives->values[2] = p->zB;
+    derivatives->values[3] = p->mB;
+    derivatives->values[4] = p->zH;
+    derivatives->values[5] = p->mH;
+    derivatives->values[6] = p->rF;
+    derivatives->values[7] = p->mF;
+    derivatives->values[8] = 1.0F;
+    derivatives->values[9] = sin_lam;
+    derivatives->values[10] = M_11_mH;
+    derivatives->values[11] = ay_all1_delta_mF;
+    derivatives->values[12] = M_11_mB;
+    derivatives->values[13] = M_11_mR;
+    derivatives->values[14] = M_11_zB;
+    derivatives->values[15] = ay_all1_delta_rF;
+    derivatives->values[16] = M_11_zH;
+    derivatives->values[17] = M_11_rR;
+    derivatives->values[18] = C1_12_IBxz;
+    derivatives->values[19] = C1_21_w;
+    derivatives->values[20] = M_12_c;
+    derivatives->values[21] = t98;
+    derivatives->values[22] = C1_21_lam;
+    derivatives->values[23] = t102;
+    derivatives->values[24] = t103;
+    derivatives->values[25] = t104;
+    derivatives->values[26] = t105;
+    derivatives->values[27] = t106;
+    derivatives->values[28] = t107;
+    derivatives->values[29] = yaw_by_delta;
+    derivatives->values[30] = M_12_xB;
+    derivatives->values[31] = C1_12_mR;
+    derivatives->values[32] = t113;
+    derivatives->values[33] = wz_delta2_delta;
+    derivatives->values[34] = M_12_xH;
+    derivatives->values[35] = C1_12_rF;
+    derivatives->values[36] = t117;
+    derivatives->values[37] = K2_22_rF;
+    derivatives->values[38] = C1_12_mF;
+    derivatives->values[39] = t123;
+    derivatives->values[40] = M_22_mH;
+    derivatives->values[41] = K0_22_mH;
+    derivatives->values[42] = t126;
+    derivatives->values[43] = C1_12_w;
+    derivatives->values[44] = M_12_zB;
+    derivatives->values[45] = C1_12_c;
+    derivatives->values[46] = K2_12_w;
+    derivatives->values[47] = K2_12_zH;
+    derivatives->values[48] = t153;
+    derivatives->values[49] = t154;
+    derivatives->values[50] = C1_22_mH;
+    derivatives->values[51] = t166;
+    derivatives->values[52] = t171;
+    derivatives->values[53] = C1_12_lam;
+    derivatives->values[54] = K2_12_lam;
+    derivatives->values[55] = K0_22_w;
+    derivatives->values[56] = t178;
+    derivatives->values[57] = K2_22_h_spin_R;
+    derivatives->values[58] = C1_22_c;
+    derivatives->values[59] = t195;
+    derivatives->values[60] = M_22_c;
+    derivatives->values[61] = K0_12_xH;
+    derivatives->values[62] = t202;
+    derivatives->values[63] = t203;
+    derivatives->values[64] = C1_22_zH;
+    derivatives->values[65] = C1_22_w;
+    derivatives->values[66] = K2_12_zB;
+    derivatives->values[67] = K0_12_c;
+    derivatives->values[68] = t214;
+    derivatives->values[69] = t217;
+    derivatives->values[70] = K0_22_c;
+    derivatives->values[71] = t219;
+    derivatives->values[72] = C1_22_lam;
+    derivatives->values[73] = M_12_lam;
+    derivatives->values[74] = M_22_lam;
+    derivatives->values[75] = t247;
+    derivatives->values[76] = K0_12_lam;
+    derivatives->values[77] = M_22_rF;
+    derivatives->values[78] = M_22_zH;
+    derivatives->values[79] = M_22_IHxz;
+    derivatives->values[80] = K0_22_lam;
+    derivatives->values[81] = t257;
+    derivatives->values[82] = t260;
+    derivatives->values[83] = C1_12_IRyy;
+    derivatives->values[84] = C1_21_rR;
+    derivatives->values[85] = t263;
+    derivatives->values[86] = M_22_IRxx;
+    derivatives->values[87] = K2_22_xB;
+    derivatives->values[88] = C1_12_rR;
+    derivatives->values[89] = K2_22_mB;
+    derivatives->values[90] = t268;
+    derivatives->values[91] = K0_12_xB;
+    derivatives->values[92] = t270;
+    derivatives->values[93] = K0_12_mB;
+    derivatives->values[94] = M_12_mB;
+    derivatives->values[95] = M_22_mB;
+    derivatives->values[96] = t274;
+    derivatives->values[97] = M_22_xB;
+    derivatives->values[98] = t277;
+    derivatives->values[99] = t279;
+    derivatives->values[100] = K2_12_mB;
+    derivatives->values[101] = t281;
+    derivatives->values[102] = t282;
+    derivatives->values[103] = K2_22_xH;
+    derivatives->values[104] = M_22_ay_all1_delta;
+    derivatives->values[105] = M_22_mF;
+    derivatives->values[106] = K0_22_zH;
+    derivatives->values[107] = K2_12_mH;
+    derivatives->values[108] = t288;
+    derivatives->values[109] = M_22_IHzz;
+    derivatives->values[110] = M_22_IFxx;
+    derivatives->values[111] = C1_12_IFyy;
+    derivatives->values[112] = C1_21_rF;
+    derivatives->values[113] = K0_12_rF;
+    derivatives->values[114] = t294;
+    derivatives->values[115] = t295;
+    derivatives->values[116] = K0_12_mF;
+    derivatives->values[117] = t297;
+    derivatives->values[118] = t298;
+    derivatives->values[119] = t299;
+    derivatives->values[120] = K2_22_mF;
+    derivatives->values[121] = t301;
     derivatives->values[122] = K2_22_IFyy;
 }
 

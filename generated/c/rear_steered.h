@@ -341,7 +341,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 103 additions, 184 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 297 operations.
+ * 93 additions, 175 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 278 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -573,7 +573,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 103 additions, 184 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 297 operations.
+ * 93 additions, 175 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 278 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

@@ -50,17 +50,17 @@ const char *rolling_disc_validity_text(rolling_disc_validity_t validity)
 }
 
 const carvallo_partial_t rolling_disc_partials[ROLLING_DISC_PARTIALS] = {
-    {CARVALLO_MATRIX_M, 0U, 0U, 0U, 0U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 1U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 2U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 0U, 3U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 1U, 4U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 5U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 1U, 5U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 6U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 2U, 6U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 3U, 7U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 3U, 7U, false}
+    {CARVALLO_MATRIX_M, 0U, 0U, 0U, 4U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 7U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 6U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 0U, 1U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 1U, 5U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 0U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 1U, 0U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 3U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 2U, 3U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 3U, 2U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 3U, 2U, false}
 };
 
 const char *rolling_disc_position_name(rolling_disc_position_t which)
@@ -265,17 +265,17 @@ void rolling_disc_f64_kinematics(const rolling_disc_f64_t *p, rolling_disc_f64_k
 void rolling_disc_f64_derivatives(const rolling_disc_f64_t *p,
     rolling_disc_f64_matrices_t *matrices, rolling_disc_f64_derivatives_t *derivatives)
 {
-    const double t3 = p->r * p->m;
-    const double Jxx_all = p->It + (p->r * t3);
+    const double t6 = p->r * p->m;
+    const double Jxx_all = p->It + (p->r * t6);
     const double C1_12_Ia = 1.0 / p->r;
-    const double h_spin_D = p->Ia * C1_12_Ia;
-    const double C1_12 = t3 + h_spin_D;
-    const double M_11_r = t3 + t3;
-    const double C1_21_r = C1_12_Ia * h_spin_D;
-    const double C1_12_r = p->m - C1_21_r;
+    const double M_11_r = t6 + t6;
     const double M_11_m = p->r * p->r;
+    const double K0_11 = -t6;
+    const double h_spin_D = p->Ia * C1_12_Ia;
+    const double C1_12 = t6 + h_spin_D;
+    const double C1_21_r = C1_12_Ia * h_spin_D;
     const double C1_21 = -h_spin_D;
-    const double K0_11 = -t3;
+    const double C1_12_r = p->m - C1_21_r;
     matrices->m[0][0] = Jxx_all;
     matrices->m[0][1] = 0.0;
     matrices->m[1][0] = 0.0;
@@ -288,14 +288,14 @@ void rolling_disc_f64_derivatives(const rolling_disc_f64_t *p,
     matrices->k0[0][1] = 0.0;
     matrices->k0[1][0] = 0.0;
     matrices->k0[1][1] = 0.0;
-    derivatives->values[0] = M_11_r;
-    derivatives->values[1] = C1_12_r;
-    derivatives->values[2] = C1_21_r;
-    derivatives->values[3] = p->m;
-    derivatives->values[4] = M_11_m;
-    derivatives->values[5] = p->r;
-    derivatives->values[6] = C1_12_Ia;
-    derivatives->values[7] = 1.0;
+    derivatives->values[0] = p->r;
+    derivatives->values[1] = p->m;
+    derivatives->values[2] = 1.0;
+    derivatives->values[3] = C1_12_Ia;
+    derivatives->values[4] = M_11_r;
+    derivatives->values[5] = M_11_m;
+    derivatives->values[6] = C1_21_r;
+    derivatives->values[7] = C1_12_r;
 }
 
 void rolling_disc_f64_with_respect_to(const rolling_disc_f64_derivatives_t *derivatives,
@@ -1051,17 +1051,17 @@ void rolling_disc_f32_kinematics(const rolling_disc_f32_t *p, rolling_disc_f32_k
 void rolling_disc_f32_derivatives(const rolling_disc_f32_t *p,
     rolling_disc_f32_matrices_t *matrices, rolling_disc_f32_derivatives_t *derivatives)
 {
-    const float t3 = p->r * p->m;
-    const float Jxx_all = p->It + (p->r * t3);
+    const float t6 = p->r * p->m;
+    const float Jxx_all = p->It + (p->r * t6);
     const float C1_12_Ia = 1.0F / p->r;
-    const float h_spin_D = p->Ia * C1_12_Ia;
-    const float C1_12 = t3 + h_spin_D;
-    const float M_11_r = t3 + t3;
-    const float C1_21_r = C1_12_Ia * h_spin_D;
-    const float C1_12_r = p->m - C1_21_r;
+    const float M_11_r = t6 + t6;
     const float M_11_m = p->r * p->r;
+    const float K0_11 = -t6;
+    const float h_spin_D = p->Ia * C1_12_Ia;
+    const float C1_12 = t6 + h_spin_D;
+    const float C1_21_r = C1_12_Ia * h_spin_D;
     const float C1_21 = -h_spin_D;
-    const float K0_11 = -t3;
+    const float C1_12_r = p->m - C1_21_r;
     matrices->m[0][0] = Jxx_all;
     matrices->m[0][1] = 0.0F;
     matrices->m[1][0] = 0.0F;
@@ -1074,14 +1074,14 @@ void rolling_disc_f32_derivatives(const rolling_disc_f32_t *p,
     matrices->k0[0][1] = 0.0F;
     matrices->k0[1][0] = 0.0F;
     matrices->k0[1][1] = 0.0F;
-    derivatives->values[0] = M_11_r;
-    derivatives->values[1] = C1_12_r;
-    derivatives->values[2] = C1_21_r;
-    derivatives->values[3] = p->m;
-    derivatives->values[4] = M_11_m;
-    derivatives->values[5] = p->r;
-    derivatives->values[6] = C1_12_Ia;
-    derivatives->values[7] = 1.0F;
+    derivatives->values[0] = p->r;
+    derivatives->values[1] = p->m;
+    derivatives->values[2] = 1.0F;
+    derivatives->values[3] = C1_12_Ia;
+    derivatives->values[4] = M_11_r;
+    derivatives->values[5] = M_11_m;
+    derivatives->values[6] = C1_21_r;
+    derivatives->values[7] = C1_12_r;
 }
 
 void rolling_disc_f32_with_respect_to(const rolling_disc_f32_derivatives_t *derivatives,

@@ -69,27 +69,27 @@ const char *skateboard_validity_text(skateboard_validity_t validity)
 }
 
 const carvallo_partial_t skateboard_partials[SKATEBOARD_PARTIALS] = {
-    {CARVALLO_MATRIX_C1, 0U, 0U, 0U, 0U, true},
-    {CARVALLO_MATRIX_K2, 0U, 0U, 0U, 1U, true},
-    {CARVALLO_MATRIX_C1, 0U, 0U, 3U, 2U, false},
-    {CARVALLO_MATRIX_KC, 0U, 0U, 3U, 3U, false},
-    {CARVALLO_MATRIX_K2, 0U, 0U, 3U, 4U, false},
-    {CARVALLO_MATRIX_C1, 0U, 0U, 4U, 5U, false},
-    {CARVALLO_MATRIX_KC, 0U, 0U, 4U, 6U, false},
-    {CARVALLO_MATRIX_K2, 0U, 0U, 4U, 7U, false},
-    {CARVALLO_MATRIX_KC, 0U, 0U, 5U, 8U, false},
-    {CARVALLO_MATRIX_KC, 0U, 0U, 6U, 9U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 7U, 10U, false},
-    {CARVALLO_MATRIX_C1, 0U, 0U, 7U, 11U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 7U, 12U, true},
-    {CARVALLO_MATRIX_K2, 0U, 0U, 7U, 13U, false},
-    {CARVALLO_MATRIX_C1, 0U, 0U, 8U, 14U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 9U, 15U, false},
-    {CARVALLO_MATRIX_C1, 0U, 0U, 9U, 16U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 9U, 17U, true},
-    {CARVALLO_MATRIX_K2, 0U, 0U, 9U, 18U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 10U, 19U, false},
-    {CARVALLO_MATRIX_C1, 0U, 0U, 13U, 20U, false}
+    {CARVALLO_MATRIX_C1, 0U, 0U, 0U, 12U, true},
+    {CARVALLO_MATRIX_K2, 0U, 0U, 0U, 19U, true},
+    {CARVALLO_MATRIX_C1, 0U, 0U, 3U, 16U, false},
+    {CARVALLO_MATRIX_KC, 0U, 0U, 3U, 13U, false},
+    {CARVALLO_MATRIX_K2, 0U, 0U, 3U, 17U, false},
+    {CARVALLO_MATRIX_C1, 0U, 0U, 4U, 8U, false},
+    {CARVALLO_MATRIX_KC, 0U, 0U, 4U, 9U, false},
+    {CARVALLO_MATRIX_K2, 0U, 0U, 4U, 10U, false},
+    {CARVALLO_MATRIX_KC, 0U, 0U, 5U, 6U, false},
+    {CARVALLO_MATRIX_KC, 0U, 0U, 6U, 5U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 7U, 3U, false},
+    {CARVALLO_MATRIX_C1, 0U, 0U, 7U, 18U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 7U, 1U, true},
+    {CARVALLO_MATRIX_K2, 0U, 0U, 7U, 14U, false},
+    {CARVALLO_MATRIX_C1, 0U, 0U, 8U, 15U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 9U, 4U, false},
+    {CARVALLO_MATRIX_C1, 0U, 0U, 9U, 20U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 9U, 0U, true},
+    {CARVALLO_MATRIX_K2, 0U, 0U, 9U, 11U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 10U, 2U, false},
+    {CARVALLO_MATRIX_C1, 0U, 0U, 13U, 7U, false}
 };
 
 const skateboard_f64_t skateboard_f64_sets[SKATEBOARD_SETS] = {
@@ -336,75 +336,75 @@ void skateboard_f64_kinematics(const skateboard_f64_t *p, skateboard_f64_kinemat
 void skateboard_f64_derivatives(const skateboard_f64_t *p, skateboard_f64_matrices_t *matrices,
     skateboard_f64_derivatives_t *derivatives)
 {
-    const double M_11_m = p->h * p->h;
-    const double M_11 = p->Ixx + (p->m * M_11_m);
     double lateral_per_v_deltaR = 0.0;
     double cos_lamR = 0.0;
     carvallo_sin_cos_f64(p->lamR, &lateral_per_v_deltaR, &cos_lamR);
-    const double t8 = 1.0 / cos_lamR;
-    const double t10 = t8 * lateral_per_v_deltaR;
-    const double t13 = 1.0 / p->L;
     double sin_lamF = 0.0;
     double cos_lamF = 0.0;
     carvallo_sin_cos_f64(p->lamF, &sin_lamF, &cos_lamF);
-    const double t16 = 1.0 / cos_lamF;
-    const double t18 = t16 * sin_lamF;
-    const double C1_11_Ixz = t13 * (t10 + t18);
-    const double t22 = (p->x * C1_11_Ixz) - t10;
-    const double C1_11_m = p->h * t22;
-    const double C1_11 = (p->m * C1_11_m) + (C1_11_Ixz * p->Ixz);
-    const double Kc_11_kF = t16 * t16;
-    const double t30 = p->kF * Kc_11_kF;
-    const double Kc_11_kR = t8 * t8;
-    const double t33 = p->kR * Kc_11_kR;
-    const double Kc_11 = t30 + t33;
+    const double M_11_m = p->h * p->h;
+    const double M_11 = p->Ixx + (p->m * M_11_m);
+    const double t18 = 1.0 / p->L;
     const double P_gamma_lateral = p->m * p->h;
-    const double K2_11_h = p->m * C1_11_Ixz;
-    const double K2_11 = p->h * K2_11_h;
-    const double t40 = t13 * (p->Ixz + (p->x * P_gamma_lateral));
-    const double t41 = C1_11_Ixz * t40;
-    const double t42 = t13 * K2_11;
-    const double t45 = t16 * (cos_lamF + (sin_lamF * t18));
-    const double C1_11_lamF = t40 * t45;
-    const double t47 = t18 * t30;
-    const double Kc_11_lamF = t47 + t47;
-    const double t49 = t13 * P_gamma_lateral;
-    const double K2_11_lamF = t45 * t49;
-    const double t53 = 1.0 + (t10 * t10);
-    const double C1_11_lamR = t53 * (t40 - P_gamma_lateral);
-    const double t56 = t10 * t33;
-    const double Kc_11_lamR = t56 + t56;
-    const double K2_11_lamR = t49 * t53;
-    const double K2_11_m = p->h * C1_11_Ixz;
     const double M_11_h = P_gamma_lateral + P_gamma_lateral;
-    const double C1_11_h = p->m * t22;
     const double K0_11 = -P_gamma_lateral;
+    const double t24 = t18 * (p->Ixz + (p->x * P_gamma_lateral));
+    const double t25 = t18 * P_gamma_lateral;
+    const double t26 = 1.0 / cos_lamR;
+    const double t27 = 1.0 / cos_lamF;
+    const double t28 = t26 * lateral_per_v_deltaR;
+    const double Kc_11_kR = t26 * t26;
+    const double t30 = p->kR * Kc_11_kR;
+    const double t32 = 1.0 + (t28 * t28);
+    const double t33 = t27 * sin_lamF;
+    const double Kc_11_kF = t27 * t27;
+    const double t35 = t28 * t30;
+    const double C1_11_Ixz = t18 * (t28 + t33);
+    const double t38 = p->kF * Kc_11_kF;
+    const double t41 = t27 * (cos_lamF + (sin_lamF * t33));
+    const double C1_11_lamR = t32 * (t24 - P_gamma_lateral);
+    const double Kc_11_lamR = t35 + t35;
+    const double K2_11_lamR = t25 * t32;
+    const double Kc_11 = t38 + t30;
+    const double t47 = t33 * t38;
+    const double t49 = (p->x * C1_11_Ixz) - t28;
+    const double K2_11_h = p->m * C1_11_Ixz;
+    const double t51 = C1_11_Ixz * t24;
+    const double Kc_11_lamF = t47 + t47;
+    const double K2_11_m = p->h * C1_11_Ixz;
+    const double K2_11 = p->h * K2_11_h;
+    const double C1_11_lamF = t24 * t41;
+    const double K2_11_lamF = t41 * t25;
+    const double C1_11_m = p->h * t49;
+    const double t58 = t18 * K2_11;
+    const double C1_11_h = p->m * t49;
+    const double C1_11 = (p->m * C1_11_m) + (C1_11_Ixz * p->Ixz);
     matrices->m[0][0] = M_11;
     matrices->c1[0][0] = C1_11;
     matrices->kc[0][0] = Kc_11;
     matrices->k0[0][0] = K0_11;
     matrices->k2[0][0] = K2_11;
-    derivatives->values[0] = t41;
-    derivatives->values[1] = t42;
-    derivatives->values[2] = C1_11_lamF;
-    derivatives->values[3] = Kc_11_lamF;
-    derivatives->values[4] = K2_11_lamF;
-    derivatives->values[5] = C1_11_lamR;
-    derivatives->values[6] = Kc_11_lamR;
-    derivatives->values[7] = K2_11_lamR;
-    derivatives->values[8] = Kc_11_kF;
-    derivatives->values[9] = Kc_11_kR;
-    derivatives->values[10] = M_11_m;
-    derivatives->values[11] = C1_11_m;
-    derivatives->values[12] = p->h;
-    derivatives->values[13] = K2_11_m;
-    derivatives->values[14] = K2_11;
-    derivatives->values[15] = M_11_h;
-    derivatives->values[16] = C1_11_h;
-    derivatives->values[17] = p->m;
-    derivatives->values[18] = K2_11_h;
-    derivatives->values[19] = 1.0;
-    derivatives->values[20] = C1_11_Ixz;
+    derivatives->values[0] = p->m;
+    derivatives->values[1] = p->h;
+    derivatives->values[2] = 1.0;
+    derivatives->values[3] = M_11_m;
+    derivatives->values[4] = M_11_h;
+    derivatives->values[5] = Kc_11_kR;
+    derivatives->values[6] = Kc_11_kF;
+    derivatives->values[7] = C1_11_Ixz;
+    derivatives->values[8] = C1_11_lamR;
+    derivatives->values[9] = Kc_11_lamR;
+    derivatives->values[10] = K2_11_lamR;
+    derivatives->values[11] = K2_11_h;
+    derivatives->values[12] = t51;
+    derivatives->values[13] = Kc_11_lamF;
+    derivatives->values[14] = K2_11_m;
+    derivatives->values[15] = K2_11;
+    derivatives->values[16] = C1_11_lamF;
+    derivatives->values[17] = K2_11_lamF;
+    derivatives->values[18] = C1_11_m;
+    derivatives->values[19] = t58;
+    derivatives->values[20] = C1_11_h;
 }
 
 void skateboard_f64_with_respect_to(const skateboard_f64_derivatives_t *derivatives,
@@ -692,75 +692,75 @@ void skateboard_f32_kinematics(const skateboard_f32_t *p, skateboard_f32_kinemat
 void skateboard_f32_derivatives(const skateboard_f32_t *p, skateboard_f32_matrices_t *matrices,
     skateboard_f32_derivatives_t *derivatives)
 {
-    const float M_11_m = p->h * p->h;
-    const float M_11 = p->Ixx + (p->m * M_11_m);
     float lateral_per_v_deltaR = 0.0F;
     float cos_lamR = 0.0F;
     carvallo_sin_cos_f32(p->lamR, &lateral_per_v_deltaR, &cos_lamR);
-    const float t8 = 1.0F / cos_lamR;
-    const float t10 = t8 * lateral_per_v_deltaR;
-    const float t13 = 1.0F / p->L;
     float sin_lamF = 0.0F;
     float cos_lamF = 0.0F;
     carvallo_sin_cos_f32(p->lamF, &sin_lamF, &cos_lamF);
-    const float t16 = 1.0F / cos_lamF;
-    const float t18 = t16 * sin_lamF;
-    const float C1_11_Ixz = t13 * (t10 + t18);
-    const float t22 = (p->x * C1_11_Ixz) - t10;
-    const float C1_11_m = p->h * t22;
-    const float C1_11 = (p->m * C1_11_m) + (C1_11_Ixz * p->Ixz);
-    const float Kc_11_kF = t16 * t16;
-    const float t30 = p->kF * Kc_11_kF;
-    const float Kc_11_kR = t8 * t8;
-    const float t33 = p->kR * Kc_11_kR;
-    const float Kc_11 = t30 + t33;
+    const float M_11_m = p->h * p->h;
+    const float M_11 = p->Ixx + (p->m * M_11_m);
+    const float t18 = 1.0F / p->L;
     const float P_gamma_lateral = p->m * p->h;
-    const float K2_11_h = p->m * C1_11_Ixz;
-    const float K2_11 = p->h * K2_11_h;
-    const float t40 = t13 * (p->Ixz + (p->x * P_gamma_lateral));
-    const float t41 = C1_11_Ixz * t40;
-    const float t42 = t13 * K2_11;
-    const float t45 = t16 * (cos_lamF + (sin_lamF * t18));
-    const float C1_11_lamF = t40 * t45;
-    const float t47 = t18 * t30;
-    const float Kc_11_lamF = t47 + t47;
-    const float t49 = t13 * P_gamma_lateral;
-    const float K2_11_lamF = t45 * t49;
-    const float t53 = 1.0F + (t10 * t10);
-    const float C1_11_lamR = t53 * (t40 - P_gamma_lateral);
-    const float t56 = t10 * t33;
-    const float Kc_11_lamR = t56 + t56;
-    const float K2_11_lamR = t49 * t53;
-    const float K2_11_m = p->h * C1_11_Ixz;
     const float M_11_h = P_gamma_lateral + P_gamma_lateral;
-    const float C1_11_h = p->m * t22;
     const float K0_11 = -P_gamma_lateral;
+    const float t24 = t18 * (p->Ixz + (p->x * P_gamma_lateral));
+    const float t25 = t18 * P_gamma_lateral;
+    const float t26 = 1.0F / cos_lamR;
+    const float t27 = 1.0F / cos_lamF;
+    const float t28 = t26 * lateral_per_v_deltaR;
+    const float Kc_11_kR = t26 * t26;
+    const float t30 = p->kR * Kc_11_kR;
+    const float t32 = 1.0F + (t28 * t28);
+    const float t33 = t27 * sin_lamF;
+    const float Kc_11_kF = t27 * t27;
+    const float t35 = t28 * t30;
+    const float C1_11_Ixz = t18 * (t28 + t33);
+    const float t38 = p->kF * Kc_11_kF;
+    const float t41 = t27 * (cos_lamF + (sin_lamF * t33));
+    const float C1_11_lamR = t32 * (t24 - P_gamma_lateral);
+    const float Kc_11_lamR = t35 + t35;
+    const float K2_11_lamR = t25 * t32;
+    const float Kc_11 = t38 + t30;
+    const float t47 = t33 * t38;
+    const float t49 = (p->x * C1_11_Ixz) - t28;
+    const float K2_11_h = p->m * C1_11_Ixz;
+    const float t51 = C1_11_Ixz * t24;
+    const float Kc_11_lamF = t47 + t47;
+    const float K2_11_m = p->h * C1_11_Ixz;
+    const float K2_11 = p->h * K2_11_h;
+    const float C1_11_lamF = t24 * t41;
+    const float K2_11_lamF = t41 * t25;
+    const float C1_11_m = p->h * t49;
+    const float t58 = t18 * K2_11;
+    const float C1_11_h = p->m * t49;
+    const float C1_11 = (p->m * C1_11_m) + (C1_11_Ixz * p->Ixz);
     matrices->m[0][0] = M_11;
     matrices->c1[0][0] = C1_11;
     matrices->kc[0][0] = Kc_11;
     matrices->k0[0][0] = K0_11;
     matrices->k2[0][0] = K2_11;
-    derivatives->values[0] = t41;
-    derivatives->values[1] = t42;
-    derivatives->values[2] = C1_11_lamF;
-    derivatives->values[3] = Kc_11_lamF;
-    derivatives->values[4] = K2_11_lamF;
-    derivatives->values[5] = C1_11_lamR;
-    derivatives->values[6] = Kc_11_lamR;
-    derivatives->values[7] = K2_11_lamR;
-    derivatives->values[8] = Kc_11_kF;
-    derivatives->values[9] = Kc_11_kR;
-    derivatives->values[10] = M_11_m;
-    derivatives->values[11] = C1_11_m;
-    derivatives->values[12] = p->h;
-    derivatives->values[13] = K2_11_m;
-    derivatives->values[14] = K2_11;
-    derivatives->values[15] = M_11_h;
-    derivatives->values[16] = C1_11_h;
-    derivatives->values[17] = p->m;
-    derivatives->values[18] = K2_11_h;
-    derivatives->values[19] = 1.0F;
-    derivatives->values[20] = C1_11_Ixz;
+    derivatives->values[0] = p->m;
+    derivatives->values[1] = p->h;
+    derivatives->values[2] = 1.0F;
+    derivatives->values[3] = M_11_m;
+    derivatives->values[4] = M_11_h;
+    derivatives->values[5] = Kc_11_kR;
+    derivatives->values[6] = Kc_11_kF;
+    derivatives->values[7] = C1_11_Ixz;
+    derivatives->values[8] = C1_11_lamR;
+    derivatives->values[9] = Kc_11_lamR;
+    derivatives->values[10] = K2_11_lamR;
+    derivatives->values[11] = K2_11_h;
+    derivatives->values[12] = t51;
+    derivatives->values[13] = Kc_11_lamF;
+    derivatives->values[14] = K2_11_m;
+    derivatives->values[15] = K2_11;
+    derivatives->values[16] = C1_11_lamF;
+    derivatives->values[17] = K2_11_lamF;
+    derivatives->values[18] = C1_11_m;
+    derivatives->values[19] = t58;
+    derivatives->values[20] = C1_11_h;
 }
 
 void skateboard_f32_with_respect_to(const skateboard_f32_derivatives_t *derivatives,

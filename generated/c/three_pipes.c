@@ -60,76 +60,76 @@ const char *three_pipes_validity_text(three_pipes_validity_t validity)
 }
 
 const carvallo_partial_t three_pipes_partials[THREE_PIPES_PARTIALS] = {
-    {CARVALLO_MATRIX_M, 0U, 0U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 1U, false},
-    {CARVALLO_MATRIX_M, 0U, 2U, 0U, 2U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 1U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 3U, false},
-    {CARVALLO_MATRIX_M, 1U, 2U, 0U, 2U, false},
-    {CARVALLO_MATRIX_M, 2U, 0U, 0U, 2U, false},
-    {CARVALLO_MATRIX_M, 2U, 1U, 0U, 2U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 0U, 4U, false},
-    {CARVALLO_MATRIX_C1, 0U, 0U, 0U, 5U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 6U, false},
-    {CARVALLO_MATRIX_C1, 0U, 2U, 0U, 6U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 5U, false},
-    {CARVALLO_MATRIX_C1, 1U, 2U, 0U, 6U, false},
-    {CARVALLO_MATRIX_C1, 2U, 2U, 0U, 5U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 0U, 7U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 8U, false},
-    {CARVALLO_MATRIX_K0, 2U, 2U, 0U, 9U, false},
-    {CARVALLO_MATRIX_K2, 0U, 0U, 0U, 10U, true},
-    {CARVALLO_MATRIX_K2, 0U, 2U, 0U, 10U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 10U, true},
-    {CARVALLO_MATRIX_K2, 1U, 2U, 0U, 10U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 1U, 11U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 1U, 12U, false},
-    {CARVALLO_MATRIX_M, 0U, 2U, 1U, 13U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 1U, 12U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 14U, false},
-    {CARVALLO_MATRIX_M, 1U, 2U, 1U, 13U, false},
-    {CARVALLO_MATRIX_M, 2U, 0U, 1U, 13U, false},
-    {CARVALLO_MATRIX_M, 2U, 1U, 1U, 13U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 1U, 15U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 1U, 16U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 17U, false},
-    {CARVALLO_MATRIX_K0, 2U, 2U, 1U, 18U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 2U, 11U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 12U, false},
-    {CARVALLO_MATRIX_M, 0U, 2U, 2U, 13U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 12U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 14U, false},
-    {CARVALLO_MATRIX_M, 1U, 2U, 2U, 13U, false},
-    {CARVALLO_MATRIX_M, 2U, 0U, 2U, 13U, false},
-    {CARVALLO_MATRIX_M, 2U, 1U, 2U, 13U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 2U, 15U, false},
-    {CARVALLO_MATRIX_C1, 0U, 0U, 2U, 19U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 20U, false},
-    {CARVALLO_MATRIX_C1, 0U, 2U, 2U, 20U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 19U, false},
-    {CARVALLO_MATRIX_C1, 1U, 2U, 2U, 20U, false},
-    {CARVALLO_MATRIX_C1, 2U, 2U, 2U, 19U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 2U, 16U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 17U, false},
-    {CARVALLO_MATRIX_K0, 2U, 2U, 2U, 18U, false},
-    {CARVALLO_MATRIX_K2, 0U, 0U, 2U, 21U, true},
-    {CARVALLO_MATRIX_K2, 0U, 2U, 2U, 21U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 21U, true},
-    {CARVALLO_MATRIX_K2, 1U, 2U, 2U, 21U, false},
-    {CARVALLO_MATRIX_KC, 0U, 0U, 3U, 22U, false},
-    {CARVALLO_MATRIX_KC, 0U, 1U, 3U, 23U, false},
-    {CARVALLO_MATRIX_KC, 1U, 0U, 3U, 23U, false},
-    {CARVALLO_MATRIX_KC, 1U, 1U, 3U, 22U, false},
-    {CARVALLO_MATRIX_KC, 1U, 2U, 3U, 23U, false},
-    {CARVALLO_MATRIX_KC, 2U, 1U, 3U, 23U, false},
-    {CARVALLO_MATRIX_KC, 2U, 2U, 3U, 24U, false},
-    {CARVALLO_MATRIX_C0, 0U, 0U, 4U, 22U, false},
-    {CARVALLO_MATRIX_C0, 0U, 1U, 4U, 23U, false},
-    {CARVALLO_MATRIX_C0, 1U, 0U, 4U, 23U, false},
-    {CARVALLO_MATRIX_C0, 1U, 1U, 4U, 22U, false},
-    {CARVALLO_MATRIX_C0, 1U, 2U, 4U, 23U, false},
-    {CARVALLO_MATRIX_C0, 2U, 1U, 4U, 23U, false},
-    {CARVALLO_MATRIX_C0, 2U, 2U, 4U, 24U, false}
+    {CARVALLO_MATRIX_M, 0U, 0U, 0U, 14U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 15U, false},
+    {CARVALLO_MATRIX_M, 0U, 2U, 0U, 16U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 15U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 17U, false},
+    {CARVALLO_MATRIX_M, 1U, 2U, 0U, 16U, false},
+    {CARVALLO_MATRIX_M, 2U, 0U, 0U, 16U, false},
+    {CARVALLO_MATRIX_M, 2U, 1U, 0U, 16U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 0U, 9U, false},
+    {CARVALLO_MATRIX_C1, 0U, 0U, 0U, 18U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 19U, false},
+    {CARVALLO_MATRIX_C1, 0U, 2U, 0U, 19U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 18U, false},
+    {CARVALLO_MATRIX_C1, 1U, 2U, 0U, 19U, false},
+    {CARVALLO_MATRIX_C1, 2U, 2U, 0U, 18U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 0U, 10U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 11U, false},
+    {CARVALLO_MATRIX_K0, 2U, 2U, 0U, 7U, false},
+    {CARVALLO_MATRIX_K2, 0U, 0U, 0U, 1U, true},
+    {CARVALLO_MATRIX_K2, 0U, 2U, 0U, 1U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 1U, true},
+    {CARVALLO_MATRIX_K2, 1U, 2U, 0U, 1U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 1U, 6U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 1U, 20U, false},
+    {CARVALLO_MATRIX_M, 0U, 2U, 1U, 22U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 1U, 20U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 12U, false},
+    {CARVALLO_MATRIX_M, 1U, 2U, 1U, 22U, false},
+    {CARVALLO_MATRIX_M, 2U, 0U, 1U, 22U, false},
+    {CARVALLO_MATRIX_M, 2U, 1U, 1U, 22U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 1U, 13U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 1U, 23U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 8U, false},
+    {CARVALLO_MATRIX_K0, 2U, 2U, 1U, 21U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 2U, 6U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 20U, false},
+    {CARVALLO_MATRIX_M, 0U, 2U, 2U, 22U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 20U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 12U, false},
+    {CARVALLO_MATRIX_M, 1U, 2U, 2U, 22U, false},
+    {CARVALLO_MATRIX_M, 2U, 0U, 2U, 22U, false},
+    {CARVALLO_MATRIX_M, 2U, 1U, 2U, 22U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 2U, 13U, false},
+    {CARVALLO_MATRIX_C1, 0U, 0U, 2U, 5U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 24U, false},
+    {CARVALLO_MATRIX_C1, 0U, 2U, 2U, 24U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 5U, false},
+    {CARVALLO_MATRIX_C1, 1U, 2U, 2U, 24U, false},
+    {CARVALLO_MATRIX_C1, 2U, 2U, 2U, 5U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 2U, 23U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 8U, false},
+    {CARVALLO_MATRIX_K0, 2U, 2U, 2U, 21U, false},
+    {CARVALLO_MATRIX_K2, 0U, 0U, 2U, 0U, true},
+    {CARVALLO_MATRIX_K2, 0U, 2U, 2U, 0U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 0U, true},
+    {CARVALLO_MATRIX_K2, 1U, 2U, 2U, 0U, false},
+    {CARVALLO_MATRIX_KC, 0U, 0U, 3U, 2U, false},
+    {CARVALLO_MATRIX_KC, 0U, 1U, 3U, 4U, false},
+    {CARVALLO_MATRIX_KC, 1U, 0U, 3U, 4U, false},
+    {CARVALLO_MATRIX_KC, 1U, 1U, 3U, 2U, false},
+    {CARVALLO_MATRIX_KC, 1U, 2U, 3U, 4U, false},
+    {CARVALLO_MATRIX_KC, 2U, 1U, 3U, 4U, false},
+    {CARVALLO_MATRIX_KC, 2U, 2U, 3U, 3U, false},
+    {CARVALLO_MATRIX_C0, 0U, 0U, 4U, 2U, false},
+    {CARVALLO_MATRIX_C0, 0U, 1U, 4U, 4U, false},
+    {CARVALLO_MATRIX_C0, 1U, 0U, 4U, 4U, false},
+    {CARVALLO_MATRIX_C0, 1U, 1U, 4U, 2U, false},
+    {CARVALLO_MATRIX_C0, 1U, 2U, 4U, 4U, false},
+    {CARVALLO_MATRIX_C0, 2U, 1U, 4U, 4U, false},
+    {CARVALLO_MATRIX_C0, 2U, 2U, 4U, 3U, false}
 };
 
 const three_pipes_f64_t three_pipes_f64_sets[THREE_PIPES_SETS] = {
@@ -327,38 +327,38 @@ carvallo_system_error_t three_pipes_f64_state_space(const three_pipes_f64_system
 void three_pipes_f64_derivatives(const three_pipes_f64_t *p, three_pipes_f64_matrices_t *matrices,
     three_pipes_f64_derivatives_t *derivatives)
 {
-    const double t2 = p->m + p->f;
+    const double t17 = p->m + p->f;
     const double weight_m = p->l * p->l;
     const double inertia_m = p->l * weight_m;
     const double M_11_m = inertia_m * 2.3333333333333335;
-    const double M_11 = t2 * M_11_m;
-    const double K0_33_l = t2 * p->l;
+    const double K0_33_l = t17 * p->l;
     const double K0_22_m = weight_m * 1.5;
     const double M_12 = K0_33_l * K0_22_m;
+    const double K0_22 = t17 * K0_22_m;
     const double weight = p->l * K0_33_l;
+    const double M_11 = t17 * M_11_m;
     const double K0_33 = 0.5 * weight;
-    const double M_13 = p->l * K0_33;
-    const double M_22_m = inertia_m * 1.3333333333333333;
-    const double M_22 = t2 * M_22_m;
-    const double M_33_m = inertia_m * 0.3333333333333333;
-    const double M_33 = t2 * M_33_m;
     const double C0_11 = p->c + p->c;
-    const double C1_11 = p->f * weight_m;
-    const double C1_12 = C1_11 + C1_11;
     const double Kc_11 = p->k + p->k;
     const double K0_11 = weight * 2.5;
-    const double K0_22 = t2 * K0_22_m;
-    const double K2_13 = p->f * p->l;
     const double inertia_l = weight * 3.0;
+    const double weight_l = K0_33_l + K0_33_l;
+    const double K0_11_l = 2.5 * weight_l;
+    const double K0_22_l = 1.5 * weight_l;
+    const double M_13 = p->l * K0_33;
+    const double M_22_m = inertia_m * 1.3333333333333333;
+    const double M_22 = t17 * M_22_m;
+    const double M_33_m = inertia_m * 0.3333333333333333;
+    const double M_33 = t17 * M_33_m;
+    const double C1_11 = p->f * weight_m;
+    const double C1_12 = C1_11 + C1_11;
+    const double K2_13 = p->f * p->l;
     const double M_11_l = 2.3333333333333335 * inertia_l;
     const double M_12_l = 1.5 * inertia_l;
     const double M_13_l = 0.5 * inertia_l;
     const double M_22_l = 1.3333333333333333 * inertia_l;
     const double C1_11_l = K2_13 + K2_13;
     const double C1_12_l = K2_13 * 4.0;
-    const double weight_l = K0_33_l + K0_33_l;
-    const double K0_11_l = 2.5 * weight_l;
-    const double K0_22_l = 1.5 * weight_l;
     const double M_12_m = inertia_m * 1.5;
     const double K0_33_m = weight_m * 0.5;
     const double M_13_m = p->l * K0_33_m;
@@ -421,31 +421,31 @@ void three_pipes_f64_derivatives(const three_pipes_f64_t *p, three_pipes_f64_mat
     matrices->k2[2][0] = 0.0;
     matrices->k2[2][1] = 0.0;
     matrices->k2[2][2] = 0.0;
-    derivatives->values[0] = M_11_l;
-    derivatives->values[1] = M_12_l;
-    derivatives->values[2] = M_13_l;
-    derivatives->values[3] = M_22_l;
-    derivatives->values[4] = weight;
-    derivatives->values[5] = C1_11_l;
-    derivatives->values[6] = C1_12_l;
-    derivatives->values[7] = K0_11_l;
-    derivatives->values[8] = K0_22_l;
-    derivatives->values[9] = K0_33_l;
-    derivatives->values[10] = p->f;
-    derivatives->values[11] = M_11_m;
-    derivatives->values[12] = M_12_m;
-    derivatives->values[13] = M_13_m;
-    derivatives->values[14] = M_22_m;
-    derivatives->values[15] = M_33_m;
-    derivatives->values[16] = K0_11_m;
-    derivatives->values[17] = K0_22_m;
-    derivatives->values[18] = K0_33_m;
-    derivatives->values[19] = weight_m;
-    derivatives->values[20] = C1_12_f;
-    derivatives->values[21] = p->l;
-    derivatives->values[22] = 2.0;
-    derivatives->values[23] = (-1.0);
-    derivatives->values[24] = 1.0;
+    derivatives->values[0] = p->l;
+    derivatives->values[1] = p->f;
+    derivatives->values[2] = 2.0;
+    derivatives->values[3] = 1.0;
+    derivatives->values[4] = (-1.0);
+    derivatives->values[5] = weight_m;
+    derivatives->values[6] = M_11_m;
+    derivatives->values[7] = K0_33_l;
+    derivatives->values[8] = K0_22_m;
+    derivatives->values[9] = weight;
+    derivatives->values[10] = K0_11_l;
+    derivatives->values[11] = K0_22_l;
+    derivatives->values[12] = M_22_m;
+    derivatives->values[13] = M_33_m;
+    derivatives->values[14] = M_11_l;
+    derivatives->values[15] = M_12_l;
+    derivatives->values[16] = M_13_l;
+    derivatives->values[17] = M_22_l;
+    derivatives->values[18] = C1_11_l;
+    derivatives->values[19] = C1_12_l;
+    derivatives->values[20] = M_12_m;
+    derivatives->values[21] = K0_33_m;
+    derivatives->values[22] = M_13_m;
+    derivatives->values[23] = K0_11_m;
+    derivatives->values[24] = C1_12_f;
 }
 
 void three_pipes_f64_with_respect_to(const three_pipes_f64_derivatives_t *derivatives,
@@ -688,38 +688,38 @@ carvallo_system_error_t three_pipes_f32_state_space(const three_pipes_f32_system
 void three_pipes_f32_derivatives(const three_pipes_f32_t *p, three_pipes_f32_matrices_t *matrices,
     three_pipes_f32_derivatives_t *derivatives)
 {
-    const float t2 = p->m + p->f;
+    const float t17 = p->m + p->f;
     const float weight_m = p->l * p->l;
     const float inertia_m = p->l * weight_m;
     const float M_11_m = inertia_m * 2.3333333F;
-    const float M_11 = t2 * M_11_m;
-    const float K0_33_l = t2 * p->l;
+    const float K0_33_l = t17 * p->l;
     const float K0_22_m = weight_m * 1.5F;
     const float M_12 = K0_33_l * K0_22_m;
+    const float K0_22 = t17 * K0_22_m;
     const float weight = p->l * K0_33_l;
+    const float M_11 = t17 * M_11_m;
     const float K0_33 = 0.5F * weight;
-    const float M_13 = p->l * K0_33;
-    const float M_22_m = inertia_m * 1.3333334F;
-    const float M_22 = t2 * M_22_m;
-    const float M_33_m = inertia_m * 0.33333334F;
-    const float M_33 = t2 * M_33_m;
     const float C0_11 = p->c + p->c;
-    const float C1_11 = p->f * weight_m;
-    const float C1_12 = C1_11 + C1_11;
     const float Kc_11 = p->k + p->k;
     const float K0_11 = weight * 2.5F;
-    const float K0_22 = t2 * K0_22_m;
-    const float K2_13 = p->f * p->l;
     const float inertia_l = weight * 3.0F;
+    const float weight_l = K0_33_l + K0_33_l;
+    const float K0_11_l = 2.5F * weight_l;
+    const float K0_22_l = 1.5F * weight_l;
+    const float M_13 = p->l * K0_33;
+    const float M_22_m = inertia_m * 1.3333334F;
+    const float M_22 = t17 * M_22_m;
+    const float M_33_m = inertia_m * 0.33333334F;
+    const float M_33 = t17 * M_33_m;
+    const float C1_11 = p->f * weight_m;
+    const float C1_12 = C1_11 + C1_11;
+    const float K2_13 = p->f * p->l;
     const float M_11_l = 2.3333333F * inertia_l;
     const float M_12_l = 1.5F * inertia_l;
     const float M_13_l = 0.5F * inertia_l;
     const float M_22_l = 1.3333334F * inertia_l;
     const float C1_11_l = K2_13 + K2_13;
     const float C1_12_l = K2_13 * 4.0F;
-    const float weight_l = K0_33_l + K0_33_l;
-    const float K0_11_l = 2.5F * weight_l;
-    const float K0_22_l = 1.5F * weight_l;
     const float M_12_m = inertia_m * 1.5F;
     const float K0_33_m = weight_m * 0.5F;
     const float M_13_m = p->l * K0_33_m;
@@ -782,31 +782,31 @@ void three_pipes_f32_derivatives(const three_pipes_f32_t *p, three_pipes_f32_mat
     matrices->k2[2][0] = 0.0F;
     matrices->k2[2][1] = 0.0F;
     matrices->k2[2][2] = 0.0F;
-    derivatives->values[0] = M_11_l;
-    derivatives->values[1] = M_12_l;
-    derivatives->values[2] = M_13_l;
-    derivatives->values[3] = M_22_l;
-    derivatives->values[4] = weight;
-    derivatives->values[5] = C1_11_l;
-    derivatives->values[6] = C1_12_l;
-    derivatives->values[7] = K0_11_l;
-    derivatives->values[8] = K0_22_l;
-    derivatives->values[9] = K0_33_l;
-    derivatives->values[10] = p->f;
-    derivatives->values[11] = M_11_m;
-    derivatives->values[12] = M_12_m;
-    derivatives->values[13] = M_13_m;
-    derivatives->values[14] = M_22_m;
-    derivatives->values[15] = M_33_m;
-    derivatives->values[16] = K0_11_m;
-    derivatives->values[17] = K0_22_m;
-    derivatives->values[18] = K0_33_m;
-    derivatives->values[19] = weight_m;
-    derivatives->values[20] = C1_12_f;
-    derivatives->values[21] = p->l;
-    derivatives->values[22] = 2.0F;
-    derivatives->values[23] = (-1.0F);
-    derivatives->values[24] = 1.0F;
+    derivatives->values[0] = p->l;
+    derivatives->values[1] = p->f;
+    derivatives->values[2] = 2.0F;
+    derivatives->values[3] = 1.0F;
+    derivatives->values[4] = (-1.0F);
+    derivatives->values[5] = weight_m;
+    derivatives->values[6] = M_11_m;
+    derivatives->values[7] = K0_33_l;
+    derivatives->values[8] = K0_22_m;
+    derivatives->values[9] = weight;
+    derivatives->values[10] = K0_11_l;
+    derivatives->values[11] = K0_22_l;
+    derivatives->values[12] = M_22_m;
+    derivatives->values[13] = M_33_m;
+    derivatives->values[14] = M_11_l;
+    derivatives->values[15] = M_12_l;
+    derivatives->values[16] = M_13_l;
+    derivatives->values[17] = M_22_l;
+    derivatives->values[18] = C1_11_l;
+    derivatives->values[19] = C1_12_l;
+    derivatives->values[20] = M_12_m;
+    derivatives->values[21] = K0_33_m;
+    derivatives->values[22] = M_13_m;
+    derivatives->values[23] = K0_11_m;
+    derivatives->values[24] = C1_12_f;
 }
 
 void three_pipes_f32_with_respect_to(const three_pipes_f32_derivatives_t *derivatives,

@@ -45,15 +45,15 @@ const char *towed_wheel_validity_text(towed_wheel_validity_t validity)
 }
 
 const carvallo_partial_t towed_wheel_partials[TOWED_WHEEL_PARTIALS] = {
-    {CARVALLO_MATRIX_M, 0U, 0U, 0U, 0U, false},
-    {CARVALLO_MATRIX_C1, 0U, 0U, 0U, 1U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 1U, 2U, false},
-    {CARVALLO_MATRIX_KC, 0U, 0U, 2U, 3U, false},
-    {CARVALLO_MATRIX_KC, 0U, 1U, 2U, 4U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 3U, 5U, false},
-    {CARVALLO_MATRIX_C1, 0U, 0U, 3U, 6U, false},
-    {CARVALLO_MATRIX_KC, 0U, 0U, 4U, 7U, false},
-    {CARVALLO_MATRIX_KC, 0U, 1U, 4U, 8U, false}
+    {CARVALLO_MATRIX_M, 0U, 0U, 0U, 5U, false},
+    {CARVALLO_MATRIX_C1, 0U, 0U, 0U, 2U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 1U, 4U, false},
+    {CARVALLO_MATRIX_KC, 0U, 0U, 2U, 7U, false},
+    {CARVALLO_MATRIX_KC, 0U, 1U, 2U, 3U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 3U, 8U, false},
+    {CARVALLO_MATRIX_C1, 0U, 0U, 3U, 0U, false},
+    {CARVALLO_MATRIX_KC, 0U, 0U, 4U, 6U, false},
+    {CARVALLO_MATRIX_KC, 0U, 1U, 4U, 1U, false}
 };
 
 const towed_wheel_f64_t towed_wheel_f64_sets[TOWED_WHEEL_SETS] = {
@@ -233,15 +233,15 @@ void towed_wheel_f64_derivatives(const towed_wheel_f64_t *p, towed_wheel_f64_mat
     matrices->k1[0][1] = 0.0;
     matrices->k1[1][0] = (-1.0);
     matrices->k1[1][1] = 0.0;
-    derivatives->values[0] = M_11_m;
-    derivatives->values[1] = p->a;
-    derivatives->values[2] = 1.0;
-    derivatives->values[3] = Kc_11_l;
-    derivatives->values[4] = p->k;
-    derivatives->values[5] = M_11_a;
-    derivatives->values[6] = p->m;
-    derivatives->values[7] = Kc_11_k;
-    derivatives->values[8] = p->l;
+    derivatives->values[0] = p->m;
+    derivatives->values[1] = p->l;
+    derivatives->values[2] = p->a;
+    derivatives->values[3] = p->k;
+    derivatives->values[4] = 1.0;
+    derivatives->values[5] = M_11_m;
+    derivatives->values[6] = Kc_11_k;
+    derivatives->values[7] = Kc_11_l;
+    derivatives->values[8] = M_11_a;
 }
 
 void towed_wheel_f64_with_respect_to(const towed_wheel_f64_derivatives_t *derivatives,
@@ -461,15 +461,15 @@ void towed_wheel_f32_derivatives(const towed_wheel_f32_t *p, towed_wheel_f32_mat
     matrices->k1[0][1] = 0.0F;
     matrices->k1[1][0] = (-1.0F);
     matrices->k1[1][1] = 0.0F;
-    derivatives->values[0] = M_11_m;
-    derivatives->values[1] = p->a;
-    derivatives->values[2] = 1.0F;
-    derivatives->values[3] = Kc_11_l;
-    derivatives->values[4] = p->k;
-    derivatives->values[5] = M_11_a;
-    derivatives->values[6] = p->m;
-    derivatives->values[7] = Kc_11_k;
-    derivatives->values[8] = p->l;
+    derivatives->values[0] = p->m;
+    derivatives->values[1] = p->l;
+    derivatives->values[2] = p->a;
+    derivatives->values[3] = p->k;
+    derivatives->values[4] = 1.0F;
+    derivatives->values[5] = M_11_m;
+    derivatives->values[6] = Kc_11_k;
+    derivatives->values[7] = Kc_11_l;
+    derivatives->values[8] = M_11_a;
 }
 
 void towed_wheel_f32_with_respect_to(const towed_wheel_f32_derivatives_t *derivatives,

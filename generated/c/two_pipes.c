@@ -57,42 +57,42 @@ const char *two_pipes_validity_text(two_pipes_validity_t validity)
 }
 
 const carvallo_partial_t two_pipes_partials[TWO_PIPES_PARTIALS] = {
-    {CARVALLO_MATRIX_M, 0U, 0U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 1U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 1U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 2U, false},
-    {CARVALLO_MATRIX_C1, 0U, 0U, 0U, 3U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 4U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 3U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 0U, 5U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 6U, false},
-    {CARVALLO_MATRIX_K2, 0U, 0U, 0U, 7U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 7U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 1U, 8U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 0U, 12U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 13U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 13U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 11U, false},
+    {CARVALLO_MATRIX_C1, 0U, 0U, 0U, 14U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 15U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 14U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 0U, 16U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 10U, false},
+    {CARVALLO_MATRIX_K2, 0U, 0U, 0U, 1U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 1U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 1U, 6U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 1U, 9U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 1U, 9U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 10U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 1U, 11U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 12U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 2U, 8U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 8U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 1U, 17U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 7U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 2U, 6U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 2U, 9U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 2U, 9U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 10U, false},
-    {CARVALLO_MATRIX_C1, 0U, 0U, 2U, 13U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 14U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 13U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 2U, 11U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 12U, false},
-    {CARVALLO_MATRIX_K2, 0U, 0U, 2U, 15U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 2U, 15U, false},
-    {CARVALLO_MATRIX_KC, 0U, 0U, 3U, 16U, false},
-    {CARVALLO_MATRIX_KC, 0U, 1U, 3U, 17U, false},
-    {CARVALLO_MATRIX_KC, 1U, 0U, 3U, 17U, false},
-    {CARVALLO_MATRIX_KC, 1U, 1U, 3U, 18U, false},
-    {CARVALLO_MATRIX_C0, 0U, 0U, 4U, 16U, false},
-    {CARVALLO_MATRIX_C0, 0U, 1U, 4U, 17U, false},
-    {CARVALLO_MATRIX_C0, 1U, 0U, 4U, 17U, false},
-    {CARVALLO_MATRIX_C0, 1U, 1U, 4U, 18U, false}
+    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 8U, false},
+    {CARVALLO_MATRIX_C1, 0U, 0U, 2U, 5U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 18U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 5U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 2U, 17U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 7U, false},
+    {CARVALLO_MATRIX_K2, 0U, 0U, 2U, 0U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 2U, 0U, false},
+    {CARVALLO_MATRIX_KC, 0U, 0U, 3U, 2U, false},
+    {CARVALLO_MATRIX_KC, 0U, 1U, 3U, 4U, false},
+    {CARVALLO_MATRIX_KC, 1U, 0U, 3U, 4U, false},
+    {CARVALLO_MATRIX_KC, 1U, 1U, 3U, 3U, false},
+    {CARVALLO_MATRIX_C0, 0U, 0U, 4U, 2U, false},
+    {CARVALLO_MATRIX_C0, 0U, 1U, 4U, 4U, false},
+    {CARVALLO_MATRIX_C0, 1U, 0U, 4U, 4U, false},
+    {CARVALLO_MATRIX_C0, 1U, 1U, 4U, 3U, false}
 };
 
 const two_pipes_f64_t two_pipes_f64_sets[TWO_PIPES_SETS] = {
@@ -257,22 +257,23 @@ carvallo_system_error_t two_pipes_f64_state_space(const two_pipes_f64_system_t *
 void two_pipes_f64_derivatives(const two_pipes_f64_t *p, two_pipes_f64_matrices_t *matrices,
     two_pipes_f64_derivatives_t *derivatives)
 {
-    const double t2 = p->m + p->f;
+    const double t15 = p->m + p->f;
     const double weight_m = p->l * p->l;
     const double inertia_m = p->l * weight_m;
     const double M_11_m = inertia_m * 1.3333333333333333;
-    const double M_11 = t2 * M_11_m;
     const double K0_22_m = weight_m * 0.5;
-    const double K0_22 = t2 * K0_22_m;
-    const double M_12 = p->l * K0_22;
+    const double K0_22 = t15 * K0_22_m;
     const double M_22_m = inertia_m * 0.3333333333333333;
-    const double M_22 = t2 * M_22_m;
+    const double M_12_m = inertia_m * 0.5;
     const double C0_11 = p->c + p->c;
+    const double M_11 = t15 * M_11_m;
+    const double M_12 = p->l * K0_22;
+    const double M_22 = t15 * M_22_m;
     const double K2_12 = p->f * p->l;
     const double C1_11 = p->l * K2_12;
     const double C1_12 = C1_11 + C1_11;
     const double Kc_11 = p->k + p->k;
-    const double K0_22_l = t2 * p->l;
+    const double K0_22_l = t15 * p->l;
     const double weight = p->l * K0_22_l;
     const double K0_11 = weight * 1.5;
     const double M_11_l = weight * 4.0;
@@ -280,7 +281,6 @@ void two_pipes_f64_derivatives(const two_pipes_f64_t *p, two_pipes_f64_matrices_
     const double C1_11_l = K2_12 + K2_12;
     const double C1_12_l = K2_12 * 4.0;
     const double K0_11_l = K0_22_l * 3.0;
-    const double M_12_m = inertia_m * 0.5;
     const double K0_11_m = weight_m * 1.5;
     const double C1_12_f = weight_m + weight_m;
     const double C0_12 = -p->c;
@@ -310,25 +310,25 @@ void two_pipes_f64_derivatives(const two_pipes_f64_t *p, two_pipes_f64_matrices_
     matrices->k2[0][1] = K2_12;
     matrices->k2[1][0] = 0.0;
     matrices->k2[1][1] = 0.0;
-    derivatives->values[0] = M_11_l;
-    derivatives->values[1] = M_12_l;
-    derivatives->values[2] = weight;
-    derivatives->values[3] = C1_11_l;
-    derivatives->values[4] = C1_12_l;
-    derivatives->values[5] = K0_11_l;
-    derivatives->values[6] = K0_22_l;
-    derivatives->values[7] = p->f;
-    derivatives->values[8] = M_11_m;
+    derivatives->values[0] = p->l;
+    derivatives->values[1] = p->f;
+    derivatives->values[2] = 2.0;
+    derivatives->values[3] = 1.0;
+    derivatives->values[4] = (-1.0);
+    derivatives->values[5] = weight_m;
+    derivatives->values[6] = M_11_m;
+    derivatives->values[7] = K0_22_m;
+    derivatives->values[8] = M_22_m;
     derivatives->values[9] = M_12_m;
-    derivatives->values[10] = M_22_m;
-    derivatives->values[11] = K0_11_m;
-    derivatives->values[12] = K0_22_m;
-    derivatives->values[13] = weight_m;
-    derivatives->values[14] = C1_12_f;
-    derivatives->values[15] = p->l;
-    derivatives->values[16] = 2.0;
-    derivatives->values[17] = (-1.0);
-    derivatives->values[18] = 1.0;
+    derivatives->values[10] = K0_22_l;
+    derivatives->values[11] = weight;
+    derivatives->values[12] = M_11_l;
+    derivatives->values[13] = M_12_l;
+    derivatives->values[14] = C1_11_l;
+    derivatives->values[15] = C1_12_l;
+    derivatives->values[16] = K0_11_l;
+    derivatives->values[17] = K0_11_m;
+    derivatives->values[18] = C1_12_f;
 }
 
 void two_pipes_f64_with_respect_to(const two_pipes_f64_derivatives_t *derivatives, size_t parameter,
@@ -538,22 +538,23 @@ carvallo_system_error_t two_pipes_f32_state_space(const two_pipes_f32_system_t *
 void two_pipes_f32_derivatives(const two_pipes_f32_t *p, two_pipes_f32_matrices_t *matrices,
     two_pipes_f32_derivatives_t *derivatives)
 {
-    const float t2 = p->m + p->f;
+    const float t15 = p->m + p->f;
     const float weight_m = p->l * p->l;
     const float inertia_m = p->l * weight_m;
     const float M_11_m = inertia_m * 1.3333334F;
-    const float M_11 = t2 * M_11_m;
     const float K0_22_m = weight_m * 0.5F;
-    const float K0_22 = t2 * K0_22_m;
-    const float M_12 = p->l * K0_22;
+    const float K0_22 = t15 * K0_22_m;
     const float M_22_m = inertia_m * 0.33333334F;
-    const float M_22 = t2 * M_22_m;
+    const float M_12_m = inertia_m * 0.5F;
     const float C0_11 = p->c + p->c;
+    const float M_11 = t15 * M_11_m;
+    const float M_12 = p->l * K0_22;
+    const float M_22 = t15 * M_22_m;
     const float K2_12 = p->f * p->l;
     const float C1_11 = p->l * K2_12;
     const float C1_12 = C1_11 + C1_11;
     const float Kc_11 = p->k + p->k;
-    const float K0_22_l = t2 * p->l;
+    const float K0_22_l = t15 * p->l;
     const float weight = p->l * K0_22_l;
     const float K0_11 = weight * 1.5F;
     const float M_11_l = weight * 4.0F;
@@ -561,7 +562,6 @@ void two_pipes_f32_derivatives(const two_pipes_f32_t *p, two_pipes_f32_matrices_
     const float C1_11_l = K2_12 + K2_12;
     const float C1_12_l = K2_12 * 4.0F;
     const float K0_11_l = K0_22_l * 3.0F;
-    const float M_12_m = inertia_m * 0.5F;
     const float K0_11_m = weight_m * 1.5F;
     const float C1_12_f = weight_m + weight_m;
     const float C0_12 = -p->c;
@@ -591,25 +591,25 @@ void two_pipes_f32_derivatives(const two_pipes_f32_t *p, two_pipes_f32_matrices_
     matrices->k2[0][1] = K2_12;
     matrices->k2[1][0] = 0.0F;
     matrices->k2[1][1] = 0.0F;
-    derivatives->values[0] = M_11_l;
-    derivatives->values[1] = M_12_l;
-    derivatives->values[2] = weight;
-    derivatives->values[3] = C1_11_l;
-    derivatives->values[4] = C1_12_l;
-    derivatives->values[5] = K0_11_l;
-    derivatives->values[6] = K0_22_l;
-    derivatives->values[7] = p->f;
-    derivatives->values[8] = M_11_m;
+    derivatives->values[0] = p->l;
+    derivatives->values[1] = p->f;
+    derivatives->values[2] = 2.0F;
+    derivatives->values[3] = 1.0F;
+    derivatives->values[4] = (-1.0F);
+    derivatives->values[5] = weight_m;
+    derivatives->values[6] = M_11_m;
+    derivatives->values[7] = K0_22_m;
+    derivatives->values[8] = M_22_m;
     derivatives->values[9] = M_12_m;
-    derivatives->values[10] = M_22_m;
-    derivatives->values[11] = K0_11_m;
-    derivatives->values[12] = K0_22_m;
-    derivatives->values[13] = weight_m;
-    derivatives->values[14] = C1_12_f;
-    derivatives->values[15] = p->l;
-    derivatives->values[16] = 2.0F;
-    derivatives->values[17] = (-1.0F);
-    derivatives->values[18] = 1.0F;
+    derivatives->values[10] = K0_22_l;
+    derivatives->values[11] = weight;
+    derivatives->values[12] = M_11_l;
+    derivatives->values[13] = M_12_l;
+    derivatives->values[14] = C1_11_l;
+    derivatives->values[15] = C1_12_l;
+    derivatives->values[16] = K0_11_l;
+    derivatives->values[17] = K0_11_m;
+    derivatives->values[18] = C1_12_f;
 }
 
 void two_pipes_f32_with_respect_to(const two_pipes_f32_derivatives_t *derivatives, size_t parameter,

@@ -58,21 +58,21 @@ const carvallo_partial_t typical_section_partials[TYPICAL_SECTION_PARTIALS] = {
     {CARVALLO_MATRIX_M, 0U, 1U, 0U, 1U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 0U, 1U, false},
     {CARVALLO_MATRIX_M, 1U, 1U, 1U, 0U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 2U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 2U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 2U, 3U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 4U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 3U, 5U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 3U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 3U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 2U, 2U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 9U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 3U, 4U, false},
     {CARVALLO_MATRIX_K2, 1U, 1U, 3U, 6U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 4U, 7U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 4U, 7U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 4U, 8U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 5U, 7U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 5U, 7U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 4U, 5U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 4U, 5U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 4U, 10U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 5U, 5U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 5U, 5U, false},
     {CARVALLO_MATRIX_KC, 0U, 0U, 6U, 0U, false},
     {CARVALLO_MATRIX_KC, 1U, 1U, 7U, 0U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 8U, 9U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 8U, 10U, true}
+    {CARVALLO_MATRIX_K2, 0U, 1U, 8U, 7U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 8U, 8U, true}
 };
 
 const typical_section_f64_t typical_section_f64_sets[TYPICAL_SECTION_SETS] = {
@@ -225,25 +225,24 @@ carvallo_system_error_t typical_section_f64_state_space(const typical_section_f6
 void typical_section_f64_derivatives(const typical_section_f64_t *p,
     typical_section_f64_matrices_t *matrices, typical_section_f64_derivatives_t *derivatives)
 {
-    const double t4 = p->e - p->a;
-    const double M_12_b = p->m * t4;
-    const double imbalance = p->b * M_12_b;
-    const double t14 = 3.141592653589793 + 3.141592653589793;
-    const double t15 = p->s * t14;
-    const double lift_rho = p->b * t15;
-    const double lift = p->rho * lift_rho;
+    const double t13 = p->e - p->a;
+    const double M_12_m = t13 * p->b;
+    const double imbalance = p->m * M_12_m;
+    const double t16 = 3.141592653589793 + 3.141592653589793;
+    const double t17 = p->rho * t16;
+    const double lift_b = p->s * t17;
     const double t19 = p->a + 0.5;
-    const double t20 = p->b * lift;
-    const double M_12_m = p->b * t4;
-    const double lift_b = p->rho * t15;
     const double arm = p->b * t19;
-    const double t26 = lift_b * arm;
-    const double t27 = t26 + t26;
-    const double lift_s = p->b * p->rho * t14;
-    const double t30 = arm * lift_s;
+    const double M_12_b = p->m * t13;
+    const double lift_s = p->b * t17;
     const double M_12_e = p->m * p->b;
-    const double t32 = lift_rho * arm;
-    const double K2_22 = -(t19 * t20);
+    const double lift = p->b * lift_b;
+    const double t25 = arm * lift_s;
+    const double lift_rho = p->b * p->s * t16;
+    const double t28 = arm * lift_rho;
+    const double t30 = lift * (t19 + t19);
+    const double t31 = p->b * lift;
+    const double K2_22 = -(lift * arm);
     matrices->m[0][0] = p->m;
     matrices->m[0][1] = imbalance;
     matrices->m[1][0] = imbalance;
@@ -258,15 +257,15 @@ void typical_section_f64_derivatives(const typical_section_f64_t *p,
     matrices->k2[1][1] = K2_22;
     derivatives->values[0] = 1.0;
     derivatives->values[1] = M_12_m;
-    derivatives->values[2] = M_12_b;
-    derivatives->values[3] = lift_b;
-    derivatives->values[4] = t27;
-    derivatives->values[5] = lift_s;
-    derivatives->values[6] = t30;
-    derivatives->values[7] = M_12_e;
-    derivatives->values[8] = t20;
-    derivatives->values[9] = lift_rho;
-    derivatives->values[10] = t32;
+    derivatives->values[2] = lift_b;
+    derivatives->values[3] = M_12_b;
+    derivatives->values[4] = lift_s;
+    derivatives->values[5] = M_12_e;
+    derivatives->values[6] = t25;
+    derivatives->values[7] = lift_rho;
+    derivatives->values[8] = t28;
+    derivatives->values[9] = t30;
+    derivatives->values[10] = t31;
 }
 
 void typical_section_f64_with_respect_to(const typical_section_f64_derivatives_t *derivatives,
@@ -452,25 +451,24 @@ carvallo_system_error_t typical_section_f32_state_space(const typical_section_f3
 void typical_section_f32_derivatives(const typical_section_f32_t *p,
     typical_section_f32_matrices_t *matrices, typical_section_f32_derivatives_t *derivatives)
 {
-    const float t4 = p->e - p->a;
-    const float M_12_b = p->m * t4;
-    const float imbalance = p->b * M_12_b;
-    const float t14 = 3.1415927F + 3.1415927F;
-    const float t15 = p->s * t14;
-    const float lift_rho = p->b * t15;
-    const float lift = p->rho * lift_rho;
+    const float t13 = p->e - p->a;
+    const float M_12_m = t13 * p->b;
+    const float imbalance = p->m * M_12_m;
+    const float t16 = 3.1415927F + 3.1415927F;
+    const float t17 = p->rho * t16;
+    const float lift_b = p->s * t17;
     const float t19 = p->a + 0.5F;
-    const float t20 = p->b * lift;
-    const float M_12_m = p->b * t4;
-    const float lift_b = p->rho * t15;
     const float arm = p->b * t19;
-    const float t26 = lift_b * arm;
-    const float t27 = t26 + t26;
-    const float lift_s = p->b * p->rho * t14;
-    const float t30 = arm * lift_s;
+    const float M_12_b = p->m * t13;
+    const float lift_s = p->b * t17;
     const float M_12_e = p->m * p->b;
-    const float t32 = lift_rho * arm;
-    const float K2_22 = -(t19 * t20);
+    const float lift = p->b * lift_b;
+    const float t25 = arm * lift_s;
+    const float lift_rho = p->b * p->s * t16;
+    const float t28 = arm * lift_rho;
+    const float t30 = lift * (t19 + t19);
+    const float t31 = p->b * lift;
+    const float K2_22 = -(lift * arm);
     matrices->m[0][0] = p->m;
     matrices->m[0][1] = imbalance;
     matrices->m[1][0] = imbalance;
@@ -485,15 +483,15 @@ void typical_section_f32_derivatives(const typical_section_f32_t *p,
     matrices->k2[1][1] = K2_22;
     derivatives->values[0] = 1.0F;
     derivatives->values[1] = M_12_m;
-    derivatives->values[2] = M_12_b;
-    derivatives->values[3] = lift_b;
-    derivatives->values[4] = t27;
-    derivatives->values[5] = lift_s;
-    derivatives->values[6] = t30;
-    derivatives->values[7] = M_12_e;
-    derivatives->values[8] = t20;
-    derivatives->values[9] = lift_rho;
-    derivatives->values[10] = t32;
+    derivatives->values[2] = lift_b;
+    derivatives->values[3] = M_12_b;
+    derivatives->values[4] = lift_s;
+    derivatives->values[5] = M_12_e;
+    derivatives->values[6] = t25;
+    derivatives->values[7] = lift_rho;
+    derivatives->values[8] = t28;
+    derivatives->values[9] = t30;
+    derivatives->values[10] = t31;
 }
 
 void typical_section_f32_with_respect_to(const typical_section_f32_derivatives_t *derivatives,

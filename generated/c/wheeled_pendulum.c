@@ -63,32 +63,32 @@ const char *wheeled_pendulum_validity_text(wheeled_pendulum_validity_t validity)
 }
 
 const carvallo_partial_t wheeled_pendulum_partials[WHEELED_PENDULUM_PARTIALS] = {
-    {CARVALLO_MATRIX_M, 0U, 0U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 1U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 1U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 2U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 3U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 1U, 4U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 1U, 4U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 5U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 4U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 0U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 3U, 0U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 4U, 6U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 4U, 7U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 4U, 7U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 4U, 8U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 4U, 9U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 5U, 10U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 5U, 11U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 5U, 11U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 5U, 6U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 5U, 12U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 6U, 6U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 7U, 13U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 7U, 14U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 7U, 14U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 7U, 15U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 0U, 2U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 5U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 5U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 6U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 1U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 1U, 0U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 1U, 0U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 7U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 0U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 2U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 3U, 2U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 4U, 3U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 4U, 8U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 4U, 8U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 4U, 9U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 4U, 10U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 5U, 11U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 5U, 4U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 5U, 4U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 5U, 3U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 5U, 13U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 6U, 3U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 7U, 14U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 7U, 15U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 7U, 15U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 7U, 12U, false},
     {CARVALLO_MATRIX_M, 2U, 2U, 7U, 16U, true},
     {CARVALLO_MATRIX_M, 2U, 2U, 8U, 17U, false}
 };
@@ -377,36 +377,36 @@ void wheeled_pendulum_f64_kinematics(const wheeled_pendulum_f64_t *p, wheeled_pe
 void wheeled_pendulum_f64_derivatives(const wheeled_pendulum_f64_t *p,
     wheeled_pendulum_f64_matrices_t *matrices, wheeled_pendulum_f64_derivatives_t *derivatives)
 {
-    const double t2 = p->mW + p->mW;
-    const double t5 = 1.0 / p->r;
-    const double t6 = t5 + t5;
-    const double M_11_Ia = t5 * t6;
-    const double t8 = p->Ia * M_11_Ia;
-    const double t9 = t2 + t8;
-    const double M_11 = p->m + t9;
-    const double t12 = p->m * p->l;
-    const double t13 = p->m + t2;
-    const double t15 = t12 + (p->r * t13);
-    const double t16 = p->Ia * t6;
-    const double t19 = p->r + p->l;
-    const double M_22 = p->Ia + p->Ia + (t12 * t19) + (p->r * t15) + p->Iyy;
-    const double t29 = t9 * p->b;
-    const double M_33 = p->Ir + p->Ir + (p->b * t29) + p->Izz;
-    const double M_22_m = t19 * t19;
-    const double t37 = p->m * t19;
-    const double M_22_l = t37 + t37;
-    const double t40 = p->r + p->r;
-    const double M_22_mW = p->r * t40;
-    const double t42 = p->b * p->b;
-    const double M_33_mW = t42 + t42;
-    const double M_33_Ia = M_11_Ia * t42;
-    const double t45 = M_11_Ia * t16;
-    const double M_12_r = t8 - t13;
-    const double M_22_r = t15 + t15;
-    const double t48 = t42 * t45;
-    const double M_33_b = t29 + t29;
-    const double M_12 = -(t15 + t16);
-    const double K0_22 = -t12;
+    const double t12 = p->mW + p->mW;
+    const double t13 = 1.0 / p->r;
+    const double t14 = p->m * p->l;
+    const double t15 = p->m + t12;
+    const double t17 = t14 + (p->r * t15);
+    const double t18 = t13 + t13;
+    const double K0_22 = -t14;
+    const double t20 = p->r + p->l;
+    const double M_22_m = t20 * t20;
+    const double t22 = p->m * t20;
+    const double M_22_l = t22 + t22;
+    const double t24 = p->r + p->r;
+    const double M_22_mW = p->r * t24;
+    const double t26 = p->b * p->b;
+    const double M_33_mW = t26 + t26;
+    const double M_11_Ia = t13 * t18;
+    const double t29 = p->Ia * t18;
+    const double M_22 = p->Ia + p->Ia + (t14 * t20) + (p->r * t17) + p->Iyy;
+    const double M_22_r = t17 + t17;
+    const double t37 = p->Ia * M_11_Ia;
+    const double M_12 = -(t17 + t29);
+    const double M_33_Ia = M_11_Ia * t26;
+    const double t41 = M_11_Ia * t29;
+    const double t42 = t12 + t37;
+    const double M_12_r = t37 - t15;
+    const double t44 = t26 * t41;
+    const double M_11 = p->m + t42;
+    const double t46 = t42 * p->b;
+    const double M_33 = p->Ir + p->Ir + (p->b * t46) + p->Izz;
+    const double M_33_b = t46 + t46;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[0][2] = 0.0;
@@ -425,23 +425,23 @@ void wheeled_pendulum_f64_derivatives(const wheeled_pendulum_f64_t *p,
     matrices->k0[2][0] = 0.0;
     matrices->k0[2][1] = 0.0;
     matrices->k0[2][2] = 0.0;
-    derivatives->values[0] = 1.0;
-    derivatives->values[1] = t19;
-    derivatives->values[2] = M_22_m;
-    derivatives->values[3] = p->l;
-    derivatives->values[4] = p->m;
-    derivatives->values[5] = M_22_l;
-    derivatives->values[6] = 2.0;
-    derivatives->values[7] = t40;
-    derivatives->values[8] = M_22_mW;
-    derivatives->values[9] = M_33_mW;
-    derivatives->values[10] = M_11_Ia;
-    derivatives->values[11] = t6;
-    derivatives->values[12] = M_33_Ia;
-    derivatives->values[13] = t45;
-    derivatives->values[14] = M_12_r;
-    derivatives->values[15] = M_22_r;
-    derivatives->values[16] = t48;
+    derivatives->values[0] = p->m;
+    derivatives->values[1] = p->l;
+    derivatives->values[2] = 1.0;
+    derivatives->values[3] = 2.0;
+    derivatives->values[4] = t18;
+    derivatives->values[5] = t20;
+    derivatives->values[6] = M_22_m;
+    derivatives->values[7] = M_22_l;
+    derivatives->values[8] = t24;
+    derivatives->values[9] = M_22_mW;
+    derivatives->values[10] = M_33_mW;
+    derivatives->values[11] = M_11_Ia;
+    derivatives->values[12] = M_22_r;
+    derivatives->values[13] = M_33_Ia;
+    derivatives->values[14] = t41;
+    derivatives->values[15] = M_12_r;
+    derivatives->values[16] = t44;
     derivatives->values[17] = M_33_b;
 }
 
@@ -2190,36 +2190,36 @@ void wheeled_pendulum_f32_kinematics(const wheeled_pendulum_f32_t *p, wheeled_pe
 void wheeled_pendulum_f32_derivatives(const wheeled_pendulum_f32_t *p,
     wheeled_pendulum_f32_matrices_t *matrices, wheeled_pendulum_f32_derivatives_t *derivatives)
 {
-    const float t2 = p->mW + p->mW;
-    const float t5 = 1.0F / p->r;
-    const float t6 = t5 + t5;
-    const float M_11_Ia = t5 * t6;
-    const float t8 = p->Ia * M_11_Ia;
-    const float t9 = t2 + t8;
-    const float M_11 = p->m + t9;
-    const float t12 = p->m * p->l;
-    const float t13 = p->m + t2;
-    const float t15 = t12 + (p->r * t13);
-    const float t16 = p->Ia * t6;
-    const float t19 = p->r + p->l;
-    const float M_22 = p->Ia + p->Ia + (t12 * t19) + (p->r * t15) + p->Iyy;
-    const float t29 = t9 * p->b;
-    const float M_33 = p->Ir + p->Ir + (p->b * t29) + p->Izz;
-    const float M_22_m = t19 * t19;
-    const float t37 = p->m * t19;
-    const float M_22_l = t37 + t37;
-    const float t40 = p->r + p->r;
-    const float M_22_mW = p->r * t40;
-    const float t42 = p->b * p->b;
-    const float M_33_mW = t42 + t42;
-    const float M_33_Ia = M_11_Ia * t42;
-    const float t45 = M_11_Ia * t16;
-    const float M_12_r = t8 - t13;
-    const float M_22_r = t15 + t15;
-    const float t48 = t42 * t45;
-    const float M_33_b = t29 + t29;
-    const float M_12 = -(t15 + t16);
-    const float K0_22 = -t12;
+    const float t12 = p->mW + p->mW;
+    const float t13 = 1.0F / p->r;
+    const float t14 = p->m * p->l;
+    const float t15 = p->m + t12;
+    const float t17 = t14 + (p->r * t15);
+    const float t18 = t13 + t13;
+    const float K0_22 = -t14;
+    const float t20 = p->r + p->l;
+    const float M_22_m = t20 * t20;
+    const float t22 = p->m * t20;
+    const float M_22_l = t22 + t22;
+    const float t24 = p->r + p->r;
+    const float M_22_mW = p->r * t24;
+    const float t26 = p->b * p->b;
+    const float M_33_mW = t26 + t26;
+    const float M_11_Ia = t13 * t18;
+    const float t29 = p->Ia * t18;
+    const float M_22 = p->Ia + p->Ia + (t14 * t20) + (p->r * t17) + p->Iyy;
+    const float M_22_r = t17 + t17;
+    const float t37 = p->Ia * M_11_Ia;
+    const float M_12 = -(t17 + t29);
+    const float M_33_Ia = M_11_Ia * t26;
+    const float t41 = M_11_Ia * t29;
+    const float t42 = t12 + t37;
+    const float M_12_r = t37 - t15;
+    const float t44 = t26 * t41;
+    const float M_11 = p->m + t42;
+    const float t46 = t42 * p->b;
+    const float M_33 = p->Ir + p->Ir + (p->b * t46) + p->Izz;
+    const float M_33_b = t46 + t46;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[0][2] = 0.0F;
@@ -2238,23 +2238,23 @@ void wheeled_pendulum_f32_derivatives(const wheeled_pendulum_f32_t *p,
     matrices->k0[2][0] = 0.0F;
     matrices->k0[2][1] = 0.0F;
     matrices->k0[2][2] = 0.0F;
-    derivatives->values[0] = 1.0F;
-    derivatives->values[1] = t19;
-    derivatives->values[2] = M_22_m;
-    derivatives->values[3] = p->l;
-    derivatives->values[4] = p->m;
-    derivatives->values[5] = M_22_l;
-    derivatives->values[6] = 2.0F;
-    derivatives->values[7] = t40;
-    derivatives->values[8] = M_22_mW;
-    derivatives->values[9] = M_33_mW;
-    derivatives->values[10] = M_11_Ia;
-    derivatives->values[11] = t6;
-    derivatives->values[12] = M_33_Ia;
-    derivatives->values[13] = t45;
-    derivatives->values[14] = M_12_r;
-    derivatives->values[15] = M_22_r;
-    derivatives->values[16] = t48;
+    derivatives->values[0] = p->m;
+    derivatives->values[1] = p->l;
+    derivatives->values[2] = 1.0F;
+    derivatives->values[3] = 2.0F;
+    derivatives->values[4] = t18;
+    derivatives->values[5] = t20;
+    derivatives->values[6] = M_22_m;
+    derivatives->values[7] = M_22_l;
+    derivatives->values[8] = t24;
+    derivatives->values[9] = M_22_mW;
+    derivatives->values[10] = M_33_mW;
+    derivatives->values[11] = M_11_Ia;
+    derivatives->values[12] = M_22_r;
+    derivatives->values[13] = M_33_Ia;
+    derivatives->values[14] = t41;
+    derivatives->values[15] = M_12_r;
+    derivatives->values[16] = t44;
     derivatives->values[17] = M_33_b;
 }
 

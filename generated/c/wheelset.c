@@ -53,14 +53,14 @@ const char *wheelset_validity_text(wheelset_validity_t validity)
 const carvallo_partial_t wheelset_partials[WHEELSET_PARTIALS] = {
     {CARVALLO_MATRIX_M, 0U, 0U, 0U, 0U, false},
     {CARVALLO_MATRIX_M, 1U, 1U, 1U, 0U, false},
-    {CARVALLO_MATRIX_CM1, 1U, 1U, 2U, 1U, false},
-    {CARVALLO_MATRIX_KC, 1U, 0U, 2U, 2U, false},
-    {CARVALLO_MATRIX_CM1, 0U, 0U, 3U, 3U, false},
-    {CARVALLO_MATRIX_KC, 0U, 1U, 3U, 4U, false},
-    {CARVALLO_MATRIX_CM1, 1U, 1U, 4U, 5U, false},
-    {CARVALLO_MATRIX_KC, 1U, 0U, 4U, 6U, false},
-    {CARVALLO_MATRIX_KC, 1U, 0U, 5U, 7U, false},
-    {CARVALLO_MATRIX_KC, 1U, 0U, 6U, 8U, true},
+    {CARVALLO_MATRIX_CM1, 1U, 1U, 2U, 3U, false},
+    {CARVALLO_MATRIX_KC, 1U, 0U, 2U, 6U, false},
+    {CARVALLO_MATRIX_CM1, 0U, 0U, 3U, 1U, false},
+    {CARVALLO_MATRIX_KC, 0U, 1U, 3U, 2U, false},
+    {CARVALLO_MATRIX_CM1, 1U, 1U, 4U, 4U, false},
+    {CARVALLO_MATRIX_KC, 1U, 0U, 4U, 8U, false},
+    {CARVALLO_MATRIX_KC, 1U, 0U, 5U, 5U, false},
+    {CARVALLO_MATRIX_KC, 1U, 0U, 6U, 7U, true},
     {CARVALLO_MATRIX_KC, 0U, 0U, 7U, 0U, false},
     {CARVALLO_MATRIX_KC, 1U, 1U, 8U, 0U, false}
 };
@@ -222,20 +222,20 @@ void wheelset_f64_derivatives(const wheelset_f64_t *p, wheelset_f64_matrices_t *
     wheelset_f64_derivatives_t *derivatives)
 {
     const double Cm1_11 = p->f22 + p->f22;
-    const double t7 = p->b + p->b;
-    const double Cm1_22_f11 = p->b * t7;
+    const double t14 = p->b + p->b;
+    const double Cm1_22_f11 = p->b * t14;
     const double Cm1_22 = p->f11 * Cm1_22_f11;
-    const double t13 = 1.0 / p->r;
-    const double t14 = p->lam * t13;
-    const double Kc_21_f11 = t7 * t14;
-    const double Kc_21 = p->f11 * Kc_21_f11;
-    const double t20 = p->f11 * t7;
-    const double Cm1_22_b = t20 + t20;
-    const double t22 = p->f11 * t14;
-    const double Kc_21_b = t22 + t22;
-    const double Kc_21_lam = t13 * t20;
-    const double t25 = t14 * Kc_21_lam;
+    const double t17 = p->f11 * t14;
+    const double t18 = 1.0 / p->r;
+    const double Cm1_22_b = t17 + t17;
     const double Kc_12 = -Cm1_11;
+    const double Kc_21_lam = t17 * t18;
+    const double t22 = p->lam * t18;
+    const double Kc_21 = p->lam * Kc_21_lam;
+    const double Kc_21_f11 = t14 * t22;
+    const double t25 = p->f11 * t22;
+    const double t26 = Kc_21_lam * t22;
+    const double Kc_21_b = t25 + t25;
     matrices->m[0][0] = p->m;
     matrices->m[0][1] = 0.0;
     matrices->m[1][0] = 0.0;
@@ -249,14 +249,14 @@ void wheelset_f64_derivatives(const wheelset_f64_t *p, wheelset_f64_matrices_t *
     matrices->kc[1][0] = Kc_21;
     matrices->kc[1][1] = p->kpsi;
     derivatives->values[0] = 1.0;
-    derivatives->values[1] = Cm1_22_f11;
-    derivatives->values[2] = Kc_21_f11;
-    derivatives->values[3] = 2.0;
-    derivatives->values[4] = (-2.0);
-    derivatives->values[5] = Cm1_22_b;
-    derivatives->values[6] = Kc_21_b;
-    derivatives->values[7] = Kc_21_lam;
-    derivatives->values[8] = t25;
+    derivatives->values[1] = 2.0;
+    derivatives->values[2] = (-2.0);
+    derivatives->values[3] = Cm1_22_f11;
+    derivatives->values[4] = Cm1_22_b;
+    derivatives->values[5] = Kc_21_lam;
+    derivatives->values[6] = Kc_21_f11;
+    derivatives->values[7] = t26;
+    derivatives->values[8] = Kc_21_b;
 }
 
 void wheelset_f64_with_respect_to(const wheelset_f64_derivatives_t *derivatives, size_t parameter,
@@ -449,20 +449,20 @@ void wheelset_f32_derivatives(const wheelset_f32_t *p, wheelset_f32_matrices_t *
     wheelset_f32_derivatives_t *derivatives)
 {
     const float Cm1_11 = p->f22 + p->f22;
-    const float t7 = p->b + p->b;
-    const float Cm1_22_f11 = p->b * t7;
+    const float t14 = p->b + p->b;
+    const float Cm1_22_f11 = p->b * t14;
     const float Cm1_22 = p->f11 * Cm1_22_f11;
-    const float t13 = 1.0F / p->r;
-    const float t14 = p->lam * t13;
-    const float Kc_21_f11 = t7 * t14;
-    const float Kc_21 = p->f11 * Kc_21_f11;
-    const float t20 = p->f11 * t7;
-    const float Cm1_22_b = t20 + t20;
-    const float t22 = p->f11 * t14;
-    const float Kc_21_b = t22 + t22;
-    const float Kc_21_lam = t13 * t20;
-    const float t25 = t14 * Kc_21_lam;
+    const float t17 = p->f11 * t14;
+    const float t18 = 1.0F / p->r;
+    const float Cm1_22_b = t17 + t17;
     const float Kc_12 = -Cm1_11;
+    const float Kc_21_lam = t17 * t18;
+    const float t22 = p->lam * t18;
+    const float Kc_21 = p->lam * Kc_21_lam;
+    const float Kc_21_f11 = t14 * t22;
+    const float t25 = p->f11 * t22;
+    const float t26 = Kc_21_lam * t22;
+    const float Kc_21_b = t25 + t25;
     matrices->m[0][0] = p->m;
     matrices->m[0][1] = 0.0F;
     matrices->m[1][0] = 0.0F;
@@ -476,14 +476,14 @@ void wheelset_f32_derivatives(const wheelset_f32_t *p, wheelset_f32_matrices_t *
     matrices->kc[1][0] = Kc_21;
     matrices->kc[1][1] = p->kpsi;
     derivatives->values[0] = 1.0F;
-    derivatives->values[1] = Cm1_22_f11;
-    derivatives->values[2] = Kc_21_f11;
-    derivatives->values[3] = 2.0F;
-    derivatives->values[4] = (-2.0F);
-    derivatives->values[5] = Cm1_22_b;
-    derivatives->values[6] = Kc_21_b;
-    derivatives->values[7] = Kc_21_lam;
-    derivatives->values[8] = t25;
+    derivatives->values[1] = 2.0F;
+    derivatives->values[2] = (-2.0F);
+    derivatives->values[3] = Cm1_22_f11;
+    derivatives->values[4] = Cm1_22_b;
+    derivatives->values[5] = Kc_21_lam;
+    derivatives->values[6] = Kc_21_f11;
+    derivatives->values[7] = t26;
+    derivatives->values[8] = Kc_21_b;
 }
 
 void wheelset_f32_with_respect_to(const wheelset_f32_derivatives_t *derivatives, size_t parameter,

@@ -97,164 +97,164 @@ const char *whipple_validity_text(whipple_validity_t validity)
 }
 
 const carvallo_partial_t whipple_partials[WHIPPLE_PARTIALS] = {
-    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 1U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 2U, true},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 3U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 4U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 5U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 5U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 6U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 7U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 8U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 1U, 9U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 1U, 9U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 10U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 11U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 1U, 12U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 13U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 1U, 14U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 1U, 14U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 15U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 16U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 17U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 17U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 18U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 19U, true},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 2U, 20U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 21U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 2U, 22U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 2U, 22U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 23U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 2U, 24U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 25U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 4U, 26U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 4U, 27U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 4U, 28U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 4U, 29U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 4U, 30U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 5U, 31U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 5U, 32U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 5U, 33U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 5U, 34U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 6U, 35U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 6U, 36U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 6U, 37U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 7U, 38U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 7U, 38U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 7U, 39U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 8U, 40U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 8U, 40U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 8U, 41U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 8U, 42U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 8U, 43U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 8U, 44U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 8U, 44U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 8U, 45U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 8U, 46U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 9U, 47U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 9U, 48U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 9U, 48U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 9U, 49U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 9U, 50U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 9U, 51U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 10U, 52U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 10U, 53U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 10U, 53U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 10U, 54U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 10U, 55U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 10U, 56U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 10U, 57U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 10U, 58U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 10U, 58U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 10U, 59U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 10U, 60U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 10U, 61U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 11U, 35U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 13U, 36U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 13U, 37U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 14U, 62U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 14U, 62U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 14U, 63U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 15U, 64U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 15U, 64U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 65U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 15U, 66U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 23U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 23U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 62U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 54U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 46U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 60U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 50U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 50U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 59U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 43U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 64U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 1U, 24U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 1U, 24U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 63U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 42U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 1U, 45U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 61U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 1U, 51U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 1U, 51U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 52U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 53U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 22U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 22U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 72U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 55U, true},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 2U, 47U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 71U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 2U, 49U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 2U, 49U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 56U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 2U, 44U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 73U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 4U, 11U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 4U, 79U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 4U, 81U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 4U, 1U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 4U, 78U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 5U, 12U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 5U, 27U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 5U, 0U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 5U, 19U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 6U, 8U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 6U, 82U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 6U, 74U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 7U, 80U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 7U, 80U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 7U, 36U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 8U, 26U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 8U, 26U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 8U, 83U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 8U, 20U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 8U, 89U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 8U, 93U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 8U, 93U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 8U, 94U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 8U, 77U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 9U, 13U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 9U, 28U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 9U, 28U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 9U, 92U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 9U, 3U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 9U, 91U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 10U, 14U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 10U, 85U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 10U, 85U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 10U, 86U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 10U, 96U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 10U, 90U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 10U, 2U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 10U, 84U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 10U, 84U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 10U, 87U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 10U, 95U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 10U, 88U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 11U, 8U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 13U, 82U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 13U, 74U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 14U, 25U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 14U, 25U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 14U, 18U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 15U, 98U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 15U, 98U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 99U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 15U, 58U, true},
     {CARVALLO_MATRIX_C1, 1U, 1U, 15U, 67U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 15U, 68U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 15U, 68U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 15U, 69U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 15U, 70U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 16U, 71U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 16U, 72U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 16U, 72U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 73U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 74U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 16U, 75U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 16U, 76U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 16U, 77U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 16U, 77U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 16U, 78U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 16U, 79U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 16U, 80U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 17U, 81U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 82U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 82U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 17U, 83U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 84U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 85U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 17U, 86U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 87U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 87U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 88U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 17U, 89U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 90U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 18U, 35U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 18U, 91U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 18U, 91U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 18U, 92U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 20U, 93U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 20U, 94U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 21U, 95U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 21U, 95U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 21U, 96U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 21U, 63U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 21U, 97U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 22U, 98U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 22U, 99U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 22U, 99U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 22U, 100U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 22U, 101U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 22U, 102U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 22U, 103U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 22U, 104U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 22U, 105U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 22U, 105U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 22U, 106U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 107U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 108U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 23U, 109U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 110U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 110U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 23U, 111U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 23U, 112U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 113U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 23U, 114U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 115U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 115U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 116U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 23U, 117U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 118U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 24U, 35U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 24U, 91U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 24U, 91U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 24U, 119U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 24U, 94U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 25U, 120U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 25U, 121U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 25U, 122U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 25U, 123U, false}
+    {CARVALLO_MATRIX_K0, 0U, 1U, 15U, 97U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 15U, 97U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 15U, 100U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 15U, 76U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 16U, 15U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 16U, 32U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 16U, 32U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 102U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 65U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 16U, 105U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 16U, 5U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 16U, 101U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 16U, 101U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 16U, 103U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 16U, 57U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 16U, 104U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 17U, 16U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 33U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 33U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 17U, 34U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 107U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 68U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 17U, 4U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 30U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 30U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 35U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 17U, 106U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 66U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 18U, 8U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 18U, 9U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 18U, 9U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 18U, 108U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 20U, 110U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 20U, 75U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 21U, 29U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 21U, 29U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 21U, 70U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 21U, 18U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 21U, 21U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 22U, 17U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 22U, 48U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 22U, 48U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 22U, 69U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 22U, 114U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 22U, 113U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 22U, 120U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 22U, 7U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 22U, 119U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 22U, 119U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 22U, 109U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 115U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 121U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 23U, 10U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 37U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 37U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 23U, 38U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 23U, 123U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 41U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 23U, 6U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 31U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 31U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 39U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 23U, 122U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 40U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 24U, 8U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 24U, 9U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 24U, 9U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 24U, 111U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 24U, 75U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 25U, 116U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 25U, 112U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 25U, 117U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 25U, 118U, false}
 };
 
 const whipple_f64_t whipple_f64_sets[WHIPPLE_SETS] = {
@@ -530,214 +530,196 @@ carvallo_system_error_t whipple_f64_state_space(const whipple_f64_system_t *syst
 void whipple_f64_derivatives(const whipple_f64_t *p, whipple_f64_matrices_t *matrices,
     whipple_f64_derivatives_t *derivatives)
 {
-    const double t5 = p->rF * p->mF;
-    const double M_11_mH = p->zH * p->zH;
-    const double t13 = p->IFxx + p->IHxx + (p->rF * t5) + (p->mH * M_11_mH);
-    const double M_11_mB = p->zB * p->zB;
-    const double t21 = p->rR * p->mR;
-    const double M_11 = p->IRxx + t13 + (p->mB * M_11_mB) + p->IBxx + (p->rR * t21);
-    const double t31 = p->mH * p->xH;
-    const double t33 = p->IHxz - (p->zH * t31);
-    const double t34 = (t5 * p->w) + t33;
-    const double t36 = p->mB * p->zB;
-    const double t40 = t34 + p->IBxz - (t36 * p->xB);
     double sin_lam = 0.0;
     double cos_lam = 0.0;
     carvallo_sin_cos_f64(p->lam, &sin_lam, &cos_lam);
-    const double t44 = 1.0 / p->w;
-    const double C1_12_IBxz = cos_lam * t44;
-    const double mu = p->c * C1_12_IBxz;
-    const double t48 = p->mH * p->zH;
-    const double t49 = t48 - t5;
-    const double t53 = t33 + (p->c * t49) + (p->w * t48);
-    const double t57 = (cos_lam * t53) + (t13 * sin_lam);
-    const double M_12 = (t40 * mu) + t57;
-    const double t63 = p->IFxx + p->IHzz;
-    const double t64 = p->w + p->c;
-    const double t65 = p->xH - t64;
-    const double t66 = p->mH * t65;
-    const double t71 = t53 * sin_lam;
-    const double t72 = (cos_lam * ((p->mF * p->c * p->c) + t63 + (t65 * t66))) + t71;
-    const double t76 = p->mF * p->w;
-    const double t80 = cos_lam * (t63 + (t31 * t65) - (p->c * t76));
-    const double t81 = (t34 * sin_lam) + t80;
-    const double t82 = p->c * cos_lam;
-    const double t86 = p->mB * p->xB;
-    const double t93 = t44 * (p->IRxx + t63 + p->IBzz + (p->w * t76) + (p->xH * t31) + (p->xB *
-        t86));
-    const double t94 = t82 * t93;
-    const double t95 = t81 + t94;
-    const double M_22 = (sin_lam * t57) + (cos_lam * t72) + (mu * (t81 + t95));
-    const double t102 = 1.0 / p->rF;
-    const double SF = p->IFyy * t102;
-    const double t105 = 1.0 / p->rR;
-    const double t106 = p->IRyy * t105;
-    const double ST = SF + t106;
-    const double t108 = t36 + t49;
-    const double t110 = ST + (t21 - t108);
-    const double t114 = t40 + (p->c * t110) + (p->w * SF);
-    const double C1_12 = C1_12_IBxz * t114;
-    const double t116 = cos_lam * SF;
-    const double t117 = C1_12_IBxz * ST;
-    const double t118 = p->c * t117;
-    const double t120 = t49 * sin_lam;
-    const double t124 = p->mF - (t44 * (t31 + t76 + t86));
-    const double t125 = p->c * t124;
-    const double t126 = t125 - t66;
-    const double K0_12 = t120 + (cos_lam * t126);
-    const double t130 = t95 - (p->c * K0_12);
-    const double C1_22 = C1_12_IBxz * t130;
-    const double K0_22 = sin_lam * K0_12;
-    const double K2_12 = C1_12_IBxz * t110;
-    const double t134 = sin_lam * SF;
-    const double t135 = K0_12 - t134;
-    const double t136 = C1_12_IBxz * t135;
-    const double t138 = t5 * cos_lam;
-    const double t139 = (t40 * C1_12_IBxz) - t138;
-    const double t142 = cos_lam * t48;
-    const double M_12_w = t142 - (p->c * t44 * t139);
-    const double t144 = p->rF * sin_lam;
-    const double K0_12_mF = t82 - t144 - (p->w * mu);
-    const double t148 = p->mF * K0_12_mF;
-    const double t149 = t44 * t95;
-    const double t150 = t148 + t149;
-    const double t151 = t150 + t150;
-    const double M_12_IHxz = cos_lam + mu;
-    const double t154 = p->xH * M_12_IHxz;
-    const double t155 = cos_lam * t64;
-    const double t156 = p->zH * sin_lam;
-    const double t157 = t155 + t156;
-    const double t158 = t154 - t157;
-    const double t159 = t158 + t158;
-    const double t160 = p->mH * t159;
-    const double t161 = cos_lam * t160;
-    const double t162 = (mu * t151) + t161;
-    const double t163 = t116 + t138;
-    const double t165 = t44 * (C1_12 - t163);
-    const double C1_21_w = t44 * t118;
-    const double t168 = t44 * (t94 + t130);
-    const double t169 = p->mH * cos_lam;
-    const double t170 = p->xH + p->c;
-    const double t172 = t76 + t125;
-    const double C1_22_w = C1_12_IBxz * ((mu * t172) - t148 - t168 - (t169 * t170));
-    const double K0_12_w = t169 - (C1_12_IBxz * t125);
-    const double t181 = t44 * K2_12;
-    const double K2_22_w = t44 * (t136 - (cos_lam * K0_12_w));
-    const double M_12_c = t139 + t142;
-    const double t187 = cos_lam * (t160 - t151);
-    const double t188 = cos_lam * C1_12_IBxz;
-    const double t189 = p->mH * t170;
-    const double C1_22_c = (t188 * (t93 - t126 - t172 - t189)) - (C1_12_IBxz * t120);
-    const double K0_12_c = t169 + (cos_lam * t124);
-    const double K0_22_c = sin_lam * K0_12_c;
-    const double t199 = C1_12_IBxz * K0_12_c;
-    const double t200 = t44 * sin_lam;
-    const double t201 = p->c * t200;
-    const double t205 = t71 + (t40 * t201) - (t13 * cos_lam);
-    const double t210 = (t34 * t188) - (t80 * t200);
-    const double t215 = (cos_lam * t57) - (p->c * ((sin_lam * t149) - t210)) - (sin_lam * t72);
-    const double M_22_lam = t215 + t215;
-    const double t217 = t114 * t200;
-    const double C1_21_lam = t134 + (ST * t201);
-    const double t222 = t142 - (sin_lam * t126);
-    const double t223 = t138 - t222;
-    const double C1_22_lam = t210 + (mu * t223) - (sin_lam * t168);
-    const double K0_22_lam = (cos_lam * K0_12) - (sin_lam * t223);
-    const double t230 = t110 * t200;
-    const double K2_22_lam = (C1_12_IBxz * (t163 - t222)) + (t135 * t200);
-    const double M_11_rR = t21 + t21;
-    const double K2_12_rR = C1_12_IBxz * (p->mR - (t105 * t106));
-    const double C1_12_rR = p->c * K2_12_rR;
-    const double C1_12_IRyy = mu * t105;
-    const double C1_21_rR = t106 * C1_12_IRyy;
-    const double M_11_mR = p->rR * p->rR;
-    const double C1_12_mR = p->rR * mu;
-    const double K2_12_mR = p->rR * C1_12_IBxz;
-    const double C1_22_ITzz = C1_12_IBxz * mu;
-    const double M_22_ITzz = p->c * C1_22_ITzz;
-    const double K2_12_IRyy = C1_12_IBxz * t105;
-    const double t249 = p->mB * C1_12_IBxz;
-    const double t250 = p->c * t249;
-    const double t251 = p->zB * t250;
-    const double t252 = p->xB * mu;
-    const double t253 = t250 * t252;
-    const double M_22_xB = t253 + t253;
-    const double t255 = p->zB * t249;
-    const double t256 = p->mB * t252;
-    const double t257 = p->xB + p->c;
-    const double C1_22_xB = C1_12_IBxz * (t256 + (t250 * t257));
-    const double t261 = sin_lam * t250;
-    const double K2_22_xB = p->mB * C1_22_ITzz;
-    const double M_11_zB = t36 + t36;
-    const double t264 = t249 * t257;
-    const double t265 = p->zB * t252;
-    const double M_22_mB = t252 * t252;
-    const double t267 = p->zB * C1_12_IBxz;
-    const double t268 = t257 * t267;
-    const double K2_22_mB = p->xB * C1_22_ITzz;
-    const double C1_22_mB = t257 * K2_22_mB;
-    const double t271 = sin_lam * t252;
-    const double t272 = t48 * M_12_IHxz;
-    const double t273 = p->mH * C1_12_IBxz;
-    const double t274 = p->c * t273;
-    const double M_22_xH = t161 + (t158 * (t274 + t274));
-    const double t278 = p->zH * C1_12_IBxz;
-    const double t279 = p->mH * t278;
-    const double C1_22_IHzz = C1_12_IBxz * M_12_IHxz;
-    const double C1_22_xH = (t158 * t273) + (t189 * C1_22_IHzz);
-    const double t284 = t169 + t274;
-    const double t285 = sin_lam * t284;
-    const double K2_22_xH = p->mH * C1_22_IHzz;
-    const double M_11_zH = t48 + t48;
-    const double M_12_zH = p->mH * (t156 - t158);
-    const double K0_12_zH = p->mH * sin_lam;
-    const double t291 = t159 * K0_12_zH;
-    const double t292 = t170 * t273;
-    const double t293 = t169 * t200;
-    const double t294 = t170 * t293;
-    const double K0_22_zH = sin_lam * K0_12_zH;
-    const double t296 = p->zH * t158;
-    const double M_22_mH = t158 * t158;
-    const double t298 = t170 * t278;
-    const double K2_22_mH = C1_12_IBxz * t158;
-    const double C1_22_mH = t170 * K2_22_mH;
-    const double t301 = sin_lam * t158;
-    const double M_22_IHxx = sin_lam * sin_lam;
-    const double M_22_IHzz = M_22_ITzz + (cos_lam * (mu + M_12_IHxz));
-    const double t306 = sin_lam + sin_lam;
-    const double M_22_IHxz = M_12_IHxz * t306;
-    const double K2_22_SF = C1_12_IBxz * sin_lam;
-    const double M_11_rF = t5 + t5;
-    const double M_12_rF = p->mF * (t144 - K0_12_mF);
-    const double t312 = t148 * t306;
-    const double ITzz_w = p->mF - (t102 * SF);
-    const double C1_12_SF = t44 * t155;
-    const double C1_12_rF = ITzz_w * C1_12_SF;
-    const double t317 = t102 * M_12_IHxz;
-    const double C1_21_rF = SF * t317;
-    const double t319 = p->mF * sin_lam;
-    const double C1_22_rF = C1_12_SF * t319;
-    const double t321 = sin_lam * t319;
-    const double K2_12_rF = C1_12_IBxz * ITzz_w;
-    const double K2_22_rF = sin_lam * K2_12_rF;
     const double M_11_mF = p->rF * p->rF;
-    const double t325 = p->rF * K0_12_mF;
+    const double t28 = p->zH * p->mH;
+    const double t33 = p->IFxx + p->IHxx + (p->mF * M_11_mF) + (p->zH * t28);
+    const double t34 = p->rR * p->mR;
+    const double t35 = p->zB * p->mB;
+    const double t36 = p->mF * p->rF;
+    const double M_11_rR = t34 + t34;
+    const double M_11_mR = p->rR * p->rR;
+    const double M_11_zB = t35 + t35;
+    const double M_11_mB = p->zB * p->zB;
+    const double M_11_zH = t28 + t28;
+    const double M_11_mH = p->zH * p->zH;
+    const double M_11_rF = t36 + t36;
+    const double t44 = p->mF * p->w;
+    const double t48 = (t28 * p->xH) - p->IHxz - (p->rF * t44);
+    const double M_11 = t33 + p->IRxx + p->IBxx + (p->rR * t34) + (p->zB * t35);
+    const double t55 = 1.0 / p->w;
+    const double t56 = p->c + p->w;
+    const double t57 = p->xH - t56;
+    const double t58 = p->mH * t57;
+    const double t60 = p->IBxz - (t35 * p->xB);
+    const double t61 = p->IFxx + p->IHzz;
+    const double t62 = t48 * t55;
+    const double t63 = p->c * t55;
+    const double t65 = p->IHxz - (p->zH * t58);
+    const double t66 = p->mH * p->xH;
+    const double t68 = t61 + (p->xH * t66);
+    const double t69 = p->mB * p->xB;
+    const double t70 = 1.0 / p->rF;
+    const double t71 = 1.0 / p->rR;
+    const double t72 = t36 + t62;
+    const double t73 = t28 - t36;
+    const double K0_11 = t35 + t73 - t34;
+    const double t83 = t44 - (t55 * (p->IRxx + t68 + (p->xB * t69) + (p->w * t44) + p->IBzz));
+    const double t87 = p->mF - (t55 * (t44 + t66 + t69));
+    const double t90 = cos_lam * (t57 + (p->xH * t63));
+    const double t95 = (t33 * sin_lam) - (cos_lam * ((p->c * t72) - t65));
+    const double t97 = t72 - (t55 * t60);
+    const double C1_12_IBxz = cos_lam * t55;
+    const double K2_12_mR = p->rR * C1_12_IBxz;
+    const double t100 = t35 * C1_12_IBxz;
+    const double K2_22_SF = sin_lam * C1_12_IBxz;
+    const double M_12_lam = (t33 * cos_lam) + (sin_lam * ((p->c * t97) - t65));
+    const double M_12_w = cos_lam * (t28 + (t63 * t97));
+    const double M_12_c = cos_lam * (t28 - t97);
+    const double mu = p->c * C1_12_IBxz;
+    const double t113 = t35 * mu;
+    const double C1_12_mR = p->rR * mu;
+    const double t115 = mu * t69;
+    const double M_12_IHxz = cos_lam + mu;
+    const double t117 = p->zH * sin_lam;
+    const double K0_12_mH = t117 - t90;
+    const double t119 = t90 - t117;
+    const double K0_12_mF = (p->c * (cos_lam - (p->w * C1_12_IBxz))) - (p->rF * sin_lam);
+    const double M_12_zH = p->mH * (t117 - t119);
+    const double M_12 = t95 + (mu * t60);
+    const double t129 = p->zH * t119;
+    const double M_22_mH = t119 * t119;
+    const double t131 = sin_lam * t119;
+    const double SF = p->IFyy * t70;
+    const double t133 = p->IRyy * t71;
+    const double t138 = C1_12_IBxz * ((p->c * t83) + (t56 * t66) - t68);
+    const double K2_12_IRyy = C1_12_IBxz * t71;
+    const double t140 = p->rF * K0_12_mF;
     const double M_22_mF = K0_12_mF * K0_12_mF;
-    const double C1_12_mF = p->rF * C1_12_SF;
-    const double t328 = K0_12_mF * C1_12_SF;
     const double K0_22_mF = sin_lam * K0_12_mF;
-    const double K2_12_mF = p->rF * C1_12_IBxz;
-    const double t331 = C1_12_IBxz * K0_12_mF;
+    const double t143 = p->mF * K0_12_mF;
+    const double t144 = C1_12_IBxz * K0_12_mF;
+    const double ST = SF + t133;
+    const double t146 = ST - K0_11;
+    const double t152 = t55 * (t60 + (p->w * SF) + (p->c * t146) - t48);
+    const double t153 = t56 * t144;
+    const double K2_12 = C1_12_IBxz * t146;
+    const double t155 = t55 * t146;
+    const double t156 = C1_12_IBxz * t155;
+    const double t157 = sin_lam * t155;
+    const double t158 = C1_12_IBxz * ST;
+    const double t159 = t63 * ST;
+    const double C1_21_w = C1_12_IBxz * t159;
+    const double t161 = SF + t159;
+    const double C1_21_lam = sin_lam * t161;
+    const double C1_21 = -(cos_lam * t161);
+    const double M_12_rF = (sin_lam * t36) - t143;
+    const double t167 = p->c * t87;
+    const double t168 = t58 - t167;
+    const double K0_12 = (sin_lam * t73) - (cos_lam * t168);
+    const double K0_12_lam = (cos_lam * t73) + (sin_lam * t168);
+    const double t176 = t138 + (sin_lam * t62);
+    const double t177 = cos_lam + cos_lam;
+    const double t178 = t119 + t119;
+    const double t179 = p->mH * cos_lam;
+    const double t180 = t178 * t179;
+    const double t181 = p->c + p->xH;
+    const double t182 = t179 * t181;
+    const double K0_12_w = t179 - (mu * t87);
+    const double t187 = K0_12 + (cos_lam * (t83 + t167));
+    const double K0_22 = sin_lam * K0_12;
+    const double K0_12_c = t179 + (cos_lam * t87);
+    const double K0_22_c = sin_lam * K0_12_c;
+    const double t192 = C1_12_IBxz * K0_12_c;
+    const double ITzz_mF = t36 + SF - t152;
+    const double C1_12_w = C1_12_IBxz * ITzz_mF;
+    const double C1_12 = cos_lam * t152;
+    const double t197 = sin_lam * t152;
+    const double K0_22_lam = (cos_lam * K0_12) + (sin_lam * K0_12_lam);
+    const double t201 = t55 * t179;
+    const double t202 = p->zH * t201;
+    const double t204 = -(sin_lam * K0_12_w);
+    const double t205 = t143 - t176;
+    const double t212 = (M_12_IHxz * t61) + (sin_lam * p->IHxz) + (t58 * t119) + (p->c * t205);
+    const double t214 = t176 + (t63 * K0_12);
+    const double t216 = (sin_lam * SF) - K0_12;
+    const double K2_22 = C1_12_IBxz * t216;
+    const double t221 = C1_12_IBxz * (t205 + t182 - (t63 * t187));
+    const double t223 = C1_12_IBxz * (t182 + t187);
+    const double t224 = t205 * t177;
+    const double t226 = (t63 * t224) + t180;
+    const double M_22_c = t224 - t180;
+    const double t228 = t55 * t216;
+    const double t230 = C1_12_IBxz * (K0_12_w + t228);
+    const double t231 = t55 * t182;
+    const double K2_22_mH = C1_12_IBxz * t119;
+    const double C1_22_xH = (p->mH * K2_22_mH) + (M_12_IHxz * t231);
+    const double C1_22_mH = t181 * K2_22_mH;
+    const double C1_22 = -(cos_lam * t214);
+    const double t239 = sin_lam + sin_lam;
+    const double t240 = t143 * t239;
+    const double M_22_IHxz = M_12_IHxz * t239;
+    const double t242 = cos_lam * C1_12_IBxz;
+    const double C1_22_lam = (sin_lam * (t138 + t214)) - (mu * K0_12_lam) - (t48 * t242);
+    const double M_22_lam = (t95 * t177) - (t212 * t239);
+    const double M_22 = (sin_lam * t95) + (cos_lam * t212);
+    const double K2_22_lam = (SF * t242) - (C1_12_IBxz * K0_12_lam) - (sin_lam * t228);
+    const double C1_22_ITzz = t63 * t242;
+    const double C1_22_IHzz = t242 + C1_22_ITzz;
+    const double K2_22_xH = p->mH * C1_22_IHzz;
+    const double K2_22_xB = p->mB * C1_22_ITzz;
+    const double K2_12_rR = (p->mR * C1_12_IBxz) - (t133 * K2_12_IRyy);
+    const double C1_12_rR = p->c * K2_12_rR;
+    const double C1_12_IRyy = p->c * K2_12_IRyy;
+    const double C1_21_rR = t133 * C1_12_IRyy;
+    const double M_22_ITzz = mu * mu;
+    const double t271 = t69 * M_22_ITzz;
+    const double M_22_xB = t271 + t271;
+    const double t273 = mu * p->xB;
+    const double t274 = p->zB * t273;
+    const double M_22_mB = t273 * t273;
+    const double t276 = sin_lam * t273;
+    const double K2_22_mB = C1_12_IBxz * t273;
+    const double t278 = p->c + p->xB;
+    const double C1_22_xB = (p->xB + t278) * K2_22_xB;
+    const double C1_22_mB = t278 * K2_22_mB;
+    const double t282 = p->mB * C1_12_IBxz;
+    const double t283 = t278 * t282;
+    const double t284 = p->c * t282;
+    const double t285 = sin_lam * t284;
+    const double t286 = p->zB * C1_12_IBxz;
+    const double t287 = t278 * t286;
+    const double t288 = p->mH * M_12_IHxz;
+    const double t289 = p->zH * t288;
+    const double M_22_xH = t178 * t288;
+    const double t291 = sin_lam * t288;
+    const double K0_12_zH = p->mH * sin_lam;
+    const double t293 = t178 * K0_12_zH;
+    const double K0_22_zH = sin_lam * K0_12_zH;
+    const double t295 = C1_12_IBxz * K0_12_zH;
+    const double t296 = t181 * t295;
+    const double t297 = p->zH * C1_12_IBxz;
+    const double t298 = t181 * t297;
+    const double M_22_IHxx = sin_lam * sin_lam;
+    const double t300 = p->mF * M_22_IHxx;
+    const double M_22_IHzz = M_12_IHxz * M_12_IHxz;
     const double M_22_IFxx = M_22_IHxx + M_22_IHzz;
-    const double C1_12_IFyy = t102 * C1_12_SF;
-    const double K2_12_IFyy = C1_12_IBxz * t102;
-    const double K2_22_IFyy = t102 * K2_22_SF;
-    const double C1_21 = -(t116 + t118);
-    const double K0_11 = t108 - t21;
-    const double K2_22 = -t136;
-    const double t339 = -(sin_lam * K0_12_w);
-    const double K0_12_lam = t222 - t138;
-    const double K0_12_mH = t157 - t154;
+    const double t303 = M_12_IHxz * t70;
+    const double C1_21_rF = SF * t303;
+    const double t305 = t56 * C1_12_IBxz;
+    const double t307 = p->mF - (t70 * SF);
+    const double C1_12_rF = t305 * t307;
+    const double K2_12_rF = C1_12_IBxz * t307;
+    const double C1_12_IFyy = t70 * t305;
+    const double K2_12_IFyy = C1_12_IBxz * t70;
+    const double K2_22_IFyy = sin_lam * K2_12_IFyy;
+    const double t313 = p->mF * sin_lam;
+    const double C1_22_rF = t305 * t313;
+    const double K2_22_rF = sin_lam * K2_12_rF;
+    const double K2_12_mF = p->rF * C1_12_IBxz;
+    const double C1_12_mF = t56 * K2_12_mF;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -754,130 +736,130 @@ void whipple_f64_derivatives(const whipple_f64_t *p, whipple_f64_matrices_t *mat
     matrices->k2[0][1] = K2_12;
     matrices->k2[1][0] = 0.0;
     matrices->k2[1][1] = K2_22;
-    derivatives->values[0] = M_12_w;
-    derivatives->values[1] = t162;
-    derivatives->values[2] = t165;
-    derivatives->values[3] = C1_21_w;
-    derivatives->values[4] = C1_22_w;
-    derivatives->values[5] = K0_12_w;
-    derivatives->values[6] = t339;
-    derivatives->values[7] = t181;
-    derivatives->values[8] = K2_22_w;
-    derivatives->values[9] = M_12_c;
-    derivatives->values[10] = t187;
-    derivatives->values[11] = K2_12;
-    derivatives->values[12] = t117;
-    derivatives->values[13] = C1_22_c;
-    derivatives->values[14] = K0_12_c;
-    derivatives->values[15] = K0_22_c;
-    derivatives->values[16] = t199;
-    derivatives->values[17] = t205;
-    derivatives->values[18] = M_22_lam;
-    derivatives->values[19] = t217;
-    derivatives->values[20] = C1_21_lam;
-    derivatives->values[21] = C1_22_lam;
-    derivatives->values[22] = K0_12_lam;
-    derivatives->values[23] = K0_22_lam;
-    derivatives->values[24] = t230;
-    derivatives->values[25] = K2_22_lam;
-    derivatives->values[26] = M_11_rR;
-    derivatives->values[27] = C1_12_rR;
-    derivatives->values[28] = C1_21_rR;
-    derivatives->values[29] = p->mR;
-    derivatives->values[30] = K2_12_rR;
-    derivatives->values[31] = M_11_mR;
-    derivatives->values[32] = C1_12_mR;
-    derivatives->values[33] = p->rR;
-    derivatives->values[34] = K2_12_mR;
-    derivatives->values[35] = 1.0;
-    derivatives->values[36] = M_22_ITzz;
-    derivatives->values[37] = C1_22_ITzz;
-    derivatives->values[38] = C1_12_IRyy;
-    derivatives->values[39] = K2_12_IRyy;
-    derivatives->values[40] = t251;
-    derivatives->values[41] = M_22_xB;
-    derivatives->values[42] = t255;
-    derivatives->values[43] = C1_22_xB;
-    derivatives->values[44] = t250;
-    derivatives->values[45] = t261;
-    derivatives->values[46] = K2_22_xB;
-    derivatives->values[47] = M_11_zB;
-    derivatives->values[48] = t256;
-    derivatives->values[49] = t264;
-    derivatives->values[50] = p->mB;
-    derivatives->values[51] = t249;
-    derivatives->values[52] = M_11_mB;
-    derivatives->values[53] = t265;
-    derivatives->values[54] = M_22_mB;
-    derivatives->values[55] = t268;
-    derivatives->values[56] = C1_22_mB;
-    derivatives->values[57] = p->zB;
-    derivatives->values[58] = t252;
-    derivatives->values[59] = t271;
-    derivatives->values[60] = t267;
-    derivatives->values[61] = K2_22_mB;
-    derivatives->values[62] = mu;
-    derivatives->values[63] = C1_12_IBxz;
-    derivatives->values[64] = t272;
-    derivatives->values[65] = M_22_xH;
-    derivatives->values[66] = t279;
+    derivatives->values[0] = p->rR;
+    derivatives->values[1] = p->mR;
+    derivatives->values[2] = p->zB;
+    derivatives->values[3] = p->mB;
+    derivatives->values[4] = p->zH;
+    derivatives->values[5] = p->mH;
+    derivatives->values[6] = p->rF;
+    derivatives->values[7] = p->mF;
+    derivatives->values[8] = 1.0;
+    derivatives->values[9] = sin_lam;
+    derivatives->values[10] = M_11_mF;
+    derivatives->values[11] = M_11_rR;
+    derivatives->values[12] = M_11_mR;
+    derivatives->values[13] = M_11_zB;
+    derivatives->values[14] = M_11_mB;
+    derivatives->values[15] = M_11_zH;
+    derivatives->values[16] = M_11_mH;
+    derivatives->values[17] = M_11_rF;
+    derivatives->values[18] = C1_12_IBxz;
+    derivatives->values[19] = K2_12_mR;
+    derivatives->values[20] = t100;
+    derivatives->values[21] = K2_22_SF;
+    derivatives->values[22] = M_12_lam;
+    derivatives->values[23] = M_12_w;
+    derivatives->values[24] = M_12_c;
+    derivatives->values[25] = mu;
+    derivatives->values[26] = t113;
+    derivatives->values[27] = C1_12_mR;
+    derivatives->values[28] = t115;
+    derivatives->values[29] = M_12_IHxz;
+    derivatives->values[30] = K0_12_mH;
+    derivatives->values[31] = K0_12_mF;
+    derivatives->values[32] = M_12_zH;
+    derivatives->values[33] = t129;
+    derivatives->values[34] = M_22_mH;
+    derivatives->values[35] = t131;
+    derivatives->values[36] = K2_12_IRyy;
+    derivatives->values[37] = t140;
+    derivatives->values[38] = M_22_mF;
+    derivatives->values[39] = K0_22_mF;
+    derivatives->values[40] = t144;
+    derivatives->values[41] = t153;
+    derivatives->values[42] = K2_12;
+    derivatives->values[43] = t156;
+    derivatives->values[44] = t157;
+    derivatives->values[45] = t158;
+    derivatives->values[46] = C1_21_w;
+    derivatives->values[47] = C1_21_lam;
+    derivatives->values[48] = M_12_rF;
+    derivatives->values[49] = K0_12_lam;
+    derivatives->values[50] = K0_12_w;
+    derivatives->values[51] = K0_12_c;
+    derivatives->values[52] = K0_22_c;
+    derivatives->values[53] = t192;
+    derivatives->values[54] = C1_12_w;
+    derivatives->values[55] = t197;
+    derivatives->values[56] = K0_22_lam;
+    derivatives->values[57] = t201;
+    derivatives->values[58] = t202;
+    derivatives->values[59] = t204;
+    derivatives->values[60] = t221;
+    derivatives->values[61] = t223;
+    derivatives->values[62] = t226;
+    derivatives->values[63] = M_22_c;
+    derivatives->values[64] = t230;
+    derivatives->values[65] = t231;
+    derivatives->values[66] = K2_22_mH;
     derivatives->values[67] = C1_22_xH;
-    derivatives->values[68] = t284;
-    derivatives->values[69] = t285;
-    derivatives->values[70] = K2_22_xH;
-    derivatives->values[71] = M_11_zH;
-    derivatives->values[72] = M_12_zH;
-    derivatives->values[73] = t291;
-    derivatives->values[74] = t292;
-    derivatives->values[75] = t294;
-    derivatives->values[76] = p->mH;
-    derivatives->values[77] = K0_12_zH;
-    derivatives->values[78] = K0_22_zH;
-    derivatives->values[79] = t273;
-    derivatives->values[80] = t293;
-    derivatives->values[81] = M_11_mH;
-    derivatives->values[82] = t296;
-    derivatives->values[83] = M_22_mH;
-    derivatives->values[84] = t298;
-    derivatives->values[85] = C1_22_mH;
-    derivatives->values[86] = p->zH;
-    derivatives->values[87] = K0_12_mH;
-    derivatives->values[88] = t301;
-    derivatives->values[89] = t278;
-    derivatives->values[90] = K2_22_mH;
-    derivatives->values[91] = sin_lam;
-    derivatives->values[92] = M_22_IHxx;
-    derivatives->values[93] = M_22_IHzz;
-    derivatives->values[94] = C1_22_IHzz;
-    derivatives->values[95] = M_12_IHxz;
-    derivatives->values[96] = M_22_IHxz;
-    derivatives->values[97] = K2_22_SF;
-    derivatives->values[98] = M_11_rF;
-    derivatives->values[99] = M_12_rF;
-    derivatives->values[100] = t312;
-    derivatives->values[101] = C1_12_rF;
-    derivatives->values[102] = C1_21_rF;
-    derivatives->values[103] = C1_22_rF;
-    derivatives->values[104] = p->mF;
-    derivatives->values[105] = t319;
-    derivatives->values[106] = t321;
-    derivatives->values[107] = K2_12_rF;
-    derivatives->values[108] = K2_22_rF;
-    derivatives->values[109] = M_11_mF;
-    derivatives->values[110] = t325;
-    derivatives->values[111] = M_22_mF;
-    derivatives->values[112] = C1_12_mF;
-    derivatives->values[113] = t328;
-    derivatives->values[114] = p->rF;
-    derivatives->values[115] = K0_12_mF;
-    derivatives->values[116] = K0_22_mF;
-    derivatives->values[117] = K2_12_mF;
-    derivatives->values[118] = t331;
-    derivatives->values[119] = M_22_IFxx;
-    derivatives->values[120] = C1_12_IFyy;
-    derivatives->values[121] = t317;
-    derivatives->values[122] = K2_12_IFyy;
-    derivatives->values[123] = K2_22_IFyy;
+    derivatives->values[68] = C1_22_mH;
+    derivatives->values[69] = t240;
+    derivatives->values[70] = M_22_IHxz;
+    derivatives->values[71] = C1_22_lam;
+    derivatives->values[72] = M_22_lam;
+    derivatives->values[73] = K2_22_lam;
+    derivatives->values[74] = C1_22_ITzz;
+    derivatives->values[75] = C1_22_IHzz;
+    derivatives->values[76] = K2_22_xH;
+    derivatives->values[77] = K2_22_xB;
+    derivatives->values[78] = K2_12_rR;
+    derivatives->values[79] = C1_12_rR;
+    derivatives->values[80] = C1_12_IRyy;
+    derivatives->values[81] = C1_21_rR;
+    derivatives->values[82] = M_22_ITzz;
+    derivatives->values[83] = M_22_xB;
+    derivatives->values[84] = t273;
+    derivatives->values[85] = t274;
+    derivatives->values[86] = M_22_mB;
+    derivatives->values[87] = t276;
+    derivatives->values[88] = K2_22_mB;
+    derivatives->values[89] = C1_22_xB;
+    derivatives->values[90] = C1_22_mB;
+    derivatives->values[91] = t282;
+    derivatives->values[92] = t283;
+    derivatives->values[93] = t284;
+    derivatives->values[94] = t285;
+    derivatives->values[95] = t286;
+    derivatives->values[96] = t287;
+    derivatives->values[97] = t288;
+    derivatives->values[98] = t289;
+    derivatives->values[99] = M_22_xH;
+    derivatives->values[100] = t291;
+    derivatives->values[101] = K0_12_zH;
+    derivatives->values[102] = t293;
+    derivatives->values[103] = K0_22_zH;
+    derivatives->values[104] = t295;
+    derivatives->values[105] = t296;
+    derivatives->values[106] = t297;
+    derivatives->values[107] = t298;
+    derivatives->values[108] = M_22_IHxx;
+    derivatives->values[109] = t300;
+    derivatives->values[110] = M_22_IHzz;
+    derivatives->values[111] = M_22_IFxx;
+    derivatives->values[112] = t303;
+    derivatives->values[113] = C1_21_rF;
+    derivatives->values[114] = C1_12_rF;
+    derivatives->values[115] = K2_12_rF;
+    derivatives->values[116] = C1_12_IFyy;
+    derivatives->values[117] = K2_12_IFyy;
+    derivatives->values[118] = K2_22_IFyy;
+    derivatives->values[119] = t313;
+    derivatives->values[120] = C1_22_rF;
+    derivatives->values[121] = K2_22_rF;
+    derivatives->values[122] = K2_12_mF;
+    derivatives->values[123] = C1_12_mF;
 }
 
 void whipple_f64_with_respect_to(const whipple_f64_derivatives_t *derivatives, size_t parameter,
@@ -1190,214 +1172,196 @@ carvallo_system_error_t whipple_f32_state_space(const whipple_f32_system_t *syst
 void whipple_f32_derivatives(const whipple_f32_t *p, whipple_f32_matrices_t *matrices,
     whipple_f32_derivatives_t *derivatives)
 {
-    const float t5 = p->rF * p->mF;
-    const float M_11_mH = p->zH * p->zH;
-    const float t13 = p->IFxx + p->IHxx + (p->rF * t5) + (p->mH * M_11_mH);
-    const float M_11_mB = p->zB * p->zB;
-    const float t21 = p->rR * p->mR;
-    const float M_11 = p->IRxx + t13 + (p->mB * M_11_mB) + p->IBxx + (p->rR * t21);
-    const float t31 = p->mH * p->xH;
-    const float t33 = p->IHxz - (p->zH * t31);
-    const float t34 = (t5 * p->w) + t33;
-    const float t36 = p->mB * p->zB;
-    const float t40 = t34 + p->IBxz - (t36 * p->xB);
     float sin_lam = 0.0F;
     float cos_lam = 0.0F;
     carvallo_sin_cos_f32(p->lam, &sin_lam, &cos_lam);
-    const float t44 = 1.0F / p->w;
-    const float C1_12_IBxz = cos_lam * t44;
-    const float mu = p->c * C1_12_IBxz;
-    const float t48 = p->mH * p->zH;
-    const float t49 = t48 - t5;
-    const float t53 = t33 + (p->c * t49) + (p->w * t48);
-    const float t57 = (cos_lam * t53) + (t13 * sin_lam);
-    const float M_12 = (t40 * mu) + t57;
-    const float t63 = p->IFxx + p->IHzz;
-    const float t64 = p->w + p->c;
-    const float t65 = p->xH - t64;
-    const float t66 = p->mH * t65;
-    const float t71 = t53 * sin_lam;
-    const float t72 = (cos_lam * ((p->mF * p->c * p->c) + t63 + (t65 * t66))) + t71;
-    const float t76 = p->mF * p->w;
-    const float t80 = cos_lam * (t63 + (t31 * t65) - (p->c * t76));
-    const float t81 = (t34 * sin_lam) + t80;
-    const float t82 = p->c * cos_lam;
-    const float t86 = p->mB * p->xB;
-    const float t93 = t44 * (p->IRxx + t63 + p->IBzz + (p->w * t76) + (p->xH * t31) + (p->xB *
-        t86));
-    const float t94 = t82 * t93;
-    const float t95 = t81 + t94;
-    const float M_22 = (sin_lam * t57) + (cos_lam * t72) + (mu * (t81 + t95));
-    const float t102 = 1.0F / p->rF;
-    const float SF = p->IFyy * t102;
-    const float t105 = 1.0F / p->rR;
-    const float t106 = p->IRyy * t105;
-    const float ST = SF + t106;
-    const float t108 = t36 + t49;
-    const float t110 = ST + (t21 - t108);
-    const float t114 = t40 + (p->c * t110) + (p->w * SF);
-    const float C1_12 = C1_12_IBxz * t114;
-    const float t116 = cos_lam * SF;
-    const float t117 = C1_12_IBxz * ST;
-    const float t118 = p->c * t117;
-    const float t120 = t49 * sin_lam;
-    const float t124 = p->mF - (t44 * (t31 + t76 + t86));
-    const float t125 = p->c * t124;
-    const float t126 = t125 - t66;
-    const float K0_12 = t120 + (cos_lam * t126);
-    const float t130 = t95 - (p->c * K0_12);
-    const float C1_22 = C1_12_IBxz * t130;
-    const float K0_22 = sin_lam * K0_12;
-    const float K2_12 = C1_12_IBxz * t110;
-    const float t134 = sin_lam * SF;
-    const float t135 = K0_12 - t134;
-    const float t136 = C1_12_IBxz * t135;
-    const float t138 = t5 * cos_lam;
-    const float t139 = (t40 * C1_12_IBxz) - t138;
-    const float t142 = cos_lam * t48;
-    const float M_12_w = t142 - (p->c * t44 * t139);
-    const float t144 = p->rF * sin_lam;
-    const float K0_12_mF = t82 - t144 - (p->w * mu);
-    const float t148 = p->mF * K0_12_mF;
-    const float t149 = t44 * t95;
-    const float t150 = t148 + t149;
-    const float t151 = t150 + t150;
-    const float M_12_IHxz = cos_lam + mu;
-    const float t154 = p->xH * M_12_IHxz;
-    const float t155 = cos_lam * t64;
-    const float t156 = p->zH * sin_lam;
-    const float t157 = t155 + t156;
-    const float t158 = t154 - t157;
-    const float t159 = t158 + t158;
-    const float t160 = p->mH * t159;
-    const float t161 = cos_lam * t160;
-    const float t162 = (mu * t151) + t161;
-    const float t163 = t116 + t138;
-    const float t165 = t44 * (C1_12 - t163);
-    const float C1_21_w = t44 * t118;
-    const float t168 = t44 * (t94 + t130);
-    const float t169 = p->mH * cos_lam;
-    const float t170 = p->xH + p->c;
-    const float t172 = t76 + t125;
-    const float C1_22_w = C1_12_IBxz * ((mu * t172) - t148 - t168 - (t169 * t170));
-    const float K0_12_w = t169 - (C1_12_IBxz * t125);
-    const float t181 = t44 * K2_12;
-    const float K2_22_w = t44 * (t136 - (cos_lam * K0_12_w));
-    const float M_12_c = t139 + t142;
-    const float t187 = cos_lam * (t160 - t151);
-    const float t188 = cos_lam * C1_12_IBxz;
-    const float t189 = p->mH * t170;
-    const float C1_22_c = (t188 * (t93 - t126 - t172 - t189)) - (C1_12_IBxz * t120);
-    const float K0_12_c = t169 + (cos_lam * t124);
-    const float K0_22_c = sin_lam * K0_12_c;
-    const float t199 = C1_12_IBxz * K0_12_c;
-    const float t200 = t44 * sin_lam;
-    const float t201 = p->c * t200;
-    const float t205 = t71 + (t40 * t201) - (t13 * cos_lam);
-    const float t210 = (t34 * t188) - (t80 * t200);
-    const float t215 = (cos_lam * t57) - (p->c * ((sin_lam * t149) - t210)) - (sin_lam * t72);
-    const float M_22_lam = t215 + t215;
-    const float t217 = t114 * t200;
-    const float C1_21_lam = t134 + (ST * t201);
-    const float t222 = t142 - (sin_lam * t126);
-    const float t223 = t138 - t222;
-    const float C1_22_lam = t210 + (mu * t223) - (sin_lam * t168);
-    const float K0_22_lam = (cos_lam * K0_12) - (sin_lam * t223);
-    const float t230 = t110 * t200;
-    const float K2_22_lam = (C1_12_IBxz * (t163 - t222)) + (t135 * t200);
-    const float M_11_rR = t21 + t21;
-    const float K2_12_rR = C1_12_IBxz * (p->mR - (t105 * t106));
-    const float C1_12_rR = p->c * K2_12_rR;
-    const float C1_12_IRyy = mu * t105;
-    const float C1_21_rR = t106 * C1_12_IRyy;
-    const float M_11_mR = p->rR * p->rR;
-    const float C1_12_mR = p->rR * mu;
-    const float K2_12_mR = p->rR * C1_12_IBxz;
-    const float C1_22_ITzz = C1_12_IBxz * mu;
-    const float M_22_ITzz = p->c * C1_22_ITzz;
-    const float K2_12_IRyy = C1_12_IBxz * t105;
-    const float t249 = p->mB * C1_12_IBxz;
-    const float t250 = p->c * t249;
-    const float t251 = p->zB * t250;
-    const float t252 = p->xB * mu;
-    const float t253 = t250 * t252;
-    const float M_22_xB = t253 + t253;
-    const float t255 = p->zB * t249;
-    const float t256 = p->mB * t252;
-    const float t257 = p->xB + p->c;
-    const float C1_22_xB = C1_12_IBxz * (t256 + (t250 * t257));
-    const float t261 = sin_lam * t250;
-    const float K2_22_xB = p->mB * C1_22_ITzz;
-    const float M_11_zB = t36 + t36;
-    const float t264 = t249 * t257;
-    const float t265 = p->zB * t252;
-    const float M_22_mB = t252 * t252;
-    const float t267 = p->zB * C1_12_IBxz;
-    const float t268 = t257 * t267;
-    const float K2_22_mB = p->xB * C1_22_ITzz;
-    const float C1_22_mB = t257 * K2_22_mB;
-    const float t271 = sin_lam * t252;
-    const float t272 = t48 * M_12_IHxz;
-    const float t273 = p->mH * C1_12_IBxz;
-    const float t274 = p->c * t273;
-    const float M_22_xH = t161 + (t158 * (t274 + t274));
-    const float t278 = p->zH * C1_12_IBxz;
-    const float t279 = p->mH * t278;
-    const float C1_22_IHzz = C1_12_IBxz * M_12_IHxz;
-    const float C1_22_xH = (t158 * t273) + (t189 * C1_22_IHzz);
-    const float t284 = t169 + t274;
-    const float t285 = sin_lam * t284;
-    const float K2_22_xH = p->mH * C1_22_IHzz;
-    const float M_11_zH = t48 + t48;
-    const float M_12_zH = p->mH * (t156 - t158);
-    const float K0_12_zH = p->mH * sin_lam;
-    const float t291 = t159 * K0_12_zH;
-    const float t292 = t170 * t273;
-    const float t293 = t169 * t200;
-    const float t294 = t170 * t293;
-    const float K0_22_zH = sin_lam * K0_12_zH;
-    const float t296 = p->zH * t158;
-    const float M_22_mH = t158 * t158;
-    const float t298 = t170 * t278;
-    const float K2_22_mH = C1_12_IBxz * t158;
-    const float C1_22_mH = t170 * K2_22_mH;
-    const float t301 = sin_lam * t158;
-    const float M_22_IHxx = sin_lam * sin_lam;
-    const float M_22_IHzz = M_22_ITzz + (cos_lam * (mu + M_12_IHxz));
-    const float t306 = sin_lam + sin_lam;
-    const float M_22_IHxz = M_12_IHxz * t306;
-    const float K2_22_SF = C1_12_IBxz * sin_lam;
-    const float M_11_rF = t5 + t5;
-    const float M_12_rF = p->mF * (t144 - K0_12_mF);
-    const float t312 = t148 * t306;
-    const float ITzz_w = p->mF - (t102 * SF);
-    const float C1_12_SF = t44 * t155;
-    const float C1_12_rF = ITzz_w * C1_12_SF;
-    const float t317 = t102 * M_12_IHxz;
-    const float C1_21_rF = SF * t317;
-    const float t319 = p->mF * sin_lam;
-    const float C1_22_rF = C1_12_SF * t319;
-    const float t321 = sin_lam * t319;
-    const float K2_12_rF = C1_12_IBxz * ITzz_w;
-    const float K2_22_rF = sin_lam * K2_12_rF;
     const float M_11_mF = p->rF * p->rF;
-    const float t325 = p->rF * K0_12_mF;
+    const float t28 = p->zH * p->mH;
+    const float t33 = p->IFxx + p->IHxx + (p->mF * M_11_mF) + (p->zH * t28);
+    const float t34 = p->rR * p->mR;
+    const float t35 = p->zB * p->mB;
+    const float t36 = p->mF * p->rF;
+    const float M_11_rR = t34 + t34;
+    const float M_11_mR = p->rR * p->rR;
+    const float M_11_zB = t35 + t35;
+    const float M_11_mB = p->zB * p->zB;
+    const float M_11_zH = t28 + t28;
+    const float M_11_mH = p->zH * p->zH;
+    const float M_11_rF = t36 + t36;
+    const float t44 = p->mF * p->w;
+    const float t48 = (t28 * p->xH) - p->IHxz - (p->rF * t44);
+    const float M_11 = t33 + p->IRxx + p->IBxx + (p->rR * t34) + (p->zB * t35);
+    const float t55 = 1.0F / p->w;
+    const float t56 = p->c + p->w;
+    const float t57 = p->xH - t56;
+    const float t58 = p->mH * t57;
+    const float t60 = p->IBxz - (t35 * p->xB);
+    const float t61 = p->IFxx + p->IHzz;
+    const float t62 = t48 * t55;
+    const float t63 = p->c * t55;
+    const float t65 = p->IHxz - (p->zH * t58);
+    const float t66 = p->mH * p->xH;
+    const float t68 = t61 + (p->xH * t66);
+    const float t69 = p->mB * p->xB;
+    const float t70 = 1.0F / p->rF;
+    const float t71 = 1.0F / p->rR;
+    const float t72 = t36 + t62;
+    const float t73 = t28 - t36;
+    const float K0_11 = t35 + t73 - t34;
+    const float t83 = t44 - (t55 * (p->IRxx + t68 + (p->xB * t69) + (p->w * t44) + p->IBzz));
+    const float t87 = p->mF - (t55 * (t44 + t66 + t69));
+    const float t90 = cos_lam * (t57 + (p->xH * t63));
+    const float t95 = (t33 * sin_lam) - (cos_lam * ((p->c * t72) - t65));
+    const float t97 = t72 - (t55 * t60);
+    const float C1_12_IBxz = cos_lam * t55;
+    const float K2_12_mR = p->rR * C1_12_IBxz;
+    const float t100 = t35 * C1_12_IBxz;
+    const float K2_22_SF = sin_lam * C1_12_IBxz;
+    const float M_12_lam = (t33 * cos_lam) + (sin_lam * ((p->c * t97) - t65));
+    const float M_12_w = cos_lam * (t28 + (t63 * t97));
+    const float M_12_c = cos_lam * (t28 - t97);
+    const float mu = p->c * C1_12_IBxz;
+    const float t113 = t35 * mu;
+    const float C1_12_mR = p->rR * mu;
+    const float t115 = mu * t69;
+    const float M_12_IHxz = cos_lam + mu;
+    const float t117 = p->zH * sin_lam;
+    const float K0_12_mH = t117 - t90;
+    const float t119 = t90 - t117;
+    const float K0_12_mF = (p->c * (cos_lam - (p->w * C1_12_IBxz))) - (p->rF * sin_lam);
+    const float M_12_zH = p->mH * (t117 - t119);
+    const float M_12 = t95 + (mu * t60);
+    const float t129 = p->zH * t119;
+    const float M_22_mH = t119 * t119;
+    const float t131 = sin_lam * t119;
+    const float SF = p->IFyy * t70;
+    const float t133 = p->IRyy * t71;
+    const float t138 = C1_12_IBxz * ((p->c * t83) + (t56 * t66) - t68);
+    const float K2_12_IRyy = C1_12_IBxz * t71;
+    const float t140 = p->rF * K0_12_mF;
     const float M_22_mF = K0_12_mF * K0_12_mF;
-    const float C1_12_mF = p->rF * C1_12_SF;
-    const float t328 = K0_12_mF * C1_12_SF;
     const float K0_22_mF = sin_lam * K0_12_mF;
-    const float K2_12_mF = p->rF * C1_12_IBxz;
-    const float t331 = C1_12_IBxz * K0_12_mF;
+    const float t143 = p->mF * K0_12_mF;
+    const float t144 = C1_12_IBxz * K0_12_mF;
+    const float ST = SF + t133;
+    const float t146 = ST - K0_11;
+    const float t152 = t55 * (t60 + (p->w * SF) + (p->c * t146) - t48);
+    const float t153 = t56 * t144;
+    const float K2_12 = C1_12_IBxz * t146;
+    const float t155 = t55 * t146;
+    const float t156 = C1_12_IBxz * t155;
+    const float t157 = sin_lam * t155;
+    const float t158 = C1_12_IBxz * ST;
+    const float t159 = t63 * ST;
+    const float C1_21_w = C1_12_IBxz * t159;
+    const float t161 = SF + t159;
+    const float C1_21_lam = sin_lam * t161;
+    const float C1_21 = -(cos_lam * t161);
+    const float M_12_rF = (sin_lam * t36) - t143;
+    const float t167 = p->c * t87;
+    const float t168 = t58 - t167;
+    const float K0_12 = (sin_lam * t73) - (cos_lam * t168);
+    const float K0_12_lam = (cos_lam * t73) + (sin_lam * t168);
+    const float t176 = t138 + (sin_lam * t62);
+    const float t177 = cos_lam + cos_lam;
+    const float t178 = t119 + t119;
+    const float t179 = p->mH * cos_lam;
+    const float t180 = t178 * t179;
+    const float t181 = p->c + p->xH;
+    const float t182 = t179 * t181;
+    const float K0_12_w = t179 - (mu * t87);
+    const float t187 = K0_12 + (cos_lam * (t83 + t167));
+    const float K0_22 = sin_lam * K0_12;
+    const float K0_12_c = t179 + (cos_lam * t87);
+    const float K0_22_c = sin_lam * K0_12_c;
+    const float t192 = C1_12_IBxz * K0_12_c;
+    const float ITzz_mF = t36 + SF - t152;
+    const float C1_12_w = C1_12_IBxz * ITzz_mF;
+    const float C1_12 = cos_lam * t152;
+    const float t197 = sin_lam * t152;
+    const float K0_22_lam = (cos_lam * K0_12) + (sin_lam * K0_12_lam);
+    const float t201 = t55 * t179;
+    const float t202 = p->zH * t201;
+    const float t204 = -(sin_lam * K0_12_w);
+    const float t205 = t143 - t176;
+    const float t212 = (M_12_IHxz * t61) + (sin_lam * p->IHxz) + (t58 * t119) + (p->c * t205);
+    const float t214 = t176 + (t63 * K0_12);
+    const float t216 = (sin_lam * SF) - K0_12;
+    const float K2_22 = C1_12_IBxz * t216;
+    const float t221 = C1_12_IBxz * (t205 + t182 - (t63 * t187));
+    const float t223 = C1_12_IBxz * (t182 + t187);
+    const float t224 = t205 * t177;
+    const float t226 = (t63 * t224) + t180;
+    const float M_22_c = t224 - t180;
+    const float t228 = t55 * t216;
+    const float t230 = C1_12_IBxz * (K0_12_w + t228);
+    const float t231 = t55 * t182;
+    const float K2_22_mH = C1_12_IBxz * t119;
+    const float C1_22_xH = (p->mH * K2_22_mH) + (M_12_IHxz * t231);
+    const float C1_22_mH = t181 * K2_22_mH;
+    const float C1_22 = -(cos_lam * t214);
+    const float t239 = sin_lam + sin_lam;
+    const float t240 = t143 * t239;
+    const float M_22_IHxz = M_12_IHxz * t239;
+    const float t242 = cos_lam * C1_12_IBxz;
+    const float C1_22_lam = (sin_lam * (t138 + t214)) - (mu * K0_12_lam) - (t48 * t242);
+    const float M_22_lam = (t95 * t177) - (t212 * t239);
+    const float M_22 = (sin_lam * t95) + (cos_lam * t212);
+    const float K2_22_lam = (SF * t242) - (C1_12_IBxz * K0_12_lam) - (sin_lam * t228);
+    const float C1_22_ITzz = t63 * t242;
+    const float C1_22_IHzz = t242 + C1_22_ITzz;
+    const float K2_22_xH = p->mH * C1_22_IHzz;
+    const float K2_22_xB = p->mB * C1_22_ITzz;
+    const float K2_12_rR = (p->mR * C1_12_IBxz) - (t133 * K2_12_IRyy);
+    const float C1_12_rR = p->c * K2_12_rR;
+    const float C1_12_IRyy = p->c * K2_12_IRyy;
+    const float C1_21_rR = t133 * C1_12_IRyy;
+    const float M_22_ITzz = mu * mu;
+    const float t271 = t69 * M_22_ITzz;
+    const float M_22_xB = t271 + t271;
+    const float t273 = mu * p->xB;
+    const float t274 = p->zB * t273;
+    const float M_22_mB = t273 * t273;
+    const float t276 = sin_lam * t273;
+    const float K2_22_mB = C1_12_IBxz * t273;
+    const float t278 = p->c + p->xB;
+    const float C1_22_xB = (p->xB + t278) * K2_22_xB;
+    const float C1_22_mB = t278 * K2_22_mB;
+    const float t282 = p->mB * C1_12_IBxz;
+    const float t283 = t278 * t282;
+    const float t284 = p->c * t282;
+    const float t285 = sin_lam * t284;
+    const float t286 = p->zB * C1_12_IBxz;
+    const float t287 = t278 * t286;
+    const float t288 = p->mH * M_12_IHxz;
+    const float t289 = p->zH * t288;
+    const float M_22_xH = t178 * t288;
+    const float t291 = sin_lam * t288;
+    const float K0_12_zH = p->mH * sin_lam;
+    const float t293 = t178 * K0_12_zH;
+    const float K0_22_zH = sin_lam * K0_12_zH;
+    const float t295 = C1_12_IBxz * K0_12_zH;
+    const float t296 = t181 * t295;
+    const float t297 = p->zH * C1_12_IBxz;
+    const float t298 = t181 * t297;
+    const float M_22_IHxx = sin_lam * sin_lam;
+    const float t300 = p->mF * M_22_IHxx;
+    const float M_22_IHzz = M_12_IHxz * M_12_IHxz;
     const float M_22_IFxx = M_22_IHxx + M_22_IHzz;
-    const float C1_12_IFyy = t102 * C1_12_SF;
-    const float K2_12_IFyy = C1_12_IBxz * t102;
-    const float K2_22_IFyy = t102 * K2_22_SF;
-    const float C1_21 = -(t116 + t118);
-    const float K0_11 = t108 - t21;
-    const float K2_22 = -t136;
-    const float t339 = -(sin_lam * K0_12_w);
-    const float K0_12_lam = t222 - t138;
-    const float K0_12_mH = t157 - t154;
+    const float t303 = M_12_IHxz * t70;
+    const float C1_21_rF = SF * t303;
+    const float t305 = t56 * C1_12_IBxz;
+    const float t307 = p->mF - (t70 * SF);
+    const float C1_12_rF = t305 * t307;
+    const float K2_12_rF = C1_12_IBxz * t307;
+    const float C1_12_IFyy = t70 * t305;
+    const float K2_12_IFyy = C1_12_IBxz * t70;
+    const float K2_22_IFyy = sin_lam * K2_12_IFyy;
+    const float t313 = p->mF * sin_lam;
+    const float C1_22_rF = t305 * t313;
+    const float K2_22_rF = sin_lam * K2_12_rF;
+    const float K2_12_mF = p->rF * C1_12_IBxz;
+    const float C1_12_mF = t56 * K2_12_mF;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -1414,130 +1378,130 @@ void whipple_f32_derivatives(const whipple_f32_t *p, whipple_f32_matrices_t *mat
     matrices->k2[0][1] = K2_12;
     matrices->k2[1][0] = 0.0F;
     matrices->k2[1][1] = K2_22;
-    derivatives->values[0] = M_12_w;
-    derivatives->values[1] = t162;
-    derivatives->values[2] = t165;
-    derivatives->values[3] = C1_21_w;
-    derivatives->values[4] = C1_22_w;
-    derivatives->values[5] = K0_12_w;
-    derivatives->values[6] = t339;
-    derivatives->values[7] = t181;
-    derivatives->values[8] = K2_22_w;
-    derivatives->values[9] = M_12_c;
-    derivatives->values[10] = t187;
-    derivatives->values[11] = K2_12;
-    derivatives->values[12] = t117;
-    derivatives->values[13] = C1_22_c;
-    derivatives->values[14] = K0_12_c;
-    derivatives->values[15] = K0_22_c;
-    derivatives->values[16] = t199;
-    derivatives->values[17] = t205;
-    derivatives->values[18] = M_22_lam;
-    derivatives->values[19] = t217;
-    derivatives->values[20] = C1_21_lam;
-    derivatives->values[21] = C1_22_lam;
-    derivatives->values[22] = K0_12_lam;
-    derivatives->values[23] = K0_22_lam;
-    derivatives->values[24] = t230;
-    derivatives->values[25] = K2_22_lam;
-    derivatives->values[26] = M_11_rR;
-    derivatives->values[27] = C1_12_rR;
-    derivatives->values[28] = C1_21_rR;
-    derivatives->values[29] = p->mR;
-    derivatives->values[30] = K2_12_rR;
-    derivatives->values[31] = M_11_mR;
-    derivatives->values[32] = C1_12_mR;
-    derivatives->values[33] = p->rR;
-    derivatives->values[34] = K2_12_mR;
-    derivatives->values[35] = 1.0F;
-    derivatives->values[36] = M_22_ITzz;
-    derivatives->values[37] = C1_22_ITzz;
-    derivatives->values[38] = C1_12_IRyy;
-    derivatives->values[39] = K2_12_IRyy;
-    derivatives->values[40] = t251;
-    derivatives->values[41] = M_22_xB;
-    derivatives->values[42] = t255;
-    derivatives->values[43] = C1_22_xB;
-    derivatives->values[44] = t250;
-    derivatives->values[45] = t261;
-    derivatives->values[46] = K2_22_xB;
-    derivatives->values[47] = M_11_zB;
-    derivatives->values[48] = t256;
-    derivatives->values[49] = t264;
-    derivatives->values[50] = p->mB;
-    derivatives->values[51] = t249;
-    derivatives->values[52] = M_11_mB;
-    derivatives->values[53] = t265;
-    derivatives->values[54] = M_22_mB;
-    derivatives->values[55] = t268;
-    derivatives->values[56] = C1_22_mB;
-    derivatives->values[57] = p->zB;
-    derivatives->values[58] = t252;
-    derivatives->values[59] = t271;
-    derivatives->values[60] = t267;
-    derivatives->values[61] = K2_22_mB;
-    derivatives->values[62] = mu;
-    derivatives->values[63] = C1_12_IBxz;
-    derivatives->values[64] = t272;
-    derivatives->values[65] = M_22_xH;
-    derivatives->values[66] = t279;
+    derivatives->values[0] = p->rR;
+    derivatives->values[1] = p->mR;
+    derivatives->values[2] = p->zB;
+    derivatives->values[3] = p->mB;
+    derivatives->values[4] = p->zH;
+    derivatives->values[5] = p->mH;
+    derivatives->values[6] = p->rF;
+    derivatives->values[7] = p->mF;
+    derivatives->values[8] = 1.0F;
+    derivatives->values[9] = sin_lam;
+    derivatives->values[10] = M_11_mF;
+    derivatives->values[11] = M_11_rR;
+    derivatives->values[12] = M_11_mR;
+    derivatives->values[13] = M_11_zB;
+    derivatives->values[14] = M_11_mB;
+    derivatives->values[15] = M_11_zH;
+    derivatives->values[16] = M_11_mH;
+    derivatives->values[17] = M_11_rF;
+    derivatives->values[18] = C1_12_IBxz;
+    derivatives->values[19] = K2_12_mR;
+    derivatives->values[20] = t100;
+    derivatives->values[21] = K2_22_SF;
+    derivatives->values[22] = M_12_lam;
+    derivatives->values[23] = M_12_w;
+    derivatives->values[24] = M_12_c;
+    derivatives->values[25] = mu;
+    derivatives->values[26] = t113;
+    derivatives->values[27] = C1_12_mR;
+    derivatives->values[28] = t115;
+    derivatives->values[29] = M_12_IHxz;
+    derivatives->values[30] = K0_12_mH;
+    derivatives->values[31] = K0_12_mF;
+    derivatives->values[32] = M_12_zH;
+    derivatives->values[33] = t129;
+    derivatives->values[34] = M_22_mH;
+    derivatives->values[35] = t131;
+    derivatives->values[36] = K2_12_IRyy;
+    derivatives->values[37] = t140;
+    derivatives->values[38] = M_22_mF;
+    derivatives->values[39] = K0_22_mF;
+    derivatives->values[40] = t144;
+    derivatives->values[41] = t153;
+    derivatives->values[42] = K2_12;
+    derivatives->values[43] = t156;
+    derivatives->values[44] = t157;
+    derivatives->values[45] = t158;
+    derivatives->values[46] = C1_21_w;
+    derivatives->values[47] = C1_21_lam;
+    derivatives->values[48] = M_12_rF;
+    derivatives->values[49] = K0_12_lam;
+    derivatives->values[50] = K0_12_w;
+    derivatives->values[51] = K0_12_c;
+    derivatives->values[52] = K0_22_c;
+    derivatives->values[53] = t192;
+    derivatives->values[54] = C1_12_w;
+    derivatives->values[55] = t197;
+    derivatives->values[56] = K0_22_lam;
+    derivatives->values[57] = t201;
+    derivatives->values[58] = t202;
+    derivatives->values[59] = t204;
+    derivatives->values[60] = t221;
+    derivatives->values[61] = t223;
+    derivatives->values[62] = t226;
+    derivatives->values[63] = M_22_c;
+    derivatives->values[64] = t230;
+    derivatives->values[65] = t231;
+    derivatives->values[66] = K2_22_mH;
     derivatives->values[67] = C1_22_xH;
-    derivatives->values[68] = t284;
-    derivatives->values[69] = t285;
-    derivatives->values[70] = K2_22_xH;
-    derivatives->values[71] = M_11_zH;
-    derivatives->values[72] = M_12_zH;
-    derivatives->values[73] = t291;
-    derivatives->values[74] = t292;
-    derivatives->values[75] = t294;
-    derivatives->values[76] = p->mH;
-    derivatives->values[77] = K0_12_zH;
-    derivatives->values[78] = K0_22_zH;
-    derivatives->values[79] = t273;
-    derivatives->values[80] = t293;
-    derivatives->values[81] = M_11_mH;
-    derivatives->values[82] = t296;
-    derivatives->values[83] = M_22_mH;
-    derivatives->values[84] = t298;
-    derivatives->values[85] = C1_22_mH;
-    derivatives->values[86] = p->zH;
-    derivatives->values[87] = K0_12_mH;
-    derivatives->values[88] = t301;
-    derivatives->values[89] = t278;
-    derivatives->values[90] = K2_22_mH;
-    derivatives->values[91] = sin_lam;
-    derivatives->values[92] = M_22_IHxx;
-    derivatives->values[93] = M_22_IHzz;
-    derivatives->values[94] = C1_22_IHzz;
-    derivatives->values[95] = M_12_IHxz;
-    derivatives->values[96] = M_22_IHxz;
-    derivatives->values[97] = K2_22_SF;
-    derivatives->values[98] = M_11_rF;
-    derivatives->values[99] = M_12_rF;
-    derivatives->values[100] = t312;
-    derivatives->values[101] = C1_12_rF;
-    derivatives->values[102] = C1_21_rF;
-    derivatives->values[103] = C1_22_rF;
-    derivatives->values[104] = p->mF;
-    derivatives->values[105] = t319;
-    derivatives->values[106] = t321;
-    derivatives->values[107] = K2_12_rF;
-    derivatives->values[108] = K2_22_rF;
-    derivatives->values[109] = M_11_mF;
-    derivatives->values[110] = t325;
-    derivatives->values[111] = M_22_mF;
-    derivatives->values[112] = C1_12_mF;
-    derivatives->values[113] = t328;
-    derivatives->values[114] = p->rF;
-    derivatives->values[115] = K0_12_mF;
-    derivatives->values[116] = K0_22_mF;
-    derivatives->values[117] = K2_12_mF;
-    derivatives->values[118] = t331;
-    derivatives->values[119] = M_22_IFxx;
-    derivatives->values[120] = C1_12_IFyy;
-    derivatives->values[121] = t317;
-    derivatives->values[122] = K2_12_IFyy;
-    derivatives->values[123] = K2_22_IFyy;
+    derivatives->values[68] = C1_22_mH;
+    derivatives->values[69] = t240;
+    derivatives->values[70] = M_22_IHxz;
+    derivatives->values[71] = C1_22_lam;
+    derivatives->values[72] = M_22_lam;
+    derivatives->values[73] = K2_22_lam;
+    derivatives->values[74] = C1_22_ITzz;
+    derivatives->values[75] = C1_22_IHzz;
+    derivatives->values[76] = K2_22_xH;
+    derivatives->values[77] = K2_22_xB;
+    derivatives->values[78] = K2_12_rR;
+    derivatives->values[79] = C1_12_rR;
+    derivatives->values[80] = C1_12_IRyy;
+    derivatives->values[81] = C1_21_rR;
+    derivatives->values[82] = M_22_ITzz;
+    derivatives->values[83] = M_22_xB;
+    derivatives->values[84] = t273;
+    derivatives->values[85] = t274;
+    derivatives->values[86] = M_22_mB;
+    derivatives->values[87] = t276;
+    derivatives->values[88] = K2_22_mB;
+    derivatives->values[89] = C1_22_xB;
+    derivatives->values[90] = C1_22_mB;
+    derivatives->values[91] = t282;
+    derivatives->values[92] = t283;
+    derivatives->values[93] = t284;
+    derivatives->values[94] = t285;
+    derivatives->values[95] = t286;
+    derivatives->values[96] = t287;
+    derivatives->values[97] = t288;
+    derivatives->values[98] = t289;
+    derivatives->values[99] = M_22_xH;
+    derivatives->values[100] = t291;
+    derivatives->values[101] = K0_12_zH;
+    derivatives->values[102] = t293;
+    derivatives->values[103] = K0_22_zH;
+    derivatives->values[104] = t295;
+    derivatives->values[105] = t296;
+    derivatives->values[106] = t297;
+    derivatives->values[107] = t298;
+    derivatives->values[108] = M_22_IHxx;
+    derivatives->values[109] = t300;
+    derivatives->values[110] = M_22_IHzz;
+    derivatives->values[111] = M_22_IFxx;
+    derivatives->values[112] = t303;
+    derivatives->values[113] = C1_21_rF;
+    derivatives->values[114] = C1_12_rF;
+    derivatives->values[115] = K2_12_rF;
+    derivatives->values[116] = C1_12_IFyy;
+    derivatives->values[117] = K2_12_IFyy;
+    derivatives->values[118] = K2_22_IFyy;
+    derivatives->values[119] = t313;
+    derivatives->values[120] = C1_22_rF;
+    derivatives->values[121] = K2_22_rF;
+    derivatives->values[122] = K2_12_mF;
+    derivatives->values[123] = C1_12_mF;
 }
 
 void whipple_f32_with_respect_to(const whipple_f32_derivatives_t *derivatives, size_t parameter,

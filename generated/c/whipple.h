@@ -290,7 +290,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 113 additions, 196 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 317 operations.
+ * 97 additions, 188 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 293 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -464,7 +464,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 113 additions, 196 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 317 operations.
+ * 97 additions, 188 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 293 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

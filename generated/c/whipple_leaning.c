@@ -126,249 +126,249 @@ const char *whipple_leaning_validity_text(whipple_leaning_validity_t validity)
 }
 
 const carvallo_partial_t whipple_leaning_partials[WHIPPLE_LEANING_PARTIALS] = {
-    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 1U, true},
-    {CARVALLO_MATRIX_M, 1U, 2U, 0U, 2U, true},
-    {CARVALLO_MATRIX_M, 2U, 1U, 0U, 2U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 3U, true},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 4U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 5U, false},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 0U, 6U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 7U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 7U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 8U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 9U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 10U, true},
-    {CARVALLO_MATRIX_K2, 2U, 1U, 0U, 11U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 1U, 12U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 1U, 12U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 13U, false},
-    {CARVALLO_MATRIX_M, 1U, 2U, 1U, 14U, false},
-    {CARVALLO_MATRIX_M, 2U, 1U, 1U, 14U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 15U, true},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 1U, 16U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 17U, false},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 1U, 18U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 1U, 19U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 1U, 19U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 20U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 21U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 22U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 22U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 23U, false},
-    {CARVALLO_MATRIX_M, 1U, 2U, 2U, 24U, true},
-    {CARVALLO_MATRIX_M, 2U, 1U, 2U, 24U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 25U, true},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 2U, 26U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 27U, false},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 2U, 28U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 2U, 29U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 2U, 29U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 30U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 2U, 31U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 32U, false},
-    {CARVALLO_MATRIX_K2, 2U, 1U, 2U, 33U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 4U, 34U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 4U, 35U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 4U, 36U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 4U, 37U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 4U, 38U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 5U, 39U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 5U, 40U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 5U, 41U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 5U, 42U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 6U, 43U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 6U, 44U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 6U, 45U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 7U, 46U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 7U, 46U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 7U, 47U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 8U, 48U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 8U, 48U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 8U, 49U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 8U, 50U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 8U, 51U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 8U, 52U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 8U, 52U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 8U, 53U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 8U, 54U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 9U, 55U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 9U, 56U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 9U, 56U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 9U, 57U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 9U, 58U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 9U, 59U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 10U, 60U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 10U, 61U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 10U, 61U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 10U, 62U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 10U, 63U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 10U, 64U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 10U, 65U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 10U, 66U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 10U, 66U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 10U, 67U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 10U, 68U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 10U, 69U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 11U, 43U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 13U, 44U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 13U, 45U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 14U, 70U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 14U, 70U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 14U, 71U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 15U, 72U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 15U, 72U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 73U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 15U, 74U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 15U, 75U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 15U, 76U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 15U, 76U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 15U, 77U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 15U, 78U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 16U, 79U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 16U, 80U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 16U, 80U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 81U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 82U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 16U, 83U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 16U, 84U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 16U, 85U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 16U, 85U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 16U, 86U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 16U, 87U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 16U, 88U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 17U, 89U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 90U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 90U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 17U, 91U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 92U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 93U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 17U, 94U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 95U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 95U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 96U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 17U, 97U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 98U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 18U, 43U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 18U, 99U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 18U, 99U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 18U, 100U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 20U, 101U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 20U, 102U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 21U, 103U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 21U, 103U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 21U, 104U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 21U, 71U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 21U, 105U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 22U, 106U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 22U, 107U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 22U, 107U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 22U, 108U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 22U, 109U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 22U, 110U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 22U, 111U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 22U, 112U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 22U, 113U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 22U, 113U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 22U, 114U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 115U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 116U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 23U, 117U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 118U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 118U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 23U, 119U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 23U, 120U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 121U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 23U, 122U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 123U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 123U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 124U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 23U, 125U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 126U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 24U, 43U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 24U, 99U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 24U, 99U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 24U, 127U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 24U, 102U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 25U, 128U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 25U, 128U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 25U, 129U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 25U, 130U, false},
-    {CARVALLO_MATRIX_M, 0U, 2U, 26U, 131U, true},
-    {CARVALLO_MATRIX_M, 1U, 2U, 26U, 132U, false},
-    {CARVALLO_MATRIX_M, 2U, 0U, 26U, 131U, true},
-    {CARVALLO_MATRIX_M, 2U, 1U, 26U, 132U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 26U, 133U, true},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 26U, 134U, false},
-    {CARVALLO_MATRIX_K0, 0U, 2U, 26U, 135U, true},
-    {CARVALLO_MATRIX_K0, 2U, 0U, 26U, 135U, true},
-    {CARVALLO_MATRIX_K0, 2U, 2U, 26U, 135U, true},
-    {CARVALLO_MATRIX_K2, 2U, 1U, 26U, 136U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 27U, 137U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 27U, 138U, true},
-    {CARVALLO_MATRIX_M, 0U, 2U, 27U, 139U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 27U, 138U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 27U, 140U, false},
-    {CARVALLO_MATRIX_M, 1U, 2U, 27U, 141U, true},
-    {CARVALLO_MATRIX_M, 2U, 0U, 27U, 139U, false},
-    {CARVALLO_MATRIX_M, 2U, 1U, 27U, 141U, true},
-    {CARVALLO_MATRIX_M, 2U, 2U, 27U, 142U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 27U, 143U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 27U, 144U, false},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 27U, 145U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 27U, 146U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 27U, 147U, true},
-    {CARVALLO_MATRIX_K0, 0U, 2U, 27U, 148U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 27U, 147U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 27U, 149U, true},
-    {CARVALLO_MATRIX_K0, 2U, 0U, 27U, 148U, false},
-    {CARVALLO_MATRIX_K0, 2U, 2U, 27U, 148U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 27U, 150U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 27U, 151U, false},
-    {CARVALLO_MATRIX_K2, 2U, 1U, 27U, 152U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 28U, 153U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 28U, 153U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 28U, 154U, false},
-    {CARVALLO_MATRIX_M, 1U, 2U, 28U, 155U, true},
-    {CARVALLO_MATRIX_M, 2U, 1U, 28U, 155U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 28U, 156U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 28U, 157U, false},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 28U, 18U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 28U, 158U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 28U, 158U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 28U, 159U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 28U, 160U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 29U, 161U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 29U, 132U, true},
-    {CARVALLO_MATRIX_M, 0U, 2U, 29U, 162U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 29U, 132U, true},
-    {CARVALLO_MATRIX_M, 1U, 2U, 29U, 132U, true},
-    {CARVALLO_MATRIX_M, 2U, 0U, 29U, 162U, false},
-    {CARVALLO_MATRIX_M, 2U, 1U, 29U, 132U, true},
-    {CARVALLO_MATRIX_M, 2U, 2U, 29U, 133U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 29U, 134U, true},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 29U, 134U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 29U, 135U, false},
-    {CARVALLO_MATRIX_K0, 0U, 2U, 29U, 135U, false},
-    {CARVALLO_MATRIX_K0, 2U, 0U, 29U, 135U, false},
-    {CARVALLO_MATRIX_K0, 2U, 2U, 29U, 135U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 29U, 136U, true},
-    {CARVALLO_MATRIX_K2, 2U, 1U, 29U, 136U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 30U, 43U, false},
-    {CARVALLO_MATRIX_M, 0U, 2U, 30U, 43U, false},
-    {CARVALLO_MATRIX_M, 2U, 0U, 30U, 43U, false},
-    {CARVALLO_MATRIX_M, 2U, 2U, 30U, 43U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 32U, 44U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 32U, 45U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 33U, 70U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 33U, 70U, false},
-    {CARVALLO_MATRIX_M, 1U, 2U, 33U, 70U, false},
-    {CARVALLO_MATRIX_M, 2U, 1U, 33U, 70U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 33U, 71U, false},
-    {CARVALLO_MATRIX_C1, 2U, 1U, 33U, 71U, false},
-    {CARVALLO_MATRIX_KC, 2U, 2U, 34U, 43U, false},
-    {CARVALLO_MATRIX_C0, 2U, 2U, 35U, 43U, false}
+    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 72U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 72U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 57U, true},
+    {CARVALLO_MATRIX_M, 1U, 2U, 0U, 31U, true},
+    {CARVALLO_MATRIX_M, 2U, 1U, 0U, 31U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 65U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 56U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 75U, true},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 0U, 66U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 80U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 80U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 86U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 68U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 85U, true},
+    {CARVALLO_MATRIX_K2, 2U, 1U, 0U, 71U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 1U, 73U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 1U, 73U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 58U, false},
+    {CARVALLO_MATRIX_M, 1U, 2U, 1U, 59U, false},
+    {CARVALLO_MATRIX_M, 2U, 1U, 1U, 59U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 67U, true},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 1U, 50U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 76U, true},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 1U, 70U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 1U, 81U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 1U, 81U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 82U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 83U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 94U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 94U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 63U, true},
+    {CARVALLO_MATRIX_M, 1U, 2U, 2U, 90U, true},
+    {CARVALLO_MATRIX_M, 2U, 1U, 2U, 90U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 69U, true},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 2U, 89U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 84U, false},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 2U, 96U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 2U, 95U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 2U, 95U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 108U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 2U, 87U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 107U, false},
+    {CARVALLO_MATRIX_K2, 2U, 1U, 2U, 88U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 4U, 30U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 4U, 52U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 4U, 49U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 4U, 1U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 4U, 53U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 5U, 12U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 5U, 28U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 5U, 0U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 5U, 39U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 6U, 10U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 6U, 98U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 6U, 97U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 7U, 40U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 7U, 40U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 7U, 41U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 8U, 100U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 8U, 100U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 8U, 104U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 8U, 106U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 8U, 117U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 8U, 99U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 8U, 99U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 8U, 101U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 8U, 102U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 9U, 21U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 9U, 48U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 9U, 48U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 9U, 112U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 9U, 3U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 9U, 111U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 10U, 14U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 10U, 45U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 10U, 45U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 10U, 46U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 10U, 113U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 10U, 115U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 10U, 2U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 10U, 44U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 10U, 44U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 10U, 47U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 10U, 103U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 10U, 114U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 11U, 10U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 13U, 98U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 13U, 97U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 14U, 27U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 14U, 27U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 14U, 38U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 15U, 32U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 15U, 32U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 54U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 15U, 118U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 15U, 78U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 15U, 119U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 15U, 119U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 15U, 92U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 15U, 120U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 16U, 15U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 16U, 34U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 16U, 34U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 55U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 77U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 16U, 79U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 16U, 5U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 16U, 91U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 16U, 91U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 16U, 122U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 16U, 116U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 16U, 93U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 17U, 16U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 35U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 35U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 17U, 36U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 124U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 74U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 17U, 4U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 33U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 33U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 37U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 17U, 123U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 42U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 18U, 10U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 18U, 11U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 18U, 11U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 18U, 121U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 20U, 125U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 20U, 43U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 21U, 29U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 21U, 29U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 21U, 127U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 21U, 38U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 21U, 109U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 22U, 17U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 22U, 128U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 22U, 128U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 22U, 129U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 22U, 135U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 22U, 131U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 22U, 136U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 22U, 7U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 22U, 137U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 22U, 137U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 22U, 138U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 134U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 139U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 23U, 18U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 141U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 141U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 23U, 142U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 23U, 145U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 146U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 23U, 6U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 140U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 140U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 143U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 23U, 144U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 110U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 24U, 10U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 24U, 11U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 24U, 11U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 24U, 126U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 24U, 43U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 25U, 130U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 25U, 130U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 25U, 132U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 25U, 133U, false},
+    {CARVALLO_MATRIX_M, 0U, 2U, 26U, 13U, true},
+    {CARVALLO_MATRIX_M, 1U, 2U, 26U, 51U, false},
+    {CARVALLO_MATRIX_M, 2U, 0U, 26U, 13U, true},
+    {CARVALLO_MATRIX_M, 2U, 1U, 26U, 51U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 26U, 25U, true},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 26U, 148U, false},
+    {CARVALLO_MATRIX_K0, 0U, 2U, 26U, 8U, true},
+    {CARVALLO_MATRIX_K0, 2U, 0U, 26U, 8U, true},
+    {CARVALLO_MATRIX_K0, 2U, 2U, 26U, 8U, true},
+    {CARVALLO_MATRIX_K2, 2U, 1U, 26U, 147U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 27U, 19U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 27U, 151U, true},
+    {CARVALLO_MATRIX_M, 0U, 2U, 27U, 23U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 27U, 151U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 27U, 154U, false},
+    {CARVALLO_MATRIX_M, 1U, 2U, 27U, 152U, true},
+    {CARVALLO_MATRIX_M, 2U, 0U, 27U, 23U, false},
+    {CARVALLO_MATRIX_M, 2U, 1U, 27U, 152U, true},
+    {CARVALLO_MATRIX_M, 2U, 2U, 27U, 24U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 27U, 157U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 27U, 156U, false},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 27U, 159U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 27U, 9U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 27U, 149U, true},
+    {CARVALLO_MATRIX_K0, 0U, 2U, 27U, 22U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 27U, 149U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 27U, 150U, true},
+    {CARVALLO_MATRIX_K0, 2U, 0U, 27U, 22U, false},
+    {CARVALLO_MATRIX_K0, 2U, 2U, 27U, 22U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 27U, 155U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 27U, 153U, false},
+    {CARVALLO_MATRIX_K2, 2U, 1U, 27U, 158U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 28U, 61U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 28U, 61U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 28U, 105U, false},
+    {CARVALLO_MATRIX_M, 1U, 2U, 28U, 64U, true},
+    {CARVALLO_MATRIX_M, 2U, 1U, 28U, 64U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 28U, 160U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 28U, 162U, false},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 28U, 70U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 28U, 60U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 28U, 60U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 28U, 62U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 28U, 161U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 29U, 20U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 29U, 51U, true},
+    {CARVALLO_MATRIX_M, 0U, 2U, 29U, 26U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 29U, 51U, true},
+    {CARVALLO_MATRIX_M, 1U, 2U, 29U, 51U, true},
+    {CARVALLO_MATRIX_M, 2U, 0U, 29U, 26U, false},
+    {CARVALLO_MATRIX_M, 2U, 1U, 29U, 51U, true},
+    {CARVALLO_MATRIX_M, 2U, 2U, 29U, 25U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 29U, 148U, true},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 29U, 148U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 29U, 8U, false},
+    {CARVALLO_MATRIX_K0, 0U, 2U, 29U, 8U, false},
+    {CARVALLO_MATRIX_K0, 2U, 0U, 29U, 8U, false},
+    {CARVALLO_MATRIX_K0, 2U, 2U, 29U, 8U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 29U, 147U, true},
+    {CARVALLO_MATRIX_K2, 2U, 1U, 29U, 147U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 30U, 10U, false},
+    {CARVALLO_MATRIX_M, 0U, 2U, 30U, 10U, false},
+    {CARVALLO_MATRIX_M, 2U, 0U, 30U, 10U, false},
+    {CARVALLO_MATRIX_M, 2U, 2U, 30U, 10U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 32U, 98U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 32U, 97U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 33U, 27U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 33U, 27U, false},
+    {CARVALLO_MATRIX_M, 1U, 2U, 33U, 27U, false},
+    {CARVALLO_MATRIX_M, 2U, 1U, 33U, 27U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 33U, 38U, false},
+    {CARVALLO_MATRIX_C1, 2U, 1U, 33U, 38U, false},
+    {CARVALLO_MATRIX_KC, 2U, 2U, 34U, 10U, false},
+    {CARVALLO_MATRIX_C0, 2U, 2U, 35U, 10U, false}
 };
 
 const char *whipple_leaning_position_name(whipple_leaning_position_t which)
@@ -805,265 +805,254 @@ void whipple_leaning_f64_kinematics(const whipple_leaning_f64_t *p, whipple_lean
 void whipple_leaning_f64_derivatives(const whipple_leaning_f64_t *p,
     whipple_leaning_f64_matrices_t *matrices, whipple_leaning_f64_derivatives_t *derivatives)
 {
-    const double t5 = p->zU * p->mU;
-    const double t7 = p->IUxx + (p->zU * t5);
-    const double t12 = p->rF * p->mF;
-    const double t15 = p->IHxx + p->IFxx + (p->rF * t12);
-    const double t18 = p->rR * p->mR;
-    const double M_11_mB = p->zB * p->zB;
-    const double t26 = p->zH * p->mH;
-    const double M_11 = p->IRxx + p->IBxx + t7 + t15 + (p->rR * t18) + (p->mB * M_11_mB) + (p->zH *
-        t26);
     double wx_delta2_delta = 0.0;
     double wx_delta2_delta_lam = 0.0;
     carvallo_sin_cos_f64(p->lam, &wx_delta2_delta, &wx_delta2_delta_lam);
-    const double t39 = 1.0 / p->w;
-    const double yaw_per_v_delta = wx_delta2_delta_lam * t39;
-    const double yaw_by_delta = p->c * yaw_per_v_delta;
-    const double wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
-    const double t43 = p->IHxz * wz_delta2_delta;
-    const double t46 = t43 + (t15 * wx_delta2_delta);
-    const double h_wheels_all = p->mU * p->xU;
-    const double t52 = p->mB * p->zB;
-    const double t57 = p->IBxz + p->IUxz - (p->zU * h_wheels_all) - (t52 * p->xB);
-    const double t60 = wz_delta2_delta * p->xH;
-    const double t61 = p->zH * wx_delta2_delta;
-    const double t62 = p->c + p->w;
-    const double t63 = wx_delta2_delta_lam * t62;
-    const double t64 = t61 + t63;
-    const double t65 = t60 - t64;
-    const double t66 = p->mH * t65;
-    const double M_12 = t46 + (yaw_by_delta * t57) - (p->zH * t66);
-    const double K0_13 = t5 - (p->mU * p->zP);
-    const double C1_22_wz_delta2_delta = p->zU * K0_13;
-    const double M_13 = p->IUxx + C1_22_wz_delta2_delta;
-    const double M_22_mH = t65 * t65;
-    const double t77 = p->mB * p->xB;
-    const double t86 = yaw_per_v_delta * (p->IRxx + (p->xB * t77) + p->IBzz + (p->xU *
-        h_wheels_all) + p->IUzz);
-    const double t87 = p->c * t86;
-    const double t92 = p->IFxx + p->IHzz;
-    const double M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-    const double M_22_yaw_per_v_delta = t92 * M_22_IHzz;
-    const double M_22 = (p->mH * M_22_mH) + (yaw_by_delta * t87) + (wx_delta2_delta * (t43 + t46)) +
-        M_22_yaw_per_v_delta;
-    const double t99 = p->IUxz - (p->xU * K0_13);
-    const double M_23 = yaw_by_delta * t99;
-    const double M_13_zU = t5 + K0_13;
-    const double M_33 = t7 - (p->zP * M_13_zU);
-    const double t107 = 1.0 / p->rF;
-    const double h_spin_F = p->IFyy * t107;
-    const double t109 = wz_delta2_delta * h_spin_F;
-    const double t110 = p->mH * p->xH;
-    const double t112 = p->IHxz - (p->zH * t110);
-    const double t113 = t57 + t112;
-    const double t114 = t12 * p->w;
-    const double t116 = 1.0 / p->rR;
-    const double t117 = p->IRyy * t116;
-    const double K0_11 = t5 + t26 + t52 - t12 - t18;
-    const double vy_spin_F5_delta = p->c * (t117 - K0_11);
-    const double t125 = t113 + t114 + vy_spin_F5_delta;
-    const double C1_12 = t109 + (yaw_per_v_delta * t125);
-    const double K2_12_IRyy = yaw_per_v_delta * t116;
-    const double C1_12_IRyy = p->c * K2_12_IRyy;
-    const double t133 = wx_delta2_delta * t112;
-    const double t136 = t92 + (p->xH * t110);
-    const double t139 = t133 + (wz_delta2_delta * t136) - (t63 * t110);
-    const double t140 = t87 + t139;
-    const double t141 = p->mF * wx_delta2_delta;
-    const double t142 = p->rF * t141;
-    const double M_23_zP = yaw_by_delta * h_wheels_all;
-    const double t144 = p->mB * yaw_by_delta;
-    const double t145 = p->xB * t144;
-    const double t148 = t66 + t142 + M_23_zP + t145;
-    const double t152 = t39 * ((wx_delta2_delta * t114) + t140 + (p->c * t148));
-    const double C1_22 = wx_delta2_delta_lam * t152;
-    const double M_23_c = yaw_per_v_delta * t99;
-    const double t155 = yaw_by_delta * K0_13;
-    const double C1_32 = M_23_c - t155;
-    const double t159 = h_spin_F + t117;
-    const double t160 = K0_11 - t159;
-    const double t161 = yaw_per_v_delta * t160;
-    const double t162 = wx_delta2_delta * h_spin_F;
-    const double t164 = t39 * (t148 + t162);
-    const double K2_22 = wx_delta2_delta_lam * t164;
-    const double t166 = yaw_per_v_delta * K0_13;
-    const double t167 = t26 * wx_delta2_delta_lam;
-    const double t168 = t39 * t113;
-    const double M_12_w = t167 - (yaw_by_delta * t168);
-    const double t171 = wx_delta2_delta_lam + wx_delta2_delta_lam;
-    const double t172 = t39 * t140;
-    const double t173 = p->c * t39;
-    const double t176 = t171 * (t66 + (t172 * t173));
-    const double t177 = t39 * M_23;
-    const double t179 = t125 + (p->c * h_spin_F);
-    const double t181 = t12 * wx_delta2_delta_lam;
-    const double t183 = t39 * ((yaw_per_v_delta * t179) - t181);
-    const double t184 = yaw_per_v_delta * t159;
-    const double C1_21_w = t173 * t184;
-    const double t186 = yaw_per_v_delta * t136;
-    const double t187 = t86 + t186;
-    const double t189 = t152 + (t173 * t187);
-    const double t191 = h_wheels_all + t77 + t110;
-    const double M_23_yaw_per_v_delta = t173 * t191;
-    const double t194 = p->mH * wx_delta2_delta_lam;
-    const double K0_12_w = (yaw_per_v_delta * M_23_yaw_per_v_delta) + t194;
-    const double ay_all1_delta = yaw_per_v_delta * (t142 - t189 - (p->c * K0_12_w));
-    const double t200 = yaw_per_v_delta * p->xH;
-    const double t201 = t194 * t200;
-    const double C1_22_w = ay_all1_delta - t201;
-    const double t203 = t39 * C1_32;
-    const double K0_22_w = wx_delta2_delta * K0_12_w;
-    const double K2_12_w = t39 * t161;
-    const double t207 = yaw_per_v_delta * (t164 + K0_12_w);
-    const double K2_32_w = t39 * t166;
-    const double M_12_c = t167 + (wx_delta2_delta_lam * t168);
-    const double M_22_c = t171 * (t172 - t66);
-    const double K0_12_c = t194 - (yaw_per_v_delta * t191);
-    const double C1_22_c = (yaw_per_v_delta * (t148 + t187 - (p->c * K0_12_c))) - t201;
-    const double K0_22_c = wx_delta2_delta * K0_12_c;
-    const double t221 = yaw_per_v_delta * K0_12_c;
-    const double t222 = wx_delta2_delta * t173;
-    const double t225 = wx_delta2_delta * t62;
-    const double t226 = (p->zH * wx_delta2_delta_lam) - t225;
-    const double M_12_lam = (t26 * t226) + (t15 * wx_delta2_delta_lam) - t133 - (t113 * t222);
-    const double t232 = p->mH * t226;
-    const double t239 = (wx_delta2_delta_lam * t46) - (t65 * t232) - (wx_delta2_delta * (t139 +
-        (t140 * t173)));
-    const double M_22_lam = t239 + t239;
-    const double t241 = t99 * t222;
-    const double t242 = t39 * wx_delta2_delta;
-    const double t244 = t162 + (t179 * t242);
-    const double C1_21_lam = t162 + (t159 * t222);
-    const double t249 = t232 + (wx_delta2_delta * (t110 + M_23_yaw_per_v_delta));
-    const double t250 = t181 - t249;
-    const double t253 = wx_delta2_delta_lam * yaw_per_v_delta;
-    const double C1_32_yaw_per_v_delta = t200 * t232;
-    const double C1_22_lam = (yaw_by_delta * t250) + ((p->IHxz + t114) * t253) -
-        C1_32_yaw_per_v_delta - (wx_delta2_delta * (t186 + t189));
-    const double t263 = t242 * (t99 - (p->c * K0_13));
-    const double t266 = (wx_delta2_delta * t250) + (wx_delta2_delta_lam * t148);
-    const double K2_12_lam = t160 * t242;
-    const double K2_22_lam = (yaw_per_v_delta * (t250 + (wx_delta2_delta_lam * h_spin_F))) -
-        (wx_delta2_delta * t164);
-    const double K2_32_lam = K0_13 * t242;
-    const double M_11_rR = t18 + t18;
-    const double t275 = t116 * t117;
-    const double K2_12_rR = yaw_per_v_delta * (p->mR - t275);
-    const double C1_12_rR = p->c * K2_12_rR;
-    const double C1_21_rR = yaw_by_delta * t275;
     const double M_11_mR = p->rR * p->rR;
-    const double C1_12_mR = p->rR * yaw_by_delta;
-    const double K2_12_mR = p->rR * yaw_per_v_delta;
-    const double M_22_vy_theta3_delta = yaw_by_delta * yaw_by_delta;
-    const double C1_22_vy_theta3_delta = t173 * t253;
-    const double t286 = yaw_by_delta * t52;
-    const double t287 = p->mB * yaw_per_v_delta;
-    const double t289 = yaw_by_delta * p->xB;
-    const double t290 = (t287 + t287) * t289;
-    const double M_22_xB = p->c * t290;
-    const double t292 = p->zB * yaw_per_v_delta;
-    const double t293 = p->mB * t292;
-    const double K2_22_xB = yaw_per_v_delta * t144;
-    const double C1_22_xB = t290 + (p->c * K2_22_xB);
-    const double t297 = wx_delta2_delta * t144;
-    const double M_11_zB = t52 + t52;
-    const double t299 = p->c + p->xB;
-    const double t300 = t287 * t299;
-    const double t301 = p->zB * t289;
-    const double M_22_mB = t289 * t289;
-    const double t303 = t292 * t299;
-    const double K2_22_mB = yaw_per_v_delta * t289;
-    const double C1_22_mB = t299 * K2_22_mB;
-    const double t306 = wx_delta2_delta * t289;
-    const double t307 = p->mH * wz_delta2_delta;
-    const double t308 = p->zH * t307;
-    const double t309 = wz_delta2_delta + wz_delta2_delta;
-    const double M_22_xH = t66 * t309;
-    const double t311 = t39 * t194;
-    const double t312 = p->zH * t311;
-    const double t313 = yaw_by_delta + t200;
-    const double t314 = p->mH * t313;
-    const double K2_22_mH = yaw_per_v_delta * t65;
-    const double C1_22_xH = (wz_delta2_delta * t314) + (p->mH * K2_22_mH);
-    const double t319 = wx_delta2_delta * t307;
-    const double K2_22_xH = yaw_per_v_delta * t307;
-    const double M_11_zH = t26 + t26;
-    const double M_12_zH = p->mH * (t61 - t65);
-    const double K0_12_zH = p->mH * wx_delta2_delta;
-    const double t325 = t65 * K0_12_zH;
-    const double t326 = t325 + t325;
-    const double t327 = wx_delta2_delta * t314;
-    const double K0_22_zH = wx_delta2_delta * K0_12_zH;
-    const double t329 = wx_delta2_delta * t311;
+    const double t37 = p->zH * p->mH;
+    const double t38 = p->rF * p->mF;
+    const double t43 = p->IHxx + p->IFxx + (p->zH * t37) + (p->rF * t38);
+    const double t44 = p->zU * p->mU;
+    const double M_11_mB = p->zB * p->zB;
+    const double M_11_zH = t37 + t37;
     const double M_11_mH = p->zH * p->zH;
-    const double t331 = p->zH * t65;
-    const double t332 = p->zH * t313;
-    const double C1_22_mH = t65 * t313;
-    const double t334 = wx_delta2_delta * t65;
-    const double t335 = p->zH * yaw_per_v_delta;
-    const double M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
-    const double C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
-    const double M_22_IHxz = wx_delta2_delta * t309;
-    const double K2_22_h_spin_F = wx_delta2_delta_lam * t242;
-    const double M_11_rF = t12 + t12;
-    const double M_12_rF = wx_delta2_delta * M_11_rF;
-    const double M_22_rF = M_22_IHxx * M_11_rF;
-    const double t343 = p->mF * yaw_per_v_delta;
-    const double C1_21_rF = t107 * t109;
-    const double C1_12_rF = (t62 * t343) - C1_21_rF;
-    const double C1_22_rF = t225 * t343;
-    const double t348 = p->mF * M_22_IHxx;
-    const double K2_12_IFyy = yaw_per_v_delta * t107;
-    const double K2_12_rF = t343 - (h_spin_F * K2_12_IFyy);
+    const double M_11_rF = t38 + t38;
     const double M_11_mF = p->rF * p->rF;
-    const double t354 = p->rF * wx_delta2_delta;
-    const double M_12_mF = p->rF * t354;
-    const double M_22_mF = t354 * t354;
-    const double K2_12_mF = p->rF * yaw_per_v_delta;
-    const double C1_12_mF = t62 * K2_12_mF;
-    const double C1_22_mF = t225 * K2_12_mF;
-    const double t360 = wx_delta2_delta * t354;
-    const double K2_22_mF = p->rF * K2_22_h_spin_F;
-    const double M_22_IFxx = M_22_IHzz + M_22_IHxx;
-    const double C1_12_IFyy = wz_delta2_delta * t107;
-    const double K2_22_IFyy = t107 * K2_22_h_spin_F;
-    const double M_33_zU = K0_13 + K0_13;
-    const double t366 = yaw_per_v_delta * p->xU;
-    const double t367 = yaw_by_delta + t366;
-    const double C1_32_zP = p->mU * t367;
-    const double K2_32_zP = p->mU * yaw_per_v_delta;
     const double M_11_mU = p->zU * p->zU;
-    const double t371 = p->c * t366;
-    const double t372 = p->zU * t371;
+    const double M_11_zU = t44 + t44;
+    const double t52 = p->zB * p->mB;
+    const double M_11_zB = t52 + t52;
+    const double t54 = 1.0 / p->w;
+    const double t56 = (t37 * p->xH) - p->IHxz;
+    const double t63 = (p->mR * M_11_mR) + t43 + p->IRxx + p->IUxx + (p->zU * t44) + p->IBxx;
+    const double M_11 = t63 + (p->zB * t52);
+    const double t66 = p->c * t54;
+    const double t67 = p->c + p->w;
+    const double t68 = p->mB * p->xB;
+    const double t73 = (p->zB * t68) + (t44 * p->xU) - p->IBxz - p->IUxz;
     const double K0_13_mU = p->zU - p->zP;
     const double M_13_mU = p->zU * K0_13_mU;
-    const double M_22_mU = t371 * t371;
-    const double t376 = t371 * K0_13_mU;
     const double M_33_mU = K0_13_mU * K0_13_mU;
-    const double t378 = p->zU * t367;
-    const double C1_22_mU = t367 * t371;
-    const double t380 = t367 * K0_13_mU;
-    const double t381 = wx_delta2_delta * t371;
-    const double t382 = p->zU * yaw_per_v_delta;
-    const double K2_22_mU = yaw_by_delta * t366;
-    const double t384 = yaw_per_v_delta * K0_13_mU;
-    const double t385 = p->zU * K2_32_zP;
-    const double t386 = p->c * t385;
-    const double M_22_xU = M_22_vy_theta3_delta * (h_wheels_all + h_wheels_all);
-    const double t389 = p->c * K2_32_zP;
-    const double C1_22_xU = t389 * (t366 + t367);
-    const double t392 = wx_delta2_delta * t389;
-    const double K2_22_xU = yaw_by_delta * K2_32_zP;
-    const double M_11_zU = t5 + t5;
-    const double C1_21 = -(t109 + (p->IRyy * C1_12_IRyy));
-    const double K0_12 = -t148;
-    const double K0_22 = -(wx_delta2_delta * t148);
-    const double K2_12 = -t161;
-    const double K2_32 = -t166;
-    const double K0_12_lam = t249 - t181;
-    const double K0_12_mH = t64 - t60;
-    const double t402 = -(wx_delta2_delta * K2_12_rF);
+    const double K0_13 = p->mU * K0_13_mU;
+    const double M_13 = p->IUxx + (p->zU * K0_13);
+    const double M_33 = p->IUxx + (K0_13_mU * K0_13);
+    const double M_33_zU = K0_13 + K0_13;
+    const double M_13_zU = t44 + K0_13;
+    const double t84 = p->mH * p->xH;
+    const double vy_theta3_delta = p->xH * t84;
+    const double t87 = p->IFxx + p->IHzz + vy_theta3_delta;
+    const double h_wheels_all = p->mU * p->xU;
+    const double t94 = p->IRxx + p->IUzz + (p->xB * t68) + p->IBzz + (p->xU * h_wheels_all);
+    const double yaw_by_delta = wx_delta2_delta_lam * t66;
+    const double t96 = wx_delta2_delta_lam * t67;
+    const double t97 = t56 * wx_delta2_delta;
+    const double t98 = p->zH * wx_delta2_delta;
+    const double t100 = p->IUxz - (K0_13_mU * h_wheels_all);
+    const double t101 = 1.0 / p->rF;
+    const double t102 = t56 + t73;
+    const double t103 = t38 * p->w;
+    const double C1_12_mR = p->rR * yaw_by_delta;
+    const double wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
+    const double t106 = t96 + t98;
+    const double M_23 = yaw_by_delta * t100;
+    const double h_spin_F = p->IFyy * t101;
+    const double t109 = p->mR * p->rR;
+    const double M_11_rR = t109 + t109;
+    const double t111 = t37 - t38;
+    const double K0_11 = t44 + t52 + t111 - t109;
+    const double t115 = t54 * M_23;
+    const double t118 = (wx_delta2_delta_lam * t111) + (wx_delta2_delta * t84);
+    const double t119 = t37 * wz_delta2_delta;
+    const double t124 = (t43 * wx_delta2_delta) + (t37 * t96) - (wz_delta2_delta * t56);
+    const double t128 = t97 + (t96 * t84) - (wz_delta2_delta * t87);
+    const double M_22_yaw_per_v_delta = t37 * wx_delta2_delta_lam;
+    const double t131 = t68 + t84 + h_wheels_all;
+    const double t132 = wz_delta2_delta * p->xH;
+    const double K0_12_mH = t106 - t132;
+    const double t134 = t132 - t106;
+    const double M_12_zH = p->mH * (t98 - t134);
+    const double t137 = p->zH * t134;
+    const double M_22_mH = t134 * t134;
+    const double t139 = wx_delta2_delta * t134;
+    const double t140 = p->mH * t134;
+    const double t141 = 1.0 / p->rR;
+    const double t142 = wx_delta2_delta_lam * h_spin_F;
+    const double yaw_per_v_delta = wx_delta2_delta_lam * t54;
+    const double M_12 = t124 - (yaw_by_delta * t73);
+    const double K2_12_mR = p->rR * yaw_per_v_delta;
+    const double C1_12_IRyy = yaw_by_delta * t141;
+    const double K2_12_IRyy = t141 * yaw_per_v_delta;
+    const double K2_22_mH = t134 * yaw_per_v_delta;
+    const double C1_22_IHzz = wz_delta2_delta * yaw_per_v_delta;
+    const double t152 = (yaw_by_delta * t94) - t128;
+    const double t156 = yaw_per_v_delta * (t87 + t94 + (p->c * t131));
+    const double t157 = p->IRyy * t141;
+    const double t158 = t141 * t157;
+    const double t159 = h_spin_F + t157;
+    const double t160 = yaw_by_delta * p->xB;
+    const double t161 = p->zB * t160;
+    const double M_22_mB = t160 * t160;
+    const double t163 = wx_delta2_delta * t160;
+    const double M_23_yaw_per_v_delta = (t66 * t152) - t128 - (t67 * t140);
+    const double t168 = K0_11 - t159;
+    const double t169 = p->mB * t160;
+    const double C1_21_rR = yaw_by_delta * t158;
+    const double t171 = p->mR - t158;
+    const double t172 = t159 * yaw_per_v_delta;
+    const double t173 = t38 * wx_delta2_delta;
+    const double M_23_zP = yaw_by_delta * h_wheels_all;
+    const double t177 = t140 + t169 + t173 + M_23_zP;
+    const double t178 = p->c * t172;
+    const double t179 = t140 + t140;
+    const double C1_12_rR = yaw_by_delta * t171;
+    const double K2_12_rR = yaw_per_v_delta * t171;
+    const double M_22_xH = wz_delta2_delta * t179;
+    const double t183 = wx_delta2_delta * t179;
+    const double t184 = wx_delta2_delta_lam * t179;
+    const double t188 = t54 * (t102 + (p->c * t168) - t103);
+    const double C1_21_w = t54 * t178;
+    const double C1_21 = -(t142 + t178);
+    const double K0_12 = -t177;
+    const double K0_22 = -(wx_delta2_delta * t177);
+    const double M_22 = (wx_delta2_delta_lam * M_23_yaw_per_v_delta) + (wx_delta2_delta * t124);
+    const double t200 = (wx_delta2_delta * M_23_yaw_per_v_delta) - (wx_delta2_delta_lam * t124);
+    const double t204 = t152 + (p->c * t177) + (p->w * t173);
+    const double t205 = t152 * yaw_per_v_delta;
+    const double t206 = t205 + t205;
+    const double t208 = (t66 * t206) + t184;
+    const double M_22_c = t206 - t184;
+    const double M_23_c = t100 * yaw_per_v_delta;
+    const double t211 = p->mU * yaw_by_delta;
+    const double t212 = p->zU * t211;
+    const double t213 = wx_delta2_delta * t211;
+    const double t214 = t200 + t200;
+    const double t215 = K0_13_mU * t211;
+    const double C1_32 = M_23_c - t215;
+    const double C1_12_w = yaw_per_v_delta * (t38 + t188);
+    const double t219 = t54 * C1_32;
+    const double ay_all1_delta = h_spin_F - t188;
+    const double t221 = t168 * yaw_per_v_delta;
+    const double C1_22 = yaw_per_v_delta * t204;
+    const double t224 = t204 + (p->c * t156);
+    const double K2_12_w = t54 * t221;
+    const double K2_12 = -t221;
+    const double C1_12 = wx_delta2_delta_lam * ay_all1_delta;
+    const double t228 = wx_delta2_delta * ay_all1_delta;
+    const double t229 = wx_delta2_delta * h_spin_F;
+    const double t230 = t177 + t229;
+    const double K2_22 = yaw_per_v_delta * t230;
+    const double t232 = K0_13 * yaw_per_v_delta;
+    const double K2_32_w = t54 * t232;
+    const double K2_32 = -t232;
+    const double t235 = t102 * yaw_per_v_delta;
+    const double M_12_w = M_22_yaw_per_v_delta + (t66 * t235);
+    const double M_12_c = M_22_yaw_per_v_delta - t235;
+    const double t239 = p->mH * wx_delta2_delta_lam;
+    const double t240 = p->c + p->xH;
+    const double C1_22_mH = t240 * K2_22_mH;
+    const double t242 = t239 * t240;
+    const double t246 = yaw_per_v_delta * ((t54 * t224) + t242 - t173);
+    const double t249 = yaw_per_v_delta * (t242 - t177 - t156);
+    const double t250 = t54 * t242;
+    const double C1_22_xH = (wz_delta2_delta * t250) + (p->mH * K2_22_mH);
+    const double t254 = wx_delta2_delta * t250;
+    const double t255 = yaw_per_v_delta * t131;
+    const double K0_12_w = t239 + (t66 * t255);
+    const double K0_12_c = t239 - t255;
+    const double K0_22_c = wx_delta2_delta * K0_12_c;
+    const double t260 = yaw_per_v_delta * K0_12_c;
+    const double t261 = t54 * wx_delta2_delta;
+    const double vy_spin_F5_delta = (wx_delta2_delta * t87) + (p->c * t118) - (wx_delta2_delta_lam *
+        (t103 - t56));
+    const double C1_22_lam = (t67 * t254) - (t224 * t261) - (yaw_per_v_delta * vy_spin_F5_delta);
+    const double t275 = (t54 * K2_22) + (yaw_per_v_delta * K0_12_w);
+    const double K0_22_w = wx_delta2_delta * K0_12_w;
+    const double K2_12_lam = t168 * t261;
+    const double K2_32_lam = K0_13 * t261;
+    const double t279 = p->c * t261;
+    const double C1_21_lam = t229 + (t159 * t279);
+    const double t282 = t100 * t279;
+    const double K0_12_zH = p->mH * wx_delta2_delta;
+    const double t284 = wz_delta2_delta * K0_12_zH;
+    const double t285 = yaw_per_v_delta * K0_12_zH;
+    const double t286 = t67 * K0_12_zH;
+    const double M_12_lam = t97 + (t43 * wx_delta2_delta_lam) + (t102 * t279) - (p->zH * t286);
+    const double K0_12_lam = t118 + (t131 * t279) - t286;
+    const double t296 = p->c + p->xU;
+    const double t299 = t261 * (p->IUxz - (K0_13 * t296));
+    const double C1_22_vy_theta3_delta = yaw_by_delta * yaw_per_v_delta;
+    const double M_22_vy_theta3_delta = p->c * C1_22_vy_theta3_delta;
+    const double t302 = M_22_vy_theta3_delta + M_22_vy_theta3_delta;
+    const double t303 = p->mB * yaw_by_delta;
+    const double t304 = p->zB * t303;
+    const double t305 = wx_delta2_delta * t303;
+    const double K2_22_xB = yaw_per_v_delta * t303;
+    const double t307 = p->zB * yaw_per_v_delta;
+    const double M_22_xB = t68 * t302;
+    const double M_22_xU = h_wheels_all * t302;
+    const double t310 = p->mB * t307;
+    const double K2_22_lam = (yaw_per_v_delta * (t142 - K0_12_lam)) - (t230 * t261);
+    const double K0_22_lam = (wx_delta2_delta * K0_12_lam) - (wx_delta2_delta_lam * t177);
+    const double K2_22_h_spin_F = wx_delta2_delta_lam * t261;
+    const double K2_22_mF = p->rF * K2_22_h_spin_F;
+    const double t320 = p->mB * yaw_per_v_delta;
+    const double t321 = p->xB * t320;
+    const double t322 = t303 + t321;
+    const double t323 = p->c + p->xB;
+    const double t324 = t307 * t323;
+    const double K2_22_mB = p->xB * C1_22_vy_theta3_delta;
+    const double C1_22_mB = t323 * K2_22_mB;
+    const double t327 = p->mH * yaw_per_v_delta;
+    const double C1_22_xB = yaw_by_delta * (t321 + t322);
+    const double t330 = p->zH * t327;
+    const double t331 = p->mH * wz_delta2_delta;
+    const double K2_22_xH = yaw_per_v_delta * t331;
+    const double M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+    const double K0_22_zH = p->mH * M_22_IHxx;
+    const double t335 = p->zH * yaw_per_v_delta;
+    const double t336 = t240 * t335;
+    const double M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+    const double M_22_IFxx = M_22_IHxx + M_22_IHzz;
+    const double t339 = wx_delta2_delta + wx_delta2_delta;
+    const double M_22_IHxz = wz_delta2_delta * t339;
+    const double M_12_rF = t38 * t339;
+    const double M_22_rF = wx_delta2_delta * M_12_rF;
+    const double C1_12_IFyy = wz_delta2_delta * t101;
+    const double C1_21_rF = h_spin_F * C1_12_IFyy;
+    const double K2_12_IFyy = t101 * yaw_per_v_delta;
+    const double K2_22_IFyy = wx_delta2_delta * K2_12_IFyy;
+    const double t347 = p->mF * yaw_per_v_delta;
+    const double K2_12_rF = t347 - (h_spin_F * K2_12_IFyy);
+    const double t350 = t67 * t347;
+    const double C1_12_rF = t350 - C1_21_rF;
+    const double C1_22_rF = wx_delta2_delta * t350;
+    const double t353 = p->mF * wx_delta2_delta;
+    const double t354 = wx_delta2_delta * t353;
+    const double K2_22_rF = wx_delta2_delta * K2_12_rF;
+    const double t356 = p->rF * wx_delta2_delta;
+    const double M_12_mF = p->rF * t356;
+    const double M_22_mF = t356 * t356;
+    const double t359 = wx_delta2_delta * t356;
+    const double K2_12_mF = p->rF * yaw_per_v_delta;
+    const double C1_12_mF = t67 * K2_12_mF;
+    const double C1_22_mF = wx_delta2_delta * C1_12_mF;
+    const double K2_32_zP = p->mU * yaw_per_v_delta;
+    const double C1_32_zP = t296 * K2_32_zP;
+    const double t365 = p->c * p->xU;
+    const double t366 = yaw_per_v_delta * t365;
+    const double t367 = wx_delta2_delta * t366;
+    const double t368 = p->zU * t366;
+    const double t369 = K0_13_mU * t366;
+    const double K2_22_mU = p->xU * C1_22_vy_theta3_delta;
+    const double M_22_mU = t365 * K2_22_mU;
+    const double t372 = p->zU * yaw_per_v_delta;
+    const double C1_22_mU = t296 * K2_22_mU;
+    const double t374 = t296 * t372;
+    const double t375 = K0_13_mU * yaw_per_v_delta;
+    const double t376 = t296 * t375;
+    const double t377 = p->mU * t372;
+    const double K2_22_xU = p->mU * C1_22_vy_theta3_delta;
+    const double C1_22_xU = (p->xU + t296) * K2_22_xU;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[0][2] = M_13;
@@ -1118,169 +1107,169 @@ void whipple_leaning_f64_derivatives(const whipple_leaning_f64_t *p,
     matrices->k2[2][0] = 0.0;
     matrices->k2[2][1] = K2_32;
     matrices->k2[2][2] = 0.0;
-    derivatives->values[0] = M_12_w;
-    derivatives->values[1] = t176;
-    derivatives->values[2] = t177;
-    derivatives->values[3] = t183;
-    derivatives->values[4] = C1_21_w;
-    derivatives->values[5] = C1_22_w;
-    derivatives->values[6] = t203;
-    derivatives->values[7] = K0_12_w;
-    derivatives->values[8] = K0_22_w;
-    derivatives->values[9] = K2_12_w;
-    derivatives->values[10] = t207;
-    derivatives->values[11] = K2_32_w;
-    derivatives->values[12] = M_12_c;
-    derivatives->values[13] = M_22_c;
-    derivatives->values[14] = M_23_c;
-    derivatives->values[15] = t161;
-    derivatives->values[16] = t184;
-    derivatives->values[17] = C1_22_c;
-    derivatives->values[18] = t166;
-    derivatives->values[19] = K0_12_c;
-    derivatives->values[20] = K0_22_c;
-    derivatives->values[21] = t221;
-    derivatives->values[22] = M_12_lam;
-    derivatives->values[23] = M_22_lam;
-    derivatives->values[24] = t241;
-    derivatives->values[25] = t244;
-    derivatives->values[26] = C1_21_lam;
-    derivatives->values[27] = C1_22_lam;
-    derivatives->values[28] = t263;
-    derivatives->values[29] = K0_12_lam;
-    derivatives->values[30] = t266;
-    derivatives->values[31] = K2_12_lam;
-    derivatives->values[32] = K2_22_lam;
-    derivatives->values[33] = K2_32_lam;
-    derivatives->values[34] = M_11_rR;
-    derivatives->values[35] = C1_12_rR;
-    derivatives->values[36] = C1_21_rR;
-    derivatives->values[37] = p->mR;
-    derivatives->values[38] = K2_12_rR;
-    derivatives->values[39] = M_11_mR;
-    derivatives->values[40] = C1_12_mR;
-    derivatives->values[41] = p->rR;
-    derivatives->values[42] = K2_12_mR;
-    derivatives->values[43] = 1.0;
-    derivatives->values[44] = M_22_vy_theta3_delta;
-    derivatives->values[45] = C1_22_vy_theta3_delta;
-    derivatives->values[46] = C1_12_IRyy;
-    derivatives->values[47] = K2_12_IRyy;
-    derivatives->values[48] = t286;
-    derivatives->values[49] = M_22_xB;
-    derivatives->values[50] = t293;
-    derivatives->values[51] = C1_22_xB;
-    derivatives->values[52] = t144;
-    derivatives->values[53] = t297;
-    derivatives->values[54] = K2_22_xB;
-    derivatives->values[55] = M_11_zB;
-    derivatives->values[56] = t145;
-    derivatives->values[57] = t300;
-    derivatives->values[58] = p->mB;
-    derivatives->values[59] = t287;
-    derivatives->values[60] = M_11_mB;
-    derivatives->values[61] = t301;
-    derivatives->values[62] = M_22_mB;
-    derivatives->values[63] = t303;
-    derivatives->values[64] = C1_22_mB;
-    derivatives->values[65] = p->zB;
-    derivatives->values[66] = t289;
-    derivatives->values[67] = t306;
-    derivatives->values[68] = t292;
-    derivatives->values[69] = K2_22_mB;
-    derivatives->values[70] = yaw_by_delta;
-    derivatives->values[71] = yaw_per_v_delta;
-    derivatives->values[72] = t308;
-    derivatives->values[73] = M_22_xH;
-    derivatives->values[74] = t312;
-    derivatives->values[75] = C1_22_xH;
-    derivatives->values[76] = t307;
-    derivatives->values[77] = t319;
-    derivatives->values[78] = K2_22_xH;
-    derivatives->values[79] = M_11_zH;
-    derivatives->values[80] = M_12_zH;
-    derivatives->values[81] = t326;
-    derivatives->values[82] = t314;
-    derivatives->values[83] = t327;
-    derivatives->values[84] = p->mH;
-    derivatives->values[85] = K0_12_zH;
-    derivatives->values[86] = K0_22_zH;
-    derivatives->values[87] = t311;
-    derivatives->values[88] = t329;
-    derivatives->values[89] = M_11_mH;
-    derivatives->values[90] = t331;
-    derivatives->values[91] = M_22_mH;
-    derivatives->values[92] = t332;
-    derivatives->values[93] = C1_22_mH;
-    derivatives->values[94] = p->zH;
-    derivatives->values[95] = K0_12_mH;
-    derivatives->values[96] = t334;
-    derivatives->values[97] = t335;
-    derivatives->values[98] = K2_22_mH;
-    derivatives->values[99] = wx_delta2_delta;
-    derivatives->values[100] = M_22_IHxx;
-    derivatives->values[101] = M_22_IHzz;
-    derivatives->values[102] = C1_22_IHzz;
-    derivatives->values[103] = wz_delta2_delta;
-    derivatives->values[104] = M_22_IHxz;
-    derivatives->values[105] = K2_22_h_spin_F;
-    derivatives->values[106] = M_11_rF;
-    derivatives->values[107] = M_12_rF;
-    derivatives->values[108] = M_22_rF;
-    derivatives->values[109] = C1_12_rF;
-    derivatives->values[110] = C1_21_rF;
-    derivatives->values[111] = C1_22_rF;
-    derivatives->values[112] = p->mF;
-    derivatives->values[113] = t141;
-    derivatives->values[114] = t348;
-    derivatives->values[115] = K2_12_rF;
-    derivatives->values[116] = t402;
-    derivatives->values[117] = M_11_mF;
-    derivatives->values[118] = M_12_mF;
-    derivatives->values[119] = M_22_mF;
-    derivatives->values[120] = C1_12_mF;
-    derivatives->values[121] = C1_22_mF;
-    derivatives->values[122] = p->rF;
-    derivatives->values[123] = t354;
-    derivatives->values[124] = t360;
-    derivatives->values[125] = K2_12_mF;
-    derivatives->values[126] = K2_22_mF;
-    derivatives->values[127] = M_22_IFxx;
-    derivatives->values[128] = C1_12_IFyy;
-    derivatives->values[129] = K2_12_IFyy;
-    derivatives->values[130] = K2_22_IFyy;
-    derivatives->values[131] = t5;
-    derivatives->values[132] = M_23_zP;
-    derivatives->values[133] = M_33_zU;
-    derivatives->values[134] = C1_32_zP;
-    derivatives->values[135] = p->mU;
-    derivatives->values[136] = K2_32_zP;
-    derivatives->values[137] = M_11_mU;
-    derivatives->values[138] = t372;
-    derivatives->values[139] = M_13_mU;
-    derivatives->values[140] = M_22_mU;
-    derivatives->values[141] = t376;
-    derivatives->values[142] = M_33_mU;
-    derivatives->values[143] = t378;
-    derivatives->values[144] = C1_22_mU;
-    derivatives->values[145] = t380;
-    derivatives->values[146] = p->zU;
-    derivatives->values[147] = t371;
-    derivatives->values[148] = K0_13_mU;
-    derivatives->values[149] = t381;
-    derivatives->values[150] = t382;
-    derivatives->values[151] = K2_22_mU;
-    derivatives->values[152] = t384;
-    derivatives->values[153] = t386;
-    derivatives->values[154] = M_22_xU;
-    derivatives->values[155] = t155;
-    derivatives->values[156] = t385;
-    derivatives->values[157] = C1_22_xU;
-    derivatives->values[158] = t389;
-    derivatives->values[159] = t392;
-    derivatives->values[160] = K2_22_xU;
-    derivatives->values[161] = M_11_zU;
-    derivatives->values[162] = M_13_zU;
+    derivatives->values[0] = p->rR;
+    derivatives->values[1] = p->mR;
+    derivatives->values[2] = p->zB;
+    derivatives->values[3] = p->mB;
+    derivatives->values[4] = p->zH;
+    derivatives->values[5] = p->mH;
+    derivatives->values[6] = p->rF;
+    derivatives->values[7] = p->mF;
+    derivatives->values[8] = p->mU;
+    derivatives->values[9] = p->zU;
+    derivatives->values[10] = 1.0;
+    derivatives->values[11] = wx_delta2_delta;
+    derivatives->values[12] = M_11_mR;
+    derivatives->values[13] = t44;
+    derivatives->values[14] = M_11_mB;
+    derivatives->values[15] = M_11_zH;
+    derivatives->values[16] = M_11_mH;
+    derivatives->values[17] = M_11_rF;
+    derivatives->values[18] = M_11_mF;
+    derivatives->values[19] = M_11_mU;
+    derivatives->values[20] = M_11_zU;
+    derivatives->values[21] = M_11_zB;
+    derivatives->values[22] = K0_13_mU;
+    derivatives->values[23] = M_13_mU;
+    derivatives->values[24] = M_33_mU;
+    derivatives->values[25] = M_33_zU;
+    derivatives->values[26] = M_13_zU;
+    derivatives->values[27] = yaw_by_delta;
+    derivatives->values[28] = C1_12_mR;
+    derivatives->values[29] = wz_delta2_delta;
+    derivatives->values[30] = M_11_rR;
+    derivatives->values[31] = t115;
+    derivatives->values[32] = t119;
+    derivatives->values[33] = K0_12_mH;
+    derivatives->values[34] = M_12_zH;
+    derivatives->values[35] = t137;
+    derivatives->values[36] = M_22_mH;
+    derivatives->values[37] = t139;
+    derivatives->values[38] = yaw_per_v_delta;
+    derivatives->values[39] = K2_12_mR;
+    derivatives->values[40] = C1_12_IRyy;
+    derivatives->values[41] = K2_12_IRyy;
+    derivatives->values[42] = K2_22_mH;
+    derivatives->values[43] = C1_22_IHzz;
+    derivatives->values[44] = t160;
+    derivatives->values[45] = t161;
+    derivatives->values[46] = M_22_mB;
+    derivatives->values[47] = t163;
+    derivatives->values[48] = t169;
+    derivatives->values[49] = C1_21_rR;
+    derivatives->values[50] = t172;
+    derivatives->values[51] = M_23_zP;
+    derivatives->values[52] = C1_12_rR;
+    derivatives->values[53] = K2_12_rR;
+    derivatives->values[54] = M_22_xH;
+    derivatives->values[55] = t183;
+    derivatives->values[56] = C1_21_w;
+    derivatives->values[57] = t208;
+    derivatives->values[58] = M_22_c;
+    derivatives->values[59] = M_23_c;
+    derivatives->values[60] = t211;
+    derivatives->values[61] = t212;
+    derivatives->values[62] = t213;
+    derivatives->values[63] = t214;
+    derivatives->values[64] = t215;
+    derivatives->values[65] = C1_12_w;
+    derivatives->values[66] = t219;
+    derivatives->values[67] = t221;
+    derivatives->values[68] = K2_12_w;
+    derivatives->values[69] = t228;
+    derivatives->values[70] = t232;
+    derivatives->values[71] = K2_32_w;
+    derivatives->values[72] = M_12_w;
+    derivatives->values[73] = M_12_c;
+    derivatives->values[74] = C1_22_mH;
+    derivatives->values[75] = t246;
+    derivatives->values[76] = t249;
+    derivatives->values[77] = t250;
+    derivatives->values[78] = C1_22_xH;
+    derivatives->values[79] = t254;
+    derivatives->values[80] = K0_12_w;
+    derivatives->values[81] = K0_12_c;
+    derivatives->values[82] = K0_22_c;
+    derivatives->values[83] = t260;
+    derivatives->values[84] = C1_22_lam;
+    derivatives->values[85] = t275;
+    derivatives->values[86] = K0_22_w;
+    derivatives->values[87] = K2_12_lam;
+    derivatives->values[88] = K2_32_lam;
+    derivatives->values[89] = C1_21_lam;
+    derivatives->values[90] = t282;
+    derivatives->values[91] = K0_12_zH;
+    derivatives->values[92] = t284;
+    derivatives->values[93] = t285;
+    derivatives->values[94] = M_12_lam;
+    derivatives->values[95] = K0_12_lam;
+    derivatives->values[96] = t299;
+    derivatives->values[97] = C1_22_vy_theta3_delta;
+    derivatives->values[98] = M_22_vy_theta3_delta;
+    derivatives->values[99] = t303;
+    derivatives->values[100] = t304;
+    derivatives->values[101] = t305;
+    derivatives->values[102] = K2_22_xB;
+    derivatives->values[103] = t307;
+    derivatives->values[104] = M_22_xB;
+    derivatives->values[105] = M_22_xU;
+    derivatives->values[106] = t310;
+    derivatives->values[107] = K2_22_lam;
+    derivatives->values[108] = K0_22_lam;
+    derivatives->values[109] = K2_22_h_spin_F;
+    derivatives->values[110] = K2_22_mF;
+    derivatives->values[111] = t320;
+    derivatives->values[112] = t322;
+    derivatives->values[113] = t324;
+    derivatives->values[114] = K2_22_mB;
+    derivatives->values[115] = C1_22_mB;
+    derivatives->values[116] = t327;
+    derivatives->values[117] = C1_22_xB;
+    derivatives->values[118] = t330;
+    derivatives->values[119] = t331;
+    derivatives->values[120] = K2_22_xH;
+    derivatives->values[121] = M_22_IHxx;
+    derivatives->values[122] = K0_22_zH;
+    derivatives->values[123] = t335;
+    derivatives->values[124] = t336;
+    derivatives->values[125] = M_22_IHzz;
+    derivatives->values[126] = M_22_IFxx;
+    derivatives->values[127] = M_22_IHxz;
+    derivatives->values[128] = M_12_rF;
+    derivatives->values[129] = M_22_rF;
+    derivatives->values[130] = C1_12_IFyy;
+    derivatives->values[131] = C1_21_rF;
+    derivatives->values[132] = K2_12_IFyy;
+    derivatives->values[133] = K2_22_IFyy;
+    derivatives->values[134] = K2_12_rF;
+    derivatives->values[135] = C1_12_rF;
+    derivatives->values[136] = C1_22_rF;
+    derivatives->values[137] = t353;
+    derivatives->values[138] = t354;
+    derivatives->values[139] = K2_22_rF;
+    derivatives->values[140] = t356;
+    derivatives->values[141] = M_12_mF;
+    derivatives->values[142] = M_22_mF;
+    derivatives->values[143] = t359;
+    derivatives->values[144] = K2_12_mF;
+    derivatives->values[145] = C1_12_mF;
+    derivatives->values[146] = C1_22_mF;
+    derivatives->values[147] = K2_32_zP;
+    derivatives->values[148] = C1_32_zP;
+    derivatives->values[149] = t366;
+    derivatives->values[150] = t367;
+    derivatives->values[151] = t368;
+    derivatives->values[152] = t369;
+    derivatives->values[153] = K2_22_mU;
+    derivatives->values[154] = M_22_mU;
+    derivatives->values[155] = t372;
+    derivatives->values[156] = C1_22_mU;
+    derivatives->values[157] = t374;
+    derivatives->values[158] = t375;
+    derivatives->values[159] = t376;
+    derivatives->values[160] = t377;
+    derivatives->values[161] = K2_22_xU;
+    derivatives->values[162] = C1_22_xU;
 }
 
 void whipple_leaning_f64_with_respect_to(const whipple_leaning_f64_derivatives_t *derivatives,
@@ -8655,265 +8644,254 @@ void whipple_leaning_f32_kinematics(const whipple_leaning_f32_t *p, whipple_lean
 void whipple_leaning_f32_derivatives(const whipple_leaning_f32_t *p,
     whipple_leaning_f32_matrices_t *matrices, whipple_leaning_f32_derivatives_t *derivatives)
 {
-    const float t5 = p->zU * p->mU;
-    const float t7 = p->IUxx + (p->zU * t5);
-    const float t12 = p->rF * p->mF;
-    const float t15 = p->IHxx + p->IFxx + (p->rF * t12);
-    const float t18 = p->rR * p->mR;
-    const float M_11_mB = p->zB * p->zB;
-    const float t26 = p->zH * p->mH;
-    const float M_11 = p->IRxx + p->IBxx + t7 + t15 + (p->rR * t18) + (p->mB * M_11_mB) + (p->zH *
-        t26);
     float wx_delta2_delta = 0.0F;
     float wx_delta2_delta_lam = 0.0F;
     carvallo_sin_cos_f32(p->lam, &wx_delta2_delta, &wx_delta2_delta_lam);
-    const float t39 = 1.0F / p->w;
-    const float yaw_per_v_delta = wx_delta2_delta_lam * t39;
-    const float yaw_by_delta = p->c * yaw_per_v_delta;
-    const float wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
-    const float t43 = p->IHxz * wz_delta2_delta;
-    const float t46 = t43 + (t15 * wx_delta2_delta);
-    const float h_wheels_all = p->mU * p->xU;
-    const float t52 = p->mB * p->zB;
-    const float t57 = p->IBxz + p->IUxz - (p->zU * h_wheels_all) - (t52 * p->xB);
-    const float t60 = wz_delta2_delta * p->xH;
-    const float t61 = p->zH * wx_delta2_delta;
-    const float t62 = p->c + p->w;
-    const float t63 = wx_delta2_delta_lam * t62;
-    const float t64 = t61 + t63;
-    const float t65 = t60 - t64;
-    const float t66 = p->mH * t65;
-    const float M_12 = t46 + (yaw_by_delta * t57) - (p->zH * t66);
-    const float K0_13 = t5 - (p->mU * p->zP);
-    const float C1_22_wz_delta2_delta = p->zU * K0_13;
-    const float M_13 = p->IUxx + C1_22_wz_delta2_delta;
-    const float M_22_mH = t65 * t65;
-    const float t77 = p->mB * p->xB;
-    const float t86 = yaw_per_v_delta * (p->IRxx + (p->xB * t77) + p->IBzz + (p->xU *
-        h_wheels_all) + p->IUzz);
-    const float t87 = p->c * t86;
-    const float t92 = p->IFxx + p->IHzz;
-    const float M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-    const float M_22_yaw_per_v_delta = t92 * M_22_IHzz;
-    const float M_22 = (p->mH * M_22_mH) + (yaw_by_delta * t87) + (wx_delta2_delta * (t43 + t46)) +
-        M_22_yaw_per_v_delta;
-    const float t99 = p->IUxz - (p->xU * K0_13);
-    const float M_23 = yaw_by_delta * t99;
-    const float M_13_zU = t5 + K0_13;
-    const float M_33 = t7 - (p->zP * M_13_zU);
-    const float t107 = 1.0F / p->rF;
-    const float h_spin_F = p->IFyy * t107;
-    const float t109 = wz_delta2_delta * h_spin_F;
-    const float t110 = p->mH * p->xH;
-    const float t112 = p->IHxz - (p->zH * t110);
-    const float t113 = t57 + t112;
-    const float t114 = t12 * p->w;
-    const float t116 = 1.0F / p->rR;
-    const float t117 = p->IRyy * t116;
-    const float K0_11 = t5 + t26 + t52 - t12 - t18;
-    const float vy_spin_F5_delta = p->c * (t117 - K0_11);
-    const float t125 = t113 + t114 + vy_spin_F5_delta;
-    const float C1_12 = t109 + (yaw_per_v_delta * t125);
-    const float K2_12_IRyy = yaw_per_v_delta * t116;
-    const float C1_12_IRyy = p->c * K2_12_IRyy;
-    const float t133 = wx_delta2_delta * t112;
-    const float t136 = t92 + (p->xH * t110);
-    const float t139 = t133 + (wz_delta2_delta * t136) - (t63 * t110);
-    const float t140 = t87 + t139;
-    const float t141 = p->mF * wx_delta2_delta;
-    const float t142 = p->rF * t141;
-    const float M_23_zP = yaw_by_delta * h_wheels_all;
-    const float t144 = p->mB * yaw_by_delta;
-    const float t145 = p->xB * t144;
-    const float t148 = t66 + t142 + M_23_zP + t145;
-    const float t152 = t39 * ((wx_delta2_delta * t114) + t140 + (p->c * t148));
-    const float C1_22 = wx_delta2_delta_lam * t152;
-    const float M_23_c = yaw_per_v_delta * t99;
-    const float t155 = yaw_by_delta * K0_13;
-    const float C1_32 = M_23_c - t155;
-    const float t159 = h_spin_F + t117;
-    const float t160 = K0_11 - t159;
-    const float t161 = yaw_per_v_delta * t160;
-    const float t162 = wx_delta2_delta * h_spin_F;
-    const float t164 = t39 * (t148 + t162);
-    const float K2_22 = wx_delta2_delta_lam * t164;
-    const float t166 = yaw_per_v_delta * K0_13;
-    const float t167 = t26 * wx_delta2_delta_lam;
-    const float t168 = t39 * t113;
-    const float M_12_w = t167 - (yaw_by_delta * t168);
-    const float t171 = wx_delta2_delta_lam + wx_delta2_delta_lam;
-    const float t172 = t39 * t140;
-    const float t173 = p->c * t39;
-    const float t176 = t171 * (t66 + (t172 * t173));
-    const float t177 = t39 * M_23;
-    const float t179 = t125 + (p->c * h_spin_F);
-    const float t181 = t12 * wx_delta2_delta_lam;
-    const float t183 = t39 * ((yaw_per_v_delta * t179) - t181);
-    const float t184 = yaw_per_v_delta * t159;
-    const float C1_21_w = t173 * t184;
-    const float t186 = yaw_per_v_delta * t136;
-    const float t187 = t86 + t186;
-    const float t189 = t152 + (t173 * t187);
-    const float t191 = h_wheels_all + t77 + t110;
-    const float M_23_yaw_per_v_delta = t173 * t191;
-    const float t194 = p->mH * wx_delta2_delta_lam;
-    const float K0_12_w = (yaw_per_v_delta * M_23_yaw_per_v_delta) + t194;
-    const float ay_all1_delta = yaw_per_v_delta * (t142 - t189 - (p->c * K0_12_w));
-    const float t200 = yaw_per_v_delta * p->xH;
-    const float t201 = t194 * t200;
-    const float C1_22_w = ay_all1_delta - t201;
-    const float t203 = t39 * C1_32;
-    const float K0_22_w = wx_delta2_delta * K0_12_w;
-    const float K2_12_w = t39 * t161;
-    const float t207 = yaw_per_v_delta * (t164 + K0_12_w);
-    const float K2_32_w = t39 * t166;
-    const float M_12_c = t167 + (wx_delta2_delta_lam * t168);
-    const float M_22_c = t171 * (t172 - t66);
-    const float K0_12_c = t194 - (yaw_per_v_delta * t191);
-    const float C1_22_c = (yaw_per_v_delta * (t148 + t187 - (p->c * K0_12_c))) - t201;
-    const float K0_22_c = wx_delta2_delta * K0_12_c;
-    const float t221 = yaw_per_v_delta * K0_12_c;
-    const float t222 = wx_delta2_delta * t173;
-    const float t225 = wx_delta2_delta * t62;
-    const float t226 = (p->zH * wx_delta2_delta_lam) - t225;
-    const float M_12_lam = (t26 * t226) + (t15 * wx_delta2_delta_lam) - t133 - (t113 * t222);
-    const float t232 = p->mH * t226;
-    const float t239 = (wx_delta2_delta_lam * t46) - (t65 * t232) - (wx_delta2_delta * (t139 +
-        (t140 * t173)));
-    const float M_22_lam = t239 + t239;
-    const float t241 = t99 * t222;
-    const float t242 = t39 * wx_delta2_delta;
-    const float t244 = t162 + (t179 * t242);
-    const float C1_21_lam = t162 + (t159 * t222);
-    const float t249 = t232 + (wx_delta2_delta * (t110 + M_23_yaw_per_v_delta));
-    const float t250 = t181 - t249;
-    const float t253 = wx_delta2_delta_lam * yaw_per_v_delta;
-    const float C1_32_yaw_per_v_delta = t200 * t232;
-    const float C1_22_lam = (yaw_by_delta * t250) + ((p->IHxz + t114) * t253) -
-        C1_32_yaw_per_v_delta - (wx_delta2_delta * (t186 + t189));
-    const float t263 = t242 * (t99 - (p->c * K0_13));
-    const float t266 = (wx_delta2_delta * t250) + (wx_delta2_delta_lam * t148);
-    const float K2_12_lam = t160 * t242;
-    const float K2_22_lam = (yaw_per_v_delta * (t250 + (wx_delta2_delta_lam * h_spin_F))) -
-        (wx_delta2_delta * t164);
-    const float K2_32_lam = K0_13 * t242;
-    const float M_11_rR = t18 + t18;
-    const float t275 = t116 * t117;
-    const float K2_12_rR = yaw_per_v_delta * (p->mR - t275);
-    const float C1_12_rR = p->c * K2_12_rR;
-    const float C1_21_rR = yaw_by_delta * t275;
     const float M_11_mR = p->rR * p->rR;
-    const float C1_12_mR = p->rR * yaw_by_delta;
-    const float K2_12_mR = p->rR * yaw_per_v_delta;
-    const float M_22_vy_theta3_delta = yaw_by_delta * yaw_by_delta;
-    const float C1_22_vy_theta3_delta = t173 * t253;
-    const float t286 = yaw_by_delta * t52;
-    const float t287 = p->mB * yaw_per_v_delta;
-    const float t289 = yaw_by_delta * p->xB;
-    const float t290 = (t287 + t287) * t289;
-    const float M_22_xB = p->c * t290;
-    const float t292 = p->zB * yaw_per_v_delta;
-    const float t293 = p->mB * t292;
-    const float K2_22_xB = yaw_per_v_delta * t144;
-    const float C1_22_xB = t290 + (p->c * K2_22_xB);
-    const float t297 = wx_delta2_delta * t144;
-    const float M_11_zB = t52 + t52;
-    const float t299 = p->c + p->xB;
-    const float t300 = t287 * t299;
-    const float t301 = p->zB * t289;
-    const float M_22_mB = t289 * t289;
-    const float t303 = t292 * t299;
-    const float K2_22_mB = yaw_per_v_delta * t289;
-    const float C1_22_mB = t299 * K2_22_mB;
-    const float t306 = wx_delta2_delta * t289;
-    const float t307 = p->mH * wz_delta2_delta;
-    const float t308 = p->zH * t307;
-    const float t309 = wz_delta2_delta + wz_delta2_delta;
-    const float M_22_xH = t66 * t309;
-    const float t311 = t39 * t194;
-    const float t312 = p->zH * t311;
-    const float t313 = yaw_by_delta + t200;
-    const float t314 = p->mH * t313;
-    const float K2_22_mH = yaw_per_v_delta * t65;
-    const float C1_22_xH = (wz_delta2_delta * t314) + (p->mH * K2_22_mH);
-    const float t319 = wx_delta2_delta * t307;
-    const float K2_22_xH = yaw_per_v_delta * t307;
-    const float M_11_zH = t26 + t26;
-    const float M_12_zH = p->mH * (t61 - t65);
-    const float K0_12_zH = p->mH * wx_delta2_delta;
-    const float t325 = t65 * K0_12_zH;
-    const float t326 = t325 + t325;
-    const float t327 = wx_delta2_delta * t314;
-    const float K0_22_zH = wx_delta2_delta * K0_12_zH;
-    const float t329 = wx_delta2_delta * t311;
+    const float t37 = p->zH * p->mH;
+    const float t38 = p->rF * p->mF;
+    const float t43 = p->IHxx + p->IFxx + (p->zH * t37) + (p->rF * t38);
+    const float t44 = p->zU * p->mU;
+    const float M_11_mB = p->zB * p->zB;
+    const float M_11_zH = t37 + t37;
     const float M_11_mH = p->zH * p->zH;
-    const float t331 = p->zH * t65;
-    const float t332 = p->zH * t313;
-    const float C1_22_mH = t65 * t313;
-    const float t334 = wx_delta2_delta * t65;
-    const float t335 = p->zH * yaw_per_v_delta;
-    const float M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
-    const float C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
-    const float M_22_IHxz = wx_delta2_delta * t309;
-    const float K2_22_h_spin_F = wx_delta2_delta_lam * t242;
-    const float M_11_rF = t12 + t12;
-    const float M_12_rF = wx_delta2_delta * M_11_rF;
-    const float M_22_rF = M_22_IHxx * M_11_rF;
-    const float t343 = p->mF * yaw_per_v_delta;
-    const float C1_21_rF = t107 * t109;
-    const float C1_12_rF = (t62 * t343) - C1_21_rF;
-    const float C1_22_rF = t225 * t343;
-    const float t348 = p->mF * M_22_IHxx;
-    const float K2_12_IFyy = yaw_per_v_delta * t107;
-    const float K2_12_rF = t343 - (h_spin_F * K2_12_IFyy);
+    const float M_11_rF = t38 + t38;
     const float M_11_mF = p->rF * p->rF;
-    const float t354 = p->rF * wx_delta2_delta;
-    const float M_12_mF = p->rF * t354;
-    const float M_22_mF = t354 * t354;
-    const float K2_12_mF = p->rF * yaw_per_v_delta;
-    const float C1_12_mF = t62 * K2_12_mF;
-    const float C1_22_mF = t225 * K2_12_mF;
-    const float t360 = wx_delta2_delta * t354;
-    const float K2_22_mF = p->rF * K2_22_h_spin_F;
-    const float M_22_IFxx = M_22_IHzz + M_22_IHxx;
-    const float C1_12_IFyy = wz_delta2_delta * t107;
-    const float K2_22_IFyy = t107 * K2_22_h_spin_F;
-    const float M_33_zU = K0_13 + K0_13;
-    const float t366 = yaw_per_v_delta * p->xU;
-    const float t367 = yaw_by_delta + t366;
-    const float C1_32_zP = p->mU * t367;
-    const float K2_32_zP = p->mU * yaw_per_v_delta;
     const float M_11_mU = p->zU * p->zU;
-    const float t371 = p->c * t366;
-    const float t372 = p->zU * t371;
+    const float M_11_zU = t44 + t44;
+    const float t52 = p->zB * p->mB;
+    const float M_11_zB = t52 + t52;
+    const float t54 = 1.0F / p->w;
+    const float t56 = (t37 * p->xH) - p->IHxz;
+    const float t63 = (p->mR * M_11_mR) + t43 + p->IRxx + p->IUxx + (p->zU * t44) + p->IBxx;
+    const float M_11 = t63 + (p->zB * t52);
+    const float t66 = p->c * t54;
+    const float t67 = p->c + p->w;
+    const float t68 = p->mB * p->xB;
+    const float t73 = (p->zB * t68) + (t44 * p->xU) - p->IBxz - p->IUxz;
     const float K0_13_mU = p->zU - p->zP;
     const float M_13_mU = p->zU * K0_13_mU;
-    const float M_22_mU = t371 * t371;
-    const float t376 = t371 * K0_13_mU;
     const float M_33_mU = K0_13_mU * K0_13_mU;
-    const float t378 = p->zU * t367;
-    const float C1_22_mU = t367 * t371;
-    const float t380 = t367 * K0_13_mU;
-    const float t381 = wx_delta2_delta * t371;
-    const float t382 = p->zU * yaw_per_v_delta;
-    const float K2_22_mU = yaw_by_delta * t366;
-    const float t384 = yaw_per_v_delta * K0_13_mU;
-    const float t385 = p->zU * K2_32_zP;
-    const float t386 = p->c * t385;
-    const float M_22_xU = M_22_vy_theta3_delta * (h_wheels_all + h_wheels_all);
-    const float t389 = p->c * K2_32_zP;
-    const float C1_22_xU = t389 * (t366 + t367);
-    const float t392 = wx_delta2_delta * t389;
-    const float K2_22_xU = yaw_by_delta * K2_32_zP;
-    const float M_11_zU = t5 + t5;
-    const float C1_21 = -(t109 + (p->IRyy * C1_12_IRyy));
-    const float K0_12 = -t148;
-    const float K0_22 = -(wx_delta2_delta * t148);
-    const float K2_12 = -t161;
-    const float K2_32 = -t166;
-    const float K0_12_lam = t249 - t181;
-    const float K0_12_mH = t64 - t60;
-    const float t402 = -(wx_delta2_delta * K2_12_rF);
+    const float K0_13 = p->mU * K0_13_mU;
+    const float M_13 = p->IUxx + (p->zU * K0_13);
+    const float M_33 = p->IUxx + (K0_13_mU * K0_13);
+    const float M_33_zU = K0_13 + K0_13;
+    const float M_13_zU = t44 + K0_13;
+    const float t84 = p->mH * p->xH;
+    const float vy_theta3_delta = p->xH * t84;
+    const float t87 = p->IFxx + p->IHzz + vy_theta3_delta;
+    const float h_wheels_all = p->mU * p->xU;
+    const float t94 = p->IRxx + p->IUzz + (p->xB * t68) + p->IBzz + (p->xU * h_wheels_all);
+    const float yaw_by_delta = wx_delta2_delta_lam * t66;
+    const float t96 = wx_delta2_delta_lam * t67;
+    const float t97 = t56 * wx_delta2_delta;
+    const float t98 = p->zH * wx_delta2_delta;
+    const float t100 = p->IUxz - (K0_13_mU * h_wheels_all);
+    const float t101 = 1.0F / p->rF;
+    const float t102 = t56 + t73;
+    const float t103 = t38 * p->w;
+    const float C1_12_mR = p->rR * yaw_by_delta;
+    const float wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
+    const float t106 = t96 + t98;
+    const float M_23 = yaw_by_delta * t100;
+    const float h_spin_F = p->IFyy * t101;
+    const float t109 = p->mR * p->rR;
+    const float M_11_rR = t109 + t109;
+    const float t111 = t37 - t38;
+    const float K0_11 = t44 + t52 + t111 - t109;
+    const float t115 = t54 * M_23;
+    const float t118 = (wx_delta2_delta_lam * t111) + (wx_delta2_delta * t84);
+    const float t119 = t37 * wz_delta2_delta;
+    const float t124 = (t43 * wx_delta2_delta) + (t37 * t96) - (wz_delta2_delta * t56);
+    const float t128 = t97 + (t96 * t84) - (wz_delta2_delta * t87);
+    const float M_22_yaw_per_v_delta = t37 * wx_delta2_delta_lam;
+    const float t131 = t68 + t84 + h_wheels_all;
+    const float t132 = wz_delta2_delta * p->xH;
+    const float K0_12_mH = t106 - t132;
+    const float t134 = t132 - t106;
+    const float M_12_zH = p->mH * (t98 - t134);
+    const float t137 = p->zH * t134;
+    const float M_22_mH = t134 * t134;
+    const float t139 = wx_delta2_delta * t134;
+    const float t140 = p->mH * t134;
+    const float t141 = 1.0F / p->rR;
+    const float t142 = wx_delta2_delta_lam * h_spin_F;
+    const float yaw_per_v_delta = wx_delta2_delta_lam * t54;
+    const float M_12 = t124 - (yaw_by_delta * t73);
+    const float K2_12_mR = p->rR * yaw_per_v_delta;
+    const float C1_12_IRyy = yaw_by_delta * t141;
+    const float K2_12_IRyy = t141 * yaw_per_v_delta;
+    const float K2_22_mH = t134 * yaw_per_v_delta;
+    const float C1_22_IHzz = wz_delta2_delta * yaw_per_v_delta;
+    const float t152 = (yaw_by_delta * t94) - t128;
+    const float t156 = yaw_per_v_delta * (t87 + t94 + (p->c * t131));
+    const float t157 = p->IRyy * t141;
+    const float t158 = t141 * t157;
+    const float t159 = h_spin_F + t157;
+    const float t160 = yaw_by_delta * p->xB;
+    const float t161 = p->zB * t160;
+    const float M_22_mB = t160 * t160;
+    const float t163 = wx_delta2_delta * t160;
+    const float M_23_yaw_per_v_delta = (t66 * t152) - t128 - (t67 * t140);
+    const float t168 = K0_11 - t159;
+    const float t169 = p->mB * t160;
+    const float C1_21_rR = yaw_by_delta * t158;
+    const float t171 = p->mR - t158;
+    const float t172 = t159 * yaw_per_v_delta;
+    const float t173 = t38 * wx_delta2_delta;
+    const float M_23_zP = yaw_by_delta * h_wheels_all;
+    const float t177 = t140 + t169 + t173 + M_23_zP;
+    const float t178 = p->c * t172;
+    const float t179 = t140 + t140;
+    const float C1_12_rR = yaw_by_delta * t171;
+    const float K2_12_rR = yaw_per_v_delta * t171;
+    const float M_22_xH = wz_delta2_delta * t179;
+    const float t183 = wx_delta2_delta * t179;
+    const float t184 = wx_delta2_delta_lam * t179;
+    const float t188 = t54 * (t102 + (p->c * t168) - t103);
+    const float C1_21_w = t54 * t178;
+    const float C1_21 = -(t142 + t178);
+    const float K0_12 = -t177;
+    const float K0_22 = -(wx_delta2_delta * t177);
+    const float M_22 = (wx_delta2_delta_lam * M_23_yaw_per_v_delta) + (wx_delta2_delta * t124);
+    const float t200 = (wx_delta2_delta * M_23_yaw_per_v_delta) - (wx_delta2_delta_lam * t124);
+    const float t204 = t152 + (p->c * t177) + (p->w * t173);
+    const float t205 = t152 * yaw_per_v_delta;
+    const float t206 = t205 + t205;
+    const float t208 = (t66 * t206) + t184;
+    const float M_22_c = t206 - t184;
+    const float M_23_c = t100 * yaw_per_v_delta;
+    const float t211 = p->mU * yaw_by_delta;
+    const float t212 = p->zU * t211;
+    const float t213 = wx_delta2_delta * t211;
+    const float t214 = t200 + t200;
+    const float t215 = K0_13_mU * t211;
+    const float C1_32 = M_23_c - t215;
+    const float C1_12_w = yaw_per_v_delta * (t38 + t188);
+    const float t219 = t54 * C1_32;
+    const float ay_all1_delta = h_spin_F - t188;
+    const float t221 = t168 * yaw_per_v_delta;
+    const float C1_22 = yaw_per_v_delta * t204;
+    const float t224 = t204 + (p->c * t156);
+    const float K2_12_w = t54 * t221;
+    const float K2_12 = -t221;
+    const float C1_12 = wx_delta2_delta_lam * ay_all1_delta;
+    const float t228 = wx_delta2_delta * ay_all1_delta;
+    const float t229 = wx_delta2_delta * h_spin_F;
+    const float t230 = t177 + t229;
+    const float K2_22 = yaw_per_v_delta * t230;
+    const float t232 = K0_13 * yaw_per_v_delta;
+    const float K2_32_w = t54 * t232;
+    const float K2_32 = -t232;
+    const float t235 = t102 * yaw_per_v_delta;
+    const float M_12_w = M_22_yaw_per_v_delta + (t66 * t235);
+    const float M_12_c = M_22_yaw_per_v_delta - t235;
+    const float t239 = p->mH * wx_delta2_delta_lam;
+    const float t240 = p->c + p->xH;
+    const float C1_22_mH = t240 * K2_22_mH;
+    const float t242 = t239 * t240;
+    const float t246 = yaw_per_v_delta * ((t54 * t224) + t242 - t173);
+    const float t249 = yaw_per_v_delta * (t242 - t177 - t156);
+    const float t250 = t54 * t242;
+    const float C1_22_xH = (wz_delta2_delta * t250) + (p->mH * K2_22_mH);
+    const float t254 = wx_delta2_delta * t250;
+    const float t255 = yaw_per_v_delta * t131;
+    const float K0_12_w = t239 + (t66 * t255);
+    const float K0_12_c = t239 - t255;
+    const float K0_22_c = wx_delta2_delta * K0_12_c;
+    const float t260 = yaw_per_v_delta * K0_12_c;
+    const float t261 = t54 * wx_delta2_delta;
+    const float vy_spin_F5_delta = (wx_delta2_delta * t87) + (p->c * t118) - (wx_delta2_delta_lam *
+        (t103 - t56));
+    const float C1_22_lam = (t67 * t254) - (t224 * t261) - (yaw_per_v_delta * vy_spin_F5_delta);
+    const float t275 = (t54 * K2_22) + (yaw_per_v_delta * K0_12_w);
+    const float K0_22_w = wx_delta2_delta * K0_12_w;
+    const float K2_12_lam = t168 * t261;
+    const float K2_32_lam = K0_13 * t261;
+    const float t279 = p->c * t261;
+    const float C1_21_lam = t229 + (t159 * t279);
+    const float t282 = t100 * t279;
+    const float K0_12_zH = p->mH * wx_delta2_delta;
+    const float t284 = wz_delta2_delta * K0_12_zH;
+    const float t285 = yaw_per_v_delta * K0_12_zH;
+    const float t286 = t67 * K0_12_zH;
+    const float M_12_lam = t97 + (t43 * wx_delta2_delta_lam) + (t102 * t279) - (p->zH * t286);
+    const float K0_12_lam = t118 + (t131 * t279) - t286;
+    const float t296 = p->c + p->xU;
+    const float t299 = t261 * (p->IUxz - (K0_13 * t296));
+    const float C1_22_vy_theta3_delta = yaw_by_delta * yaw_per_v_delta;
+    const float M_22_vy_theta3_delta = p->c * C1_22_vy_theta3_delta;
+    const float t302 = M_22_vy_theta3_delta + M_22_vy_theta3_delta;
+    const float t303 = p->mB * yaw_by_delta;
+    const float t304 = p->zB * t303;
+    const float t305 = wx_delta2_delta * t303;
+    const float K2_22_xB = yaw_per_v_delta * t303;
+    const float t307 = p->zB * yaw_per_v_delta;
+    const float M_22_xB = t68 * t302;
+    const float M_22_xU = h_wheels_all * t302;
+    const float t310 = p->mB * t307;
+    const float K2_22_lam = (yaw_per_v_delta * (t142 - K0_12_lam)) - (t230 * t261);
+    const float K0_22_lam = (wx_delta2_delta * K0_12_lam) - (wx_delta2_delta_lam * t177);
+    const float K2_22_h_spin_F = wx_delta2_delta_lam * t261;
+    const float K2_22_mF = p->rF * K2_22_h_spin_F;
+    const float t320 = p->mB * yaw_per_v_delta;
+    const float t321 = p->xB * t320;
+    const float t322 = t303 + t321;
+    const float t323 = p->c + p->xB;
+    const float t324 = t307 * t323;
+    const float K2_22_mB = p->xB * C1_22_vy_theta3_delta;
+    const float C1_22_mB = t323 * K2_22_mB;
+    const float t327 = p->mH * yaw_per_v_delta;
+    const float C1_22_xB = yaw_by_delta * (t321 + t322);
+    const float t330 = p->zH * t327;
+    const float t331 = p->mH * wz_delta2_delta;
+    const float K2_22_xH = yaw_per_v_delta * t331;
+    const float M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+    const float K0_22_zH = p->mH * M_22_IHxx;
+    const float t335 = p->zH * yaw_per_v_delta;
+    const float t336 = t240 * t335;
+    const float M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+    const float M_22_IFxx = M_22_IHxx + M_22_IHzz;
+    const float t339 = wx_delta2_delta + wx_delta2_delta;
+    const float M_22_IHxz = wz_delta2_delta * t339;
+    const float M_12_rF = t38 * t339;
+    const float M_22_rF = wx_delta2_delta * M_12_rF;
+    const float C1_12_IFyy = wz_delta2_delta * t101;
+    const float C1_21_rF = h_spin_F * C1_12_IFyy;
+    const float K2_12_IFyy = t101 * yaw_per_v_delta;
+    const float K2_22_IFyy = wx_delta2_delta * K2_12_IFyy;
+    const float t347 = p->mF * yaw_per_v_delta;
+    const float K2_12_rF = t347 - (h_spin_F * K2_12_IFyy);
+    const float t350 = t67 * t347;
+    const float C1_12_rF = t350 - C1_21_rF;
+    const float C1_22_rF = wx_delta2_delta * t350;
+    const float t353 = p->mF * wx_delta2_delta;
+    const float t354 = wx_delta2_delta * t353;
+    const float K2_22_rF = wx_delta2_delta * K2_12_rF;
+    const float t356 = p->rF * wx_delta2_delta;
+    const float M_12_mF = p->rF * t356;
+    const float M_22_mF = t356 * t356;
+    const float t359 = wx_delta2_delta * t356;
+    const float K2_12_mF = p->rF * yaw_per_v_delta;
+    const float C1_12_mF = t67 * K2_12_mF;
+    const float C1_22_mF = wx_delta2_delta * C1_12_mF;
+    const float K2_32_zP = p->mU * yaw_per_v_delta;
+    const float C1_32_zP = t296 * K2_32_zP;
+    const float t365 = p->c * p->xU;
+    const float t366 = yaw_per_v_delta * t365;
+    const float t367 = wx_delta2_delta * t366;
+    const float t368 = p->zU * t366;
+    const float t369 = K0_13_mU * t366;
+    const float K2_22_mU = p->xU * C1_22_vy_theta3_delta;
+    const float M_22_mU = t365 * K2_22_mU;
+    const float t372 = p->zU * yaw_per_v_delta;
+    const float C1_22_mU = t296 * K2_22_mU;
+    const float t374 = t296 * t372;
+    const float t375 = K0_13_mU * yaw_per_v_delta;
+    const float t376 = t296 * t375;
+    const float t377 = p->mU * t372;
+    const float K2_22_xU = p->mU * C1_22_vy_theta3_delta;
+    const float C1_22_xU = (p->xU + t296) * K2_22_xU;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[0][2] = M_13;
@@ -8968,169 +8946,169 @@ void whipple_leaning_f32_derivatives(const whipple_leaning_f32_t *p,
     matrices->k2[2][0] = 0.0F;
     matrices->k2[2][1] = K2_32;
     matrices->k2[2][2] = 0.0F;
-    derivatives->values[0] = M_12_w;
-    derivatives->values[1] = t176;
-    derivatives->values[2] = t177;
-    derivatives->values[3] = t183;
-    derivatives->values[4] = C1_21_w;
-    derivatives->values[5] = C1_22_w;
-    derivatives->values[6] = t203;
-    derivatives->values[7] = K0_12_w;
-    derivatives->values[8] = K0_22_w;
-    derivatives->values[9] = K2_12_w;
-    derivatives->values[10] = t207;
-    derivatives->values[11] = K2_32_w;
-    derivatives->values[12] = M_12_c;
-    derivatives->values[13] = M_22_c;
-    derivatives->values[14] = M_23_c;
-    derivatives->values[15] = t161;
-    derivatives->values[16] = t184;
-    derivatives->values[17] = C1_22_c;
-    derivatives->values[18] = t166;
-    derivatives->values[19] = K0_12_c;
-    derivatives->values[20] = K0_22_c;
-    derivatives->values[21] = t221;
-    derivatives->values[22] = M_12_lam;
-    derivatives->values[23] = M_22_lam;
-    derivatives->values[24] = t241;
-    derivatives->values[25] = t244;
-    derivatives->values[26] = C1_21_lam;
-    derivatives->values[27] = C1_22_lam;
-    derivatives->values[28] = t263;
-    derivatives->values[29] = K0_12_lam;
-    derivatives->values[30] = t266;
-    derivatives->values[31] = K2_12_lam;
-    derivatives->values[32] = K2_22_lam;
-    derivatives->values[33] = K2_32_lam;
-    derivatives->values[34] = M_11_rR;
-    derivatives->values[35] = C1_12_rR;
-    derivatives->values[36] = C1_21_rR;
-    derivatives->values[37] = p->mR;
-    derivatives->values[38] = K2_12_rR;
-    derivatives->values[39] = M_11_mR;
-    derivatives->values[40] = C1_12_mR;
-    derivatives->values[41] = p->rR;
-    derivatives->values[42] = K2_12_mR;
-    derivatives->values[43] = 1.0F;
-    derivatives->values[44] = M_22_vy_theta3_delta;
-    derivatives->values[45] = C1_22_vy_theta3_delta;
-    derivatives->values[46] = C1_12_IRyy;
-    derivatives->values[47] = K2_12_IRyy;
-    derivatives->values[48] = t286;
-    derivatives->values[49] = M_22_xB;
-    derivatives->values[50] = t293;
-    derivatives->values[51] = C1_22_xB;
-    derivatives->values[52] = t144;
-    derivatives->values[53] = t297;
-    derivatives->values[54] = K2_22_xB;
-    derivatives->values[55] = M_11_zB;
-    derivatives->values[56] = t145;
-    derivatives->values[57] = t300;
-    derivatives->values[58] = p->mB;
-    derivatives->values[59] = t287;
-    derivatives->values[60] = M_11_mB;
-    derivatives->values[61] = t301;
-    derivatives->values[62] = M_22_mB;
-    derivatives->values[63] = t303;
-    derivatives->values[64] = C1_22_mB;
-    derivatives->values[65] = p->zB;
-    derivatives->values[66] = t289;
-    derivatives->values[67] = t306;
-    derivatives->values[68] = t292;
-    derivatives->values[69] = K2_22_mB;
-    derivatives->values[70] = yaw_by_delta;
-    derivatives->values[71] = yaw_per_v_delta;
-    derivatives->values[72] = t308;
-    derivatives->values[73] = M_22_xH;
-    derivatives->values[74] = t312;
-    derivatives->values[75] = C1_22_xH;
-    derivatives->values[76] = t307;
-    derivatives->values[77] = t319;
-    derivatives->values[78] = K2_22_xH;
-    derivatives->values[79] = M_11_zH;
-    derivatives->values[80] = M_12_zH;
-    derivatives->values[81] = t326;
-    derivatives->values[82] = t314;
-    derivatives->values[83] = t327;
-    derivatives->values[84] = p->mH;
-    derivatives->values[85] = K0_12_zH;
-    derivatives->values[86] = K0_22_zH;
-    derivatives->values[87] = t311;
-    derivatives->values[88] = t329;
-    derivatives->values[89] = M_11_mH;
-    derivatives->values[90] = t331;
-    derivatives->values[91] = M_22_mH;
-    derivatives->values[92] = t332;
-    derivatives->values[93] = C1_22_mH;
-    derivatives->values[94] = p->zH;
-    derivatives->values[95] = K0_12_mH;
-    derivatives->values[96] = t334;
-    derivatives->values[97] = t335;
-    derivatives->values[98] = K2_22_mH;
-    derivatives->values[99] = wx_delta2_delta;
-    derivatives->values[100] = M_22_IHxx;
-    derivatives->values[101] = M_22_IHzz;
-    derivatives->values[102] = C1_22_IHzz;
-    derivatives->values[103] = wz_delta2_delta;
-    derivatives->values[104] = M_22_IHxz;
-    derivatives->values[105] = K2_22_h_spin_F;
-    derivatives->values[106] = M_11_rF;
-    derivatives->values[107] = M_12_rF;
-    derivatives->values[108] = M_22_rF;
-    derivatives->values[109] = C1_12_rF;
-    derivatives->values[110] = C1_21_rF;
-    derivatives->values[111] = C1_22_rF;
-    derivatives->values[112] = p->mF;
-    derivatives->values[113] = t141;
-    derivatives->values[114] = t348;
-    derivatives->values[115] = K2_12_rF;
-    derivatives->values[116] = t402;
-    derivatives->values[117] = M_11_mF;
-    derivatives->values[118] = M_12_mF;
-    derivatives->values[119] = M_22_mF;
-    derivatives->values[120] = C1_12_mF;
-    derivatives->values[121] = C1_22_mF;
-    derivatives->values[122] = p->rF;
-    derivatives->values[123] = t354;
-    derivatives->values[124] = t360;
-    derivatives->values[125] = K2_12_mF;
-    derivatives->values[126] = K2_22_mF;
-    derivatives->values[127] = M_22_IFxx;
-    derivatives->values[128] = C1_12_IFyy;
-    derivatives->values[129] = K2_12_IFyy;
-    derivatives->values[130] = K2_22_IFyy;
-    derivatives->values[131] = t5;
-    derivatives->values[132] = M_23_zP;
-    derivatives->values[133] = M_33_zU;
-    derivatives->values[134] = C1_32_zP;
-    derivatives->values[135] = p->mU;
-    derivatives->values[136] = K2_32_zP;
-    derivatives->values[137] = M_11_mU;
-    derivatives->values[138] = t372;
-    derivatives->values[139] = M_13_mU;
-    derivatives->values[140] = M_22_mU;
-    derivatives->values[141] = t376;
-    derivatives->values[142] = M_33_mU;
-    derivatives->values[143] = t378;
-    derivatives->values[144] = C1_22_mU;
-    derivatives->values[145] = t380;
-    derivatives->values[146] = p->zU;
-    derivatives->values[147] = t371;
-    derivatives->values[148] = K0_13_mU;
-    derivatives->values[149] = t381;
-    derivatives->values[150] = t382;
-    derivatives->values[151] = K2_22_mU;
-    derivatives->values[152] = t384;
-    derivatives->values[153] = t386;
-    derivatives->values[154] = M_22_xU;
-    derivatives->values[155] = t155;
-    derivatives->values[156] = t385;
-    derivatives->values[157] = C1_22_xU;
-    derivatives->values[158] = t389;
-    derivatives->values[159] = t392;
-    derivatives->values[160] = K2_22_xU;
-    derivatives->values[161] = M_11_zU;
-    derivatives->values[162] = M_13_zU;
+    derivatives->values[0] = p->rR;
+    derivatives->values[1] = p->mR;
+    derivatives->values[2] = p->zB;
+    derivatives->values[3] = p->mB;
+    derivatives->values[4] = p->zH;
+    derivatives->values[5] = p->mH;
+    derivatives->values[6] = p->rF;
+    derivatives->values[7] = p->mF;
+    derivatives->values[8] = p->mU;
+    derivatives->values[9] = p->zU;
+    derivatives->values[10] = 1.0F;
+    derivatives->values[11] = wx_delta2_delta;
+    derivatives->values[12] = M_11_mR;
+    derivatives->values[13] = t44;
+    derivatives->values[14] = M_11_mB;
+    derivatives->values[15] = M_11_zH;
+    derivatives->values[16] = M_11_mH;
+    derivatives->values[17] = M_11_rF;
+    derivatives->values[18] = M_11_mF;
+    derivatives->values[19] = M_11_mU;
+    derivatives->values[20] = M_11_zU;
+    derivatives->values[21] = M_11_zB;
+    derivatives->values[22] = K0_13_mU;
+    derivatives->values[23] = M_13_mU;
+    derivatives->values[24] = M_33_mU;
+    derivatives->values[25] = M_33_zU;
+    derivatives->values[26] = M_13_zU;
+    derivatives->values[27] = yaw_by_delta;
+    derivatives->values[28] = C1_12_mR;
+    derivatives->values[29] = wz_delta2_delta;
+    derivatives->values[30] = M_11_rR;
+    derivatives->values[31] = t115;
+    derivatives->values[32] = t119;
+    derivatives->values[33] = K0_12_mH;
+    derivatives->values[34] = M_12_zH;
+    derivatives->values[35] = t137;
+    derivatives->values[36] = M_22_mH;
+    derivatives->values[37] = t139;
+    derivatives->values[38] = yaw_per_v_delta;
+    derivatives->values[39] = K2_12_mR;
+    derivatives->values[40] = C1_12_IRyy;
+    derivatives->values[41] = K2_12_IRyy;
+    derivatives->values[42] = K2_22_mH;
+    derivatives->values[43] = C1_22_IHzz;
+    derivatives->values[44] = t160;
+    derivatives->values[45] = t161;
+    derivatives->values[46] = M_22_mB;
+    derivatives->values[47] = t163;
+    derivatives->values[48] = t169;
+    derivatives->values[49] = C1_21_rR;
+    derivatives->values[50] = t172;
+    derivatives->values[51] = M_23_zP;
+    derivatives->values[52] = C1_12_rR;
+    derivatives->values[53] = K2_12_rR;
+    derivatives->values[54] = M_22_xH;
+    derivatives->values[55] = t183;
+    derivatives->values[56] = C1_21_w;
+    derivatives->values[57] = t208;
+    derivatives->values[58] = M_22_c;
+    derivatives->values[59] = M_23_c;
+    derivatives->values[60] = t211;
+    derivatives->values[61] = t212;
+    derivatives->values[62] = t213;
+    derivatives->values[63] = t214;
+    derivatives->values[64] = t215;
+    derivatives->values[65] = C1_12_w;
+    derivatives->values[66] = t219;
+    derivatives->values[67] = t221;
+    derivatives->values[68] = K2_12_w;
+    derivatives->values[69] = t228;
+    derivatives->values[70] = t232;
+    derivatives->values[71] = K2_32_w;
+    derivatives->values[72] = M_12_w;
+    derivatives->values[73] = M_12_c;
+    derivatives->values[74] = C1_22_mH;
+    derivatives->values[75] = t246;
+    derivatives->values[76] = t249;
+    derivatives->values[77] = t250;
+    derivatives->values[78] = C1_22_xH;
+    derivatives->values[79] = t254;
+    derivatives->values[80] = K0_12_w;
+    derivatives->values[81] = K0_12_c;
+    derivatives->values[82] = K0_22_c;
+    derivatives->values[83] = t260;
+    derivatives->values[84] = C1_22_lam;
+    derivatives->values[85] = t275;
+    derivatives->values[86] = K0_22_w;
+    derivatives->values[87] = K2_12_lam;
+    derivatives->values[88] = K2_32_lam;
+    derivatives->values[89] = C1_21_lam;
+    derivatives->values[90] = t282;
+    derivatives->values[91] = K0_12_zH;
+    derivatives->values[92] = t284;
+    derivatives->values[93] = t285;
+    derivatives->values[94] = M_12_lam;
+    derivatives->values[95] = K0_12_lam;
+    derivatives->values[96] = t299;
+    derivatives->values[97] = C1_22_vy_theta3_delta;
+    derivatives->values[98] = M_22_vy_theta3_delta;
+    derivatives->values[99] = t303;
+    derivatives->values[100] = t304;
+    derivatives->values[101] = t305;
+    derivatives->values[102] = K2_22_xB;
+    derivatives->values[103] = t307;
+    derivatives->values[104] = M_22_xB;
+    derivatives->values[105] = M_22_xU;
+    derivatives->values[106] = t310;
+    derivatives->values[107] = K2_22_lam;
+    derivatives->values[108] = K0_22_lam;
+    derivatives->values[109] = K2_22_h_spin_F;
+    derivatives->values[110] = K2_22_mF;
+    derivatives->values[111] = t320;
+    derivatives->values[112] = t322;
+    derivatives->values[113] = t324;
+    derivatives->values[114] = K2_22_mB;
+    derivatives->values[115] = C1_22_mB;
+    derivatives->values[116] = t327;
+    derivatives->values[117] = C1_22_xB;
+    derivatives->values[118] = t330;
+    derivatives->values[119] = t331;
+    derivatives->values[120] = K2_22_xH;
+    derivatives->values[121] = M_22_IHxx;
+    derivatives->values[122] = K0_22_zH;
+    derivatives->values[123] = t335;
+    derivatives->values[124] = t336;
+    derivatives->values[125] = M_22_IHzz;
+    derivatives->values[126] = M_22_IFxx;
+    derivatives->values[127] = M_22_IHxz;
+    derivatives->values[128] = M_12_rF;
+    derivatives->values[129] = M_22_rF;
+    derivatives->values[130] = C1_12_IFyy;
+    derivatives->values[131] = C1_21_rF;
+    derivatives->values[132] = K2_12_IFyy;
+    derivatives->values[133] = K2_22_IFyy;
+    derivatives->values[134] = K2_12_rF;
+    derivatives->values[135] = C1_12_rF;
+    derivatives->values[136] = C1_22_rF;
+    derivatives->values[137] = t353;
+    derivatives->values[138] = t354;
+    derivatives->values[139] = K2_22_rF;
+    derivatives->values[140] = t356;
+    derivatives->values[141] = M_12_mF;
+    derivatives->values[142] = M_22_mF;
+    derivatives->values[143] = t359;
+    derivatives->values[144] = K2_12_mF;
+    derivatives->values[145] = C1_12_mF;
+    derivatives->values[146] = C1_22_mF;
+    derivatives->values[147] = K2_32_zP;
+    derivatives->values[148] = C1_32_zP;
+    derivatives->values[149] = t366;
+    derivatives->values[150] = t367;
+    derivatives->values[151] = t368;
+    derivatives->values[152] = t369;
+    derivatives->values[153] = K2_22_mU;
+    derivatives->values[154] = M_22_mU;
+    derivatives->values[155] = t372;
+    derivatives->values[156] = C1_22_mU;
+    derivatives->values[157] = t374;
+    derivatives->values[158] = t375;
+    derivatives->values[159] = t376;
+    derivatives->values[160] = t377;
+    derivatives->values[161] = K2_22_xU;
+    derivatives->values[162] = C1_22_xU;
 }
 
 void whipple_leaning_f32_with_respect_to(const whipple_leaning_f32_derivatives_t *derivatives,

@@ -470,7 +470,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 123 additions, 235 multiplications, 3 divisions, 6 negations and 2 trigonometric functions: 369 operations.
+ * 113 additions, 224 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 347 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -887,7 +887,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 123 additions, 235 multiplications, 3 divisions, 6 negations and 2 trigonometric functions: 369 operations.
+ * 113 additions, 224 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 347 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

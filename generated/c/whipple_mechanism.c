@@ -103,164 +103,164 @@ const char *whipple_mechanism_validity_text(whipple_mechanism_validity_t validit
 }
 
 const carvallo_partial_t whipple_mechanism_partials[WHIPPLE_MECHANISM_PARTIALS] = {
-    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 1U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 2U, true},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 3U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 4U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 5U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 5U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 6U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 7U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 8U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 1U, 9U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 1U, 9U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 10U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 11U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 1U, 12U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 13U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 1U, 14U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 1U, 14U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 15U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 16U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 17U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 17U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 18U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 19U, true},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 2U, 20U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 21U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 2U, 22U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 2U, 22U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 23U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 2U, 24U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 25U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 4U, 26U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 4U, 27U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 4U, 28U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 4U, 29U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 4U, 30U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 5U, 31U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 5U, 32U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 5U, 33U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 5U, 34U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 6U, 35U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 6U, 36U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 6U, 37U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 7U, 38U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 7U, 38U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 7U, 39U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 8U, 40U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 8U, 40U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 8U, 41U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 8U, 42U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 8U, 43U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 8U, 44U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 8U, 44U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 8U, 45U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 8U, 46U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 9U, 47U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 9U, 48U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 9U, 48U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 9U, 49U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 9U, 50U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 9U, 51U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 10U, 52U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 10U, 53U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 10U, 53U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 10U, 54U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 10U, 55U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 10U, 56U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 10U, 57U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 10U, 58U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 10U, 58U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 10U, 59U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 10U, 60U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 10U, 61U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 11U, 35U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 13U, 36U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 13U, 37U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 14U, 62U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 14U, 62U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 14U, 63U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 15U, 64U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 15U, 64U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 65U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 15U, 66U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 15U, 67U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 15U, 68U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 15U, 68U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 15U, 69U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 15U, 70U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 16U, 71U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 36U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 36U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 91U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 37U, true},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 48U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 96U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 62U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 62U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 65U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 40U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 66U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 1U, 18U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 1U, 18U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 95U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 39U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 1U, 47U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 64U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 1U, 63U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 1U, 63U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 67U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 68U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 23U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 23U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 121U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 45U, true},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 2U, 69U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 98U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 2U, 71U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 2U, 71U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 97U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 2U, 38U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 92U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 4U, 13U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 4U, 28U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 4U, 31U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 4U, 1U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 4U, 24U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 5U, 14U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 5U, 79U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 5U, 0U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 5U, 78U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 6U, 8U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 6U, 32U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 6U, 33U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 7U, 30U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 7U, 30U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 7U, 21U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 8U, 29U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 8U, 29U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 8U, 53U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 8U, 81U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 8U, 93U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 8U, 85U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 8U, 85U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 8U, 86U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 8U, 87U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 9U, 17U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 9U, 46U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 9U, 46U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 9U, 84U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 9U, 3U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 9U, 83U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 10U, 10U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 10U, 55U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 10U, 55U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 10U, 56U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 10U, 82U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 10U, 59U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 10U, 2U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 10U, 54U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 10U, 54U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 10U, 57U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 10U, 80U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 10U, 58U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 11U, 8U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 13U, 32U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 13U, 33U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 14U, 27U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 14U, 27U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 14U, 19U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 15U, 35U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 15U, 35U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 89U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 15U, 102U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 15U, 105U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 15U, 88U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 15U, 88U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 15U, 90U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 15U, 94U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 16U, 15U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 16U, 72U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 16U, 72U, false},
     {CARVALLO_MATRIX_M, 1U, 1U, 16U, 73U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 74U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 77U, true},
     {CARVALLO_MATRIX_C1, 1U, 1U, 16U, 75U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 16U, 76U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 16U, 77U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 16U, 77U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 16U, 78U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 16U, 79U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 16U, 80U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 17U, 81U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 82U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 82U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 17U, 83U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 84U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 85U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 17U, 86U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 87U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 87U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 88U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 17U, 89U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 90U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 18U, 35U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 18U, 91U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 18U, 91U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 18U, 92U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 20U, 93U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 20U, 94U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 21U, 95U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 21U, 95U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 21U, 96U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 21U, 63U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 21U, 97U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 22U, 98U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 16U, 5U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 16U, 70U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 16U, 70U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 16U, 112U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 16U, 76U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 16U, 74U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 17U, 11U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 41U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 41U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 17U, 42U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 103U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 61U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 17U, 4U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 20U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 20U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 43U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 17U, 101U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 60U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 18U, 8U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 18U, 9U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 18U, 9U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 18U, 111U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 20U, 113U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 20U, 104U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 21U, 34U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 21U, 34U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 21U, 115U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 21U, 19U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 21U, 106U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 22U, 16U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 22U, 99U, false},
     {CARVALLO_MATRIX_M, 1U, 0U, 22U, 99U, false},
     {CARVALLO_MATRIX_M, 1U, 1U, 22U, 100U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 22U, 101U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 22U, 102U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 22U, 103U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 22U, 104U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 22U, 105U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 22U, 105U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 22U, 106U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 107U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 108U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 23U, 109U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 110U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 110U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 23U, 111U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 23U, 112U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 113U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 23U, 114U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 115U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 115U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 116U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 23U, 117U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 118U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 24U, 35U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 24U, 91U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 24U, 91U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 24U, 119U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 24U, 94U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 25U, 120U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 25U, 120U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 25U, 121U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 25U, 122U, false}
+    {CARVALLO_MATRIX_C1, 0U, 1U, 22U, 44U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 22U, 110U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 22U, 118U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 22U, 7U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 22U, 116U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 22U, 116U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 22U, 119U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 22U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 107U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 23U, 12U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 50U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 50U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 23U, 114U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 23U, 120U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 122U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 23U, 6U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 49U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 49U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 51U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 23U, 25U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 52U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 24U, 8U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 24U, 9U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 24U, 9U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 24U, 117U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 24U, 104U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 25U, 109U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 25U, 109U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 25U, 26U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 25U, 108U, false}
 };
 
 const char *whipple_mechanism_position_name(whipple_mechanism_position_t which)
@@ -648,203 +648,194 @@ void whipple_mechanism_f64_kinematics(const whipple_mechanism_f64_t *p, whipple_
 void whipple_mechanism_f64_derivatives(const whipple_mechanism_f64_t *p,
     whipple_mechanism_f64_matrices_t *matrices, whipple_mechanism_f64_derivatives_t *derivatives)
 {
-    const double t4 = p->zB * p->mB;
-    const double M_11_mH = p->zH * p->zH;
-    const double t12 = p->rF * p->mF;
-    const double t17 = (p->rF * t12) + p->IHxx + p->IFxx;
-    const double t20 = p->rR * p->mR;
-    const double M_11 = p->IBxx + p->IRxx + (p->zB * t4) + (p->mH * M_11_mH) + t17 + (p->rR * t20);
     double wx_delta2_delta = 0.0;
     double wx_delta2_delta_lam = 0.0;
     carvallo_sin_cos_f64(p->lam, &wx_delta2_delta, &wx_delta2_delta_lam);
-    const double t33 = p->c + p->w;
-    const double t35 = (p->zH * wx_delta2_delta) + (wx_delta2_delta_lam * t33);
-    const double t36 = 1.0 / p->w;
-    const double yaw_per_v_delta = wx_delta2_delta_lam * t36;
-    const double mu = p->c * yaw_per_v_delta;
-    const double wz_delta2_delta = wx_delta2_delta_lam + mu;
-    const double K0_12_mH = t35 - (wz_delta2_delta * p->xH);
-    const double t43 = p->mH * K0_12_mH;
-    const double t48 = (wz_delta2_delta * p->IHxz) + (t17 * wx_delta2_delta);
-    const double t52 = p->IBxz - (t4 * p->xB);
-    const double M_12 = (p->zH * t43) + t48 + (mu * t52);
-    const double t58 = p->mB * p->xB;
-    const double t61 = p->IRxx + p->IBzz + (p->xB * t58);
-    const double C1_22_IRxx = yaw_per_v_delta * mu;
-    const double M_22_IRxx = p->c * C1_22_IRxx;
-    const double t66 = p->mH * p->xH;
-    const double t71 = p->IFxx + p->IHzz + (p->xH * t66);
-    const double t74 = (wx_delta2_delta * p->IHxz) + (wz_delta2_delta * t71) - (t35 * t66);
-    const double M_22 = (wx_delta2_delta * t48) + (t61 * M_22_IRxx) + (wz_delta2_delta * t74) +
-        (t35 * t43);
-    const double t82 = 1.0 / p->rF;
-    const double SF = p->IFyy * t82;
-    const double t84 = p->mH * p->zH;
-    const double M_12_wz_delta2_delta = p->IHxz - (p->xH * t84);
-    const double t87 = t52 + M_12_wz_delta2_delta;
-    const double t88 = t36 * t87;
-    const double t90 = 1.0 / p->rR;
-    const double SR = p->IRyy * t90;
-    const double t92 = SF + SR;
-    const double K0_11 = t84 - (t12 + t20 - t4);
-    const double t96 = t92 - K0_11;
-    const double t97 = t36 * t96;
-    const double t99 = t88 + (p->c * t97);
-    const double t101 = t12 + SF + t99;
-    const double C1_12 = wx_delta2_delta_lam * t101;
-    const double t103 = wx_delta2_delta_lam * SF;
-    const double t104 = mu * t92;
-    const double t106 = t12 * wx_delta2_delta;
-    const double t107 = p->mB * mu;
-    const double t108 = p->xB * t107;
-    const double K0_12 = t43 - t106 - t108;
-    const double t111 = p->c * t36;
-    const double t115 = yaw_per_v_delta * t61;
-    const double t117 = t74 + (p->c * t115);
-    const double t118 = yaw_per_v_delta * t117;
-    const double C1_22 = (wx_delta2_delta_lam * (t106 - (K0_12 * t111))) + t118;
-    const double K0_22 = wx_delta2_delta * K0_12;
-    const double K2_12 = yaw_per_v_delta * t96;
-    const double t123 = (wx_delta2_delta * SF) - K0_12;
-    const double K2_22 = yaw_per_v_delta * t123;
-    const double t125 = yaw_per_v_delta * t87;
-    const double t127 = p->mH * wx_delta2_delta_lam;
-    const double t128 = p->zH * t127;
-    const double M_12_w = t128 - (t111 * t125);
-    const double t130 = t118 + t118;
-    const double t132 = t43 + t43;
-    const double t133 = wx_delta2_delta_lam * t132;
-    const double M_22_w = t133 - (t111 * t130);
-    const double t135 = yaw_per_v_delta * t99;
-    const double C1_21_w = t36 * t104;
-    const double t137 = yaw_per_v_delta * p->xH;
-    const double t138 = t127 * t137;
-    const double t139 = yaw_per_v_delta * t71;
-    const double t141 = t115 + t139 - K0_12;
-    const double t144 = t36 * (t117 + (p->c * t141));
-    const double t145 = t58 + t66;
-    const double t146 = yaw_per_v_delta * t145;
-    const double K0_12_w = t127 + (t111 * t146);
-    const double t152 = t138 + (yaw_per_v_delta * (t144 + (p->c * K0_12_w)));
-    const double K0_22_w = wx_delta2_delta * K0_12_w;
-    const double t154 = t36 * K2_12;
-    const double t155 = t36 * t123;
-    const double t157 = yaw_per_v_delta * (K0_12_w + t155);
-    const double M_12_c = t125 + t128;
-    const double M_22_c = t130 + t133;
-    const double t160 = yaw_per_v_delta * t92;
-    const double K0_12_c = t127 - t146;
-    const double t165 = t138 + (yaw_per_v_delta * ((p->c * K0_12_c) - t141));
-    const double K0_22_c = wx_delta2_delta * K0_12_c;
-    const double t167 = yaw_per_v_delta * K0_12_c;
-    const double t168 = t17 * wx_delta2_delta_lam;
-    const double K0_12_zH = p->mH * wx_delta2_delta;
-    const double t174 = (t33 * K0_12_zH) - t128;
-    const double M_12_lam = t168 - (wx_delta2_delta * (M_12_wz_delta2_delta + (p->c * t88))) -
-        (p->zH * t174);
-    const double t180 = (wx_delta2_delta_lam * p->IHxz) + (p->xH * t174);
-    const double t188 = (wz_delta2_delta * t180) - (t35 * t174) - (wx_delta2_delta * (t74 + (t111 *
-        t117) - t168));
-    const double M_22_lam = t188 + t188;
-    const double t190 = wx_delta2_delta * t101;
-    const double C1_21_lam = wx_delta2_delta * (SF + (t92 * t111));
-    const double K2_22_yaw_per_v_delta = yaw_per_v_delta * t180;
-    const double C1_22_mu = t66 + (t111 * t145);
-    const double t201 = t12 * wx_delta2_delta_lam;
-    const double K0_12_lam = (wx_delta2_delta * C1_22_mu) - t174 - t201;
-    const double ST_rR = wx_delta2_delta_lam * t201;
-    const double C1_22_lam = K2_22_yaw_per_v_delta + ST_rR - (wx_delta2_delta * (t106 + t139 +
-        t144)) - (mu * K0_12_lam);
-    const double K0_22_lam = (wx_delta2_delta * K0_12_lam) + (wx_delta2_delta_lam * K0_12);
-    const double t212 = wx_delta2_delta * t97;
-    const double K2_22_lam = (yaw_per_v_delta * (t103 - K0_12_lam)) - (wx_delta2_delta * t155);
-    const double M_11_rR = t20 + t20;
-    const double t219 = p->mR - (t90 * SR);
-    const double C1_12_rR = mu * t219;
-    const double K2_12_IRyy = yaw_per_v_delta * t90;
-    const double C1_12_IRyy = p->c * K2_12_IRyy;
-    const double C1_21_rR = SR * C1_12_IRyy;
-    const double K2_12_rR = yaw_per_v_delta * t219;
-    const double M_11_mR = p->rR * p->rR;
-    const double K2_12_mR = p->rR * yaw_per_v_delta;
-    const double C1_12_mR = p->c * K2_12_mR;
-    const double t229 = p->zB * t107;
-    const double M_12_yaw_per_v_delta = yaw_per_v_delta * p->xB;
-    const double K2_22_mB = mu * M_12_yaw_per_v_delta;
-    const double t232 = p->mB * K2_22_mB;
-    const double t233 = t232 + t232;
-    const double M_22_xB = p->c * t233;
-    const double t235 = p->zB * yaw_per_v_delta;
-    const double t236 = p->mB * t235;
-    const double C1_22_xB = t233 + (p->mB * M_22_IRxx);
-    const double t239 = wx_delta2_delta * t107;
-    const double K2_22_xB = yaw_per_v_delta * t107;
-    const double M_11_zB = t4 + t4;
-    const double t242 = mu + M_12_yaw_per_v_delta;
-    const double t243 = p->mB * t242;
-    const double t244 = p->mB * yaw_per_v_delta;
     const double M_11_mB = p->zB * p->zB;
-    const double t246 = mu * p->xB;
-    const double t247 = p->zB * t246;
-    const double M_22_mB = t246 * t246;
-    const double t249 = p->zB * t242;
-    const double C1_22_mB = t242 * t246;
-    const double t251 = wx_delta2_delta * t246;
-    const double t252 = wz_delta2_delta * t84;
-    const double t253 = wz_delta2_delta * t132;
-    const double t254 = p->zH * yaw_per_v_delta;
-    const double t255 = p->mH * t254;
-    const double t256 = yaw_per_v_delta * K0_12_mH;
-    const double t258 = mu + t137;
-    const double t259 = p->mH * t258;
-    const double C1_22_xH = (wz_delta2_delta * t259) - (p->mH * t256);
-    const double t262 = p->mH * wz_delta2_delta;
-    const double t263 = wz_delta2_delta * K0_12_zH;
-    const double C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
-    const double K2_22_xH = p->mH * C1_22_IHzz;
-    const double M_11_zH = t84 + t84;
-    const double M_12_zH = t43 + (wx_delta2_delta * t84);
-    const double t269 = wx_delta2_delta + wx_delta2_delta;
-    const double M_22_zH = t43 * t269;
-    const double t271 = wx_delta2_delta * t259;
-    const double K0_22_zH = wx_delta2_delta * K0_12_zH;
-    const double t273 = t36 * t127;
-    const double K2_22_SF = wx_delta2_delta * yaw_per_v_delta;
-    const double t275 = p->mH * K2_22_SF;
+    const double t28 = p->rR * p->mR;
+    const double M_11_mH = p->zH * p->zH;
+    const double M_11_mF = p->rF * p->rF;
+    const double t35 = (p->mH * M_11_mH) + p->IHxx + p->IFxx + (p->mF * M_11_mF);
+    const double t36 = 1.0 / p->w;
+    const double M_11_rR = t28 + t28;
+    const double M_11_mR = p->rR * p->rR;
+    const double t39 = p->mH * p->xH;
+    const double M_12_wz_delta2_delta = p->IHxz - (p->zH * t39);
+    const double t42 = p->mB * p->xB;
+    const double t43 = p->mH * p->zH;
+    const double M_11_zH = t43 + t43;
+    const double t45 = p->c + p->w;
+    const double t46 = t45 - p->xH;
+    const double t50 = t36 * (p->IBxz + M_12_wz_delta2_delta - (p->zB * t42));
+    const double t52 = p->IHxz + (t43 * t46);
+    const double t55 = p->IFxx + p->IHzz + (p->xH * t39);
+    const double t56 = p->c * t36;
+    const double t57 = 1.0 / p->rF;
+    const double C1_22_wz_delta2_delta = p->mB * M_11_mB;
+    const double M_11 = p->IBxx + C1_22_wz_delta2_delta + (p->rR * t28) + p->IRxx + t35;
+    const double SF = p->IFyy * t57;
+    const double t65 = p->mF * p->rF;
+    const double M_11_rF = t65 + t65;
+    const double t67 = 1.0 / p->rR;
+    const double t68 = p->mB * p->zB;
+    const double K0_11 = t68 - (t28 + t65 - t43);
+    const double M_11_zB = t68 + t68;
+    const double SR = p->IRyy * t67;
+    const double t74 = t39 + t42;
+    const double t75 = p->c + p->xB;
+    const double t76 = p->c + p->xH;
+    const double t78 = (p->c * t50) + t52;
+    const double t80 = p->mF - (t57 * SF);
+    const double t81 = SF + SR;
+    const double t83 = p->mR - (t67 * SR);
+    const double t84 = t35 * wx_delta2_delta;
+    const double M_12_c = wx_delta2_delta_lam * (t50 + t43);
+    const double yaw_per_v_delta = wx_delta2_delta_lam * t36;
+    const double K0_12_mH = (p->zH * wx_delta2_delta) + (wx_delta2_delta_lam * (t46 - (p->xH *
+        t56)));
+    const double t93 = t81 - K0_11;
+    const double t94 = wx_delta2_delta_lam * t39;
+    const double K2_12_IRyy = yaw_per_v_delta * t67;
+    const double K2_12_rF = yaw_per_v_delta * t80;
+    const double M_12_lam = (t35 * wx_delta2_delta_lam) - (wx_delta2_delta * t78);
+    const double M_12 = t84 + (wx_delta2_delta_lam * t78);
+    const double K2_12_rR = yaw_per_v_delta * t83;
+    const double K2_12_mF = p->rF * yaw_per_v_delta;
+    const double K2_12_IFyy = yaw_per_v_delta * t57;
+    const double t105 = M_12_wz_delta2_delta * yaw_per_v_delta;
+    const double ST = t84 + (wx_delta2_delta_lam * t52) + (p->c * t105);
+    const double t110 = wx_delta2_delta * M_12_wz_delta2_delta;
+    const double mu = p->c * yaw_per_v_delta;
+    const double C1_12_rR = mu * t83;
+    const double t113 = mu * t68;
+    const double C1_12_IRyy = mu * t67;
+    const double C1_21_rR = SR * C1_12_IRyy;
+    const double M_22_IRxx = mu * mu;
+    const double C1_22_IRxx = yaw_per_v_delta * mu;
+    const double wz_delta2_delta = wx_delta2_delta_lam + mu;
+    const double t119 = t43 * wz_delta2_delta;
+    const double t120 = wx_delta2_delta_lam * t43;
+    const double M_12_w = t120 - (t50 * mu);
+    const double t124 = t50 + (t56 * t93);
+    const double t125 = t36 * t93;
+    const double t126 = yaw_per_v_delta * t124;
+    const double t128 = SF + t65 + t124;
+    const double t129 = wx_delta2_delta_lam * t65;
+    const double t130 = wx_delta2_delta * t125;
+    const double K2_12 = wx_delta2_delta_lam * t125;
+    const double t132 = t36 * K2_12;
     const double M_12_mH = p->zH * K0_12_mH;
     const double M_22_mH = K0_12_mH * K0_12_mH;
-    const double t278 = p->zH * t258;
-    const double t279 = K0_12_mH * t258;
     const double K0_22_mH = wx_delta2_delta * K0_12_mH;
-    const double M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
-    const double M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-    const double M_22_IHxz = wz_delta2_delta * t269;
-    const double M_11_rF = t12 + t12;
-    const double M_12_rF = t12 * t269;
+    const double C1_12_rF = wz_delta2_delta * t80;
+    const double t137 = p->mH * K0_12_mH;
+    const double t142 = yaw_per_v_delta * (p->IRxx + t55 + p->IBzz + (p->xB * t42));
+    const double C1_12 = wx_delta2_delta_lam * t128;
+    const double t144 = wx_delta2_delta * t128;
+    const double t145 = t42 * mu;
+    const double t146 = yaw_per_v_delta * t81;
+    const double t147 = p->c * t146;
+    const double C1_21_w = t36 * t147;
+    const double t149 = wx_delta2_delta_lam * SF;
+    const double C1_21 = -(t147 + t149);
+    const double t152 = p->rF * wx_delta2_delta;
+    const double M_12_mF = p->rF * t152;
+    const double t154 = wx_delta2_delta * t152;
+    const double K2_22_mF = yaw_per_v_delta * t152;
+    const double t156 = p->mF * t152;
+    const double t157 = t56 * t142;
+    const double K0_12 = t137 - t156 - t145;
+    const double t160 = wx_delta2_delta * SF;
+    const double t161 = mu + mu;
+    const double M_22_xB = t145 * t161;
+    const double t163 = p->xB * mu;
+    const double t164 = p->zB * t163;
+    const double M_22_mB = t163 * t163;
+    const double t169 = t157 + (yaw_per_v_delta * (t55 - (t39 * t45)));
+    const double K0_22 = wx_delta2_delta * K0_12;
+    const double t171 = wx_delta2_delta * t163;
+    const double K2_22_mB = yaw_per_v_delta * t163;
+    const double C1_22_mB = t75 * K2_22_mB;
+    const double t175 = t36 * (t160 - K0_12);
+    const double t176 = p->mH * wx_delta2_delta_lam;
+    const double t177 = K0_12_mH + K0_12_mH;
+    const double t178 = yaw_per_v_delta * K0_12_mH;
+    const double t179 = t76 * t178;
+    const double t180 = yaw_per_v_delta * t74;
+    const double K0_12_w = t176 + (t56 * t180);
+    const double K0_12_c = t176 - t180;
+    const double t188 = yaw_per_v_delta * (t94 + K0_12 + (p->c * K0_12_c) - t142);
+    const double K0_22_w = wx_delta2_delta * K0_12_w;
+    const double K2_22 = wx_delta2_delta_lam * t175;
+    const double t192 = yaw_per_v_delta * (t175 + K0_12_w);
+    const double K0_22_c = wx_delta2_delta * K0_12_c;
+    const double t194 = yaw_per_v_delta * K0_12_c;
+    const double t195 = wx_delta2_delta * t56;
+    const double C1_21_lam = t160 + (t81 * t195);
+    const double K0_12_zH = p->mH * wx_delta2_delta;
+    const double t203 = t129 + (t46 * K0_12_zH) - t120 - (t74 * t195);
+    const double M_12_zH = t137 + (p->zH * K0_12_zH);
+    const double M_22_zH = t177 * K0_12_zH;
+    const double t207 = yaw_per_v_delta * K0_12_zH;
+    const double t208 = t76 * t207;
+    const double t210 = (t36 * t110) + t169;
+    const double t211 = t36 * t176;
+    const double t212 = t76 * t211;
+    const double K2_12_mR = p->rR * yaw_per_v_delta;
+    const double C1_12_mR = p->c * K2_12_mR;
+    const double t215 = p->zB * yaw_per_v_delta;
+    const double t216 = p->mB * t215;
+    const double t217 = t215 * t75;
+    const double t218 = p->mB * yaw_per_v_delta;
+    const double t219 = t75 * t218;
+    const double t220 = p->c * t218;
+    const double t221 = wx_delta2_delta * t220;
+    const double K2_22_xB = yaw_per_v_delta * t220;
+    const double t223 = p->mH * wz_delta2_delta;
+    const double t224 = t177 * t223;
+    const double t225 = wx_delta2_delta * t223;
+    const double M_22_w = (t176 * t177) - (t210 * t161);
+    const double t235 = (wz_delta2_delta * t55) + (t45 * (t137 - t94)) + t110 + (p->c * t210);
+    const double K2_22_lam = (yaw_per_v_delta * (t149 + t203)) - (wx_delta2_delta * t175);
+    const double C1_22_xB = (p->xB + t75) * K2_22_xB;
+    const double K2_22_xH = yaw_per_v_delta * t223;
+    const double t243 = t137 + t210;
+    const double M_22_c = wx_delta2_delta_lam * (t243 + t243);
+    const double t247 = t210 - (t56 * K0_12);
+    const double t252 = yaw_per_v_delta * (t94 + t157 + t247 + (p->c * K0_12_w));
+    const double K0_22_lam = (wx_delta2_delta_lam * K0_12) - (wx_delta2_delta * t203);
+    const double t256 = t156 + t247;
+    const double C1_22_lam = (wx_delta2_delta_lam * (t105 + t129 + (t56 * t203))) -
+        (wx_delta2_delta * (t169 + t256));
+    const double C1_22 = wx_delta2_delta_lam * t256;
+    const double M_12_rF = t156 + t156;
     const double M_22_rF = wx_delta2_delta * M_12_rF;
-    const double t287 = t82 * SF;
-    const double t288 = p->mF - t287;
-    const double C1_12_rF = wz_delta2_delta * t288;
-    const double C1_21_rF = wz_delta2_delta * t287;
+    const double t267 = p->zH * yaw_per_v_delta;
+    const double t268 = p->mH * t267;
+    const double t269 = t267 * t76;
+    const double C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
+    const double M_12_yaw_per_v_delta = t76 * C1_22_IHzz;
+    const double C1_22_xH = p->mH * (M_12_yaw_per_v_delta - t178);
+    const double K2_22_SF = wx_delta2_delta * yaw_per_v_delta;
+    const double K2_22_rF = K2_22_SF * t80;
+    const double K2_22_IFyy = t57 * K2_22_SF;
+    const double M_22 = (wx_delta2_delta * ST) + (wx_delta2_delta_lam * t235);
+    const double t282 = (wx_delta2_delta_lam * ST) - (wx_delta2_delta * t235);
+    const double C1_12_IFyy = wz_delta2_delta * t57;
+    const double C1_21_rF = SF * C1_12_IFyy;
+    const double M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+    const double K0_22_zH = p->mH * M_22_IHxx;
+    const double M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+    const double M_22_mF = M_11_mF * M_22_IHxx;
+    const double t289 = wx_delta2_delta * wz_delta2_delta;
+    const double M_22_IHxz = t289 + t289;
     const double t291 = p->mF * wx_delta2_delta;
-    const double C1_22_rF = wz_delta2_delta * t291;
-    const double t293 = wx_delta2_delta * t291;
-    const double K2_12_rF = yaw_per_v_delta * t288;
-    const double K2_22_rF = K2_22_SF * t288;
-    const double M_11_mF = p->rF * p->rF;
-    const double M_12_mF = wx_delta2_delta * M_11_mF;
-    const double t298 = p->rF * wx_delta2_delta;
-    const double M_22_mF = t298 * t298;
-    const double C1_12_mF = p->rF * wz_delta2_delta;
-    const double C1_22_mF = wz_delta2_delta * t298;
-    const double t302 = p->rF * M_22_IHxx;
-    const double K2_12_mF = p->rF * yaw_per_v_delta;
-    const double K2_22_mF = p->rF * K2_22_SF;
     const double M_22_IFxx = M_22_IHxx + M_22_IHzz;
-    const double C1_12_IFyy = wz_delta2_delta * t82;
-    const double K2_12_IFyy = yaw_per_v_delta * t82;
-    const double K2_22_IFyy = wx_delta2_delta * K2_12_IFyy;
-    const double C1_21 = -(t103 + t104);
+    const double C1_22_rF = wz_delta2_delta * t291;
+    const double t294 = wx_delta2_delta * t291;
+    const double C1_12_mF = p->rF * wz_delta2_delta;
+    const double M_22_lam = t282 + t282;
+    const double C1_22_mF = wx_delta2_delta * C1_12_mF;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -861,129 +852,129 @@ void whipple_mechanism_f64_derivatives(const whipple_mechanism_f64_t *p,
     matrices->k2[0][1] = K2_12;
     matrices->k2[1][0] = 0.0;
     matrices->k2[1][1] = K2_22;
-    derivatives->values[0] = M_12_w;
-    derivatives->values[1] = M_22_w;
-    derivatives->values[2] = t135;
-    derivatives->values[3] = C1_21_w;
-    derivatives->values[4] = t152;
-    derivatives->values[5] = K0_12_w;
-    derivatives->values[6] = K0_22_w;
-    derivatives->values[7] = t154;
-    derivatives->values[8] = t157;
-    derivatives->values[9] = M_12_c;
-    derivatives->values[10] = M_22_c;
-    derivatives->values[11] = K2_12;
-    derivatives->values[12] = t160;
-    derivatives->values[13] = t165;
-    derivatives->values[14] = K0_12_c;
-    derivatives->values[15] = K0_22_c;
-    derivatives->values[16] = t167;
-    derivatives->values[17] = M_12_lam;
-    derivatives->values[18] = M_22_lam;
-    derivatives->values[19] = t190;
-    derivatives->values[20] = C1_21_lam;
-    derivatives->values[21] = C1_22_lam;
-    derivatives->values[22] = K0_12_lam;
-    derivatives->values[23] = K0_22_lam;
-    derivatives->values[24] = t212;
-    derivatives->values[25] = K2_22_lam;
-    derivatives->values[26] = M_11_rR;
-    derivatives->values[27] = C1_12_rR;
-    derivatives->values[28] = C1_21_rR;
-    derivatives->values[29] = p->mR;
-    derivatives->values[30] = K2_12_rR;
-    derivatives->values[31] = M_11_mR;
-    derivatives->values[32] = C1_12_mR;
-    derivatives->values[33] = p->rR;
-    derivatives->values[34] = K2_12_mR;
-    derivatives->values[35] = 1.0;
-    derivatives->values[36] = M_22_IRxx;
-    derivatives->values[37] = C1_22_IRxx;
-    derivatives->values[38] = C1_12_IRyy;
-    derivatives->values[39] = K2_12_IRyy;
-    derivatives->values[40] = t229;
-    derivatives->values[41] = M_22_xB;
-    derivatives->values[42] = t236;
-    derivatives->values[43] = C1_22_xB;
-    derivatives->values[44] = t107;
-    derivatives->values[45] = t239;
-    derivatives->values[46] = K2_22_xB;
-    derivatives->values[47] = M_11_zB;
-    derivatives->values[48] = t108;
-    derivatives->values[49] = t243;
-    derivatives->values[50] = p->mB;
-    derivatives->values[51] = t244;
-    derivatives->values[52] = M_11_mB;
-    derivatives->values[53] = t247;
-    derivatives->values[54] = M_22_mB;
-    derivatives->values[55] = t249;
-    derivatives->values[56] = C1_22_mB;
-    derivatives->values[57] = p->zB;
-    derivatives->values[58] = t246;
-    derivatives->values[59] = t251;
-    derivatives->values[60] = t235;
-    derivatives->values[61] = K2_22_mB;
-    derivatives->values[62] = mu;
-    derivatives->values[63] = yaw_per_v_delta;
-    derivatives->values[64] = t252;
-    derivatives->values[65] = t253;
-    derivatives->values[66] = t255;
-    derivatives->values[67] = C1_22_xH;
-    derivatives->values[68] = t262;
-    derivatives->values[69] = t263;
-    derivatives->values[70] = K2_22_xH;
-    derivatives->values[71] = M_11_zH;
+    derivatives->values[0] = p->rR;
+    derivatives->values[1] = p->mR;
+    derivatives->values[2] = p->zB;
+    derivatives->values[3] = p->mB;
+    derivatives->values[4] = p->zH;
+    derivatives->values[5] = p->mH;
+    derivatives->values[6] = p->rF;
+    derivatives->values[7] = p->mF;
+    derivatives->values[8] = 1.0;
+    derivatives->values[9] = wx_delta2_delta;
+    derivatives->values[10] = M_11_mB;
+    derivatives->values[11] = M_11_mH;
+    derivatives->values[12] = M_11_mF;
+    derivatives->values[13] = M_11_rR;
+    derivatives->values[14] = M_11_mR;
+    derivatives->values[15] = M_11_zH;
+    derivatives->values[16] = M_11_rF;
+    derivatives->values[17] = M_11_zB;
+    derivatives->values[18] = M_12_c;
+    derivatives->values[19] = yaw_per_v_delta;
+    derivatives->values[20] = K0_12_mH;
+    derivatives->values[21] = K2_12_IRyy;
+    derivatives->values[22] = K2_12_rF;
+    derivatives->values[23] = M_12_lam;
+    derivatives->values[24] = K2_12_rR;
+    derivatives->values[25] = K2_12_mF;
+    derivatives->values[26] = K2_12_IFyy;
+    derivatives->values[27] = mu;
+    derivatives->values[28] = C1_12_rR;
+    derivatives->values[29] = t113;
+    derivatives->values[30] = C1_12_IRyy;
+    derivatives->values[31] = C1_21_rR;
+    derivatives->values[32] = M_22_IRxx;
+    derivatives->values[33] = C1_22_IRxx;
+    derivatives->values[34] = wz_delta2_delta;
+    derivatives->values[35] = t119;
+    derivatives->values[36] = M_12_w;
+    derivatives->values[37] = t126;
+    derivatives->values[38] = t130;
+    derivatives->values[39] = K2_12;
+    derivatives->values[40] = t132;
+    derivatives->values[41] = M_12_mH;
+    derivatives->values[42] = M_22_mH;
+    derivatives->values[43] = K0_22_mH;
+    derivatives->values[44] = C1_12_rF;
+    derivatives->values[45] = t144;
+    derivatives->values[46] = t145;
+    derivatives->values[47] = t146;
+    derivatives->values[48] = C1_21_w;
+    derivatives->values[49] = t152;
+    derivatives->values[50] = M_12_mF;
+    derivatives->values[51] = t154;
+    derivatives->values[52] = K2_22_mF;
+    derivatives->values[53] = M_22_xB;
+    derivatives->values[54] = t163;
+    derivatives->values[55] = t164;
+    derivatives->values[56] = M_22_mB;
+    derivatives->values[57] = t171;
+    derivatives->values[58] = K2_22_mB;
+    derivatives->values[59] = C1_22_mB;
+    derivatives->values[60] = t178;
+    derivatives->values[61] = t179;
+    derivatives->values[62] = K0_12_w;
+    derivatives->values[63] = K0_12_c;
+    derivatives->values[64] = t188;
+    derivatives->values[65] = K0_22_w;
+    derivatives->values[66] = t192;
+    derivatives->values[67] = K0_22_c;
+    derivatives->values[68] = t194;
+    derivatives->values[69] = C1_21_lam;
+    derivatives->values[70] = K0_12_zH;
+    derivatives->values[71] = t203;
     derivatives->values[72] = M_12_zH;
     derivatives->values[73] = M_22_zH;
-    derivatives->values[74] = t259;
-    derivatives->values[75] = t271;
-    derivatives->values[76] = p->mH;
-    derivatives->values[77] = K0_12_zH;
-    derivatives->values[78] = K0_22_zH;
-    derivatives->values[79] = t273;
-    derivatives->values[80] = t275;
-    derivatives->values[81] = M_11_mH;
-    derivatives->values[82] = M_12_mH;
-    derivatives->values[83] = M_22_mH;
-    derivatives->values[84] = t278;
-    derivatives->values[85] = t279;
-    derivatives->values[86] = p->zH;
-    derivatives->values[87] = K0_12_mH;
-    derivatives->values[88] = K0_22_mH;
-    derivatives->values[89] = t254;
-    derivatives->values[90] = t256;
-    derivatives->values[91] = wx_delta2_delta;
-    derivatives->values[92] = M_22_IHxx;
-    derivatives->values[93] = M_22_IHzz;
-    derivatives->values[94] = C1_22_IHzz;
-    derivatives->values[95] = wz_delta2_delta;
-    derivatives->values[96] = M_22_IHxz;
-    derivatives->values[97] = K2_22_SF;
-    derivatives->values[98] = M_11_rF;
+    derivatives->values[74] = t207;
+    derivatives->values[75] = t208;
+    derivatives->values[76] = t211;
+    derivatives->values[77] = t212;
+    derivatives->values[78] = K2_12_mR;
+    derivatives->values[79] = C1_12_mR;
+    derivatives->values[80] = t215;
+    derivatives->values[81] = t216;
+    derivatives->values[82] = t217;
+    derivatives->values[83] = t218;
+    derivatives->values[84] = t219;
+    derivatives->values[85] = t220;
+    derivatives->values[86] = t221;
+    derivatives->values[87] = K2_22_xB;
+    derivatives->values[88] = t223;
+    derivatives->values[89] = t224;
+    derivatives->values[90] = t225;
+    derivatives->values[91] = M_22_w;
+    derivatives->values[92] = K2_22_lam;
+    derivatives->values[93] = C1_22_xB;
+    derivatives->values[94] = K2_22_xH;
+    derivatives->values[95] = M_22_c;
+    derivatives->values[96] = t252;
+    derivatives->values[97] = K0_22_lam;
+    derivatives->values[98] = C1_22_lam;
     derivatives->values[99] = M_12_rF;
     derivatives->values[100] = M_22_rF;
-    derivatives->values[101] = C1_12_rF;
-    derivatives->values[102] = C1_21_rF;
-    derivatives->values[103] = C1_22_rF;
-    derivatives->values[104] = p->mF;
-    derivatives->values[105] = t291;
-    derivatives->values[106] = t293;
-    derivatives->values[107] = K2_12_rF;
-    derivatives->values[108] = K2_22_rF;
-    derivatives->values[109] = M_11_mF;
-    derivatives->values[110] = M_12_mF;
-    derivatives->values[111] = M_22_mF;
-    derivatives->values[112] = C1_12_mF;
-    derivatives->values[113] = C1_22_mF;
-    derivatives->values[114] = p->rF;
-    derivatives->values[115] = t298;
-    derivatives->values[116] = t302;
-    derivatives->values[117] = K2_12_mF;
-    derivatives->values[118] = K2_22_mF;
-    derivatives->values[119] = M_22_IFxx;
-    derivatives->values[120] = C1_12_IFyy;
-    derivatives->values[121] = K2_12_IFyy;
-    derivatives->values[122] = K2_22_IFyy;
+    derivatives->values[101] = t267;
+    derivatives->values[102] = t268;
+    derivatives->values[103] = t269;
+    derivatives->values[104] = C1_22_IHzz;
+    derivatives->values[105] = C1_22_xH;
+    derivatives->values[106] = K2_22_SF;
+    derivatives->values[107] = K2_22_rF;
+    derivatives->values[108] = K2_22_IFyy;
+    derivatives->values[109] = C1_12_IFyy;
+    derivatives->values[110] = C1_21_rF;
+    derivatives->values[111] = M_22_IHxx;
+    derivatives->values[112] = K0_22_zH;
+    derivatives->values[113] = M_22_IHzz;
+    derivatives->values[114] = M_22_mF;
+    derivatives->values[115] = M_22_IHxz;
+    derivatives->values[116] = t291;
+    derivatives->values[117] = M_22_IFxx;
+    derivatives->values[118] = C1_22_rF;
+    derivatives->values[119] = t294;
+    derivatives->values[120] = C1_12_mF;
+    derivatives->values[121] = M_22_lam;
+    derivatives->values[122] = C1_22_mF;
 }
 
 void whipple_mechanism_f64_with_respect_to(const whipple_mechanism_f64_derivatives_t *derivatives,
@@ -6296,203 +6287,194 @@ void whipple_mechanism_f32_kinematics(const whipple_mechanism_f32_t *p, whipple_
 void whipple_mechanism_f32_derivatives(const whipple_mechanism_f32_t *p,
     whipple_mechanism_f32_matrices_t *matrices, whipple_mechanism_f32_derivatives_t *derivatives)
 {
-    const float t4 = p->zB * p->mB;
-    const float M_11_mH = p->zH * p->zH;
-    const float t12 = p->rF * p->mF;
-    const float t17 = (p->rF * t12) + p->IHxx + p->IFxx;
-    const float t20 = p->rR * p->mR;
-    const float M_11 = p->IBxx + p->IRxx + (p->zB * t4) + (p->mH * M_11_mH) + t17 + (p->rR * t20);
     float wx_delta2_delta = 0.0F;
     float wx_delta2_delta_lam = 0.0F;
     carvallo_sin_cos_f32(p->lam, &wx_delta2_delta, &wx_delta2_delta_lam);
-    const float t33 = p->c + p->w;
-    const float t35 = (p->zH * wx_delta2_delta) + (wx_delta2_delta_lam * t33);
-    const float t36 = 1.0F / p->w;
-    const float yaw_per_v_delta = wx_delta2_delta_lam * t36;
-    const float mu = p->c * yaw_per_v_delta;
-    const float wz_delta2_delta = wx_delta2_delta_lam + mu;
-    const float K0_12_mH = t35 - (wz_delta2_delta * p->xH);
-    const float t43 = p->mH * K0_12_mH;
-    const float t48 = (wz_delta2_delta * p->IHxz) + (t17 * wx_delta2_delta);
-    const float t52 = p->IBxz - (t4 * p->xB);
-    const float M_12 = (p->zH * t43) + t48 + (mu * t52);
-    const float t58 = p->mB * p->xB;
-    const float t61 = p->IRxx + p->IBzz + (p->xB * t58);
-    const float C1_22_IRxx = yaw_per_v_delta * mu;
-    const float M_22_IRxx = p->c * C1_22_IRxx;
-    const float t66 = p->mH * p->xH;
-    const float t71 = p->IFxx + p->IHzz + (p->xH * t66);
-    const float t74 = (wx_delta2_delta * p->IHxz) + (wz_delta2_delta * t71) - (t35 * t66);
-    const float M_22 = (wx_delta2_delta * t48) + (t61 * M_22_IRxx) + (wz_delta2_delta * t74) +
-        (t35 * t43);
-    const float t82 = 1.0F / p->rF;
-    const float SF = p->IFyy * t82;
-    const float t84 = p->mH * p->zH;
-    const float M_12_wz_delta2_delta = p->IHxz - (p->xH * t84);
-    const float t87 = t52 + M_12_wz_delta2_delta;
-    const float t88 = t36 * t87;
-    const float t90 = 1.0F / p->rR;
-    const float SR = p->IRyy * t90;
-    const float t92 = SF + SR;
-    const float K0_11 = t84 - (t12 + t20 - t4);
-    const float t96 = t92 - K0_11;
-    const float t97 = t36 * t96;
-    const float t99 = t88 + (p->c * t97);
-    const float t101 = t12 + SF + t99;
-    const float C1_12 = wx_delta2_delta_lam * t101;
-    const float t103 = wx_delta2_delta_lam * SF;
-    const float t104 = mu * t92;
-    const float t106 = t12 * wx_delta2_delta;
-    const float t107 = p->mB * mu;
-    const float t108 = p->xB * t107;
-    const float K0_12 = t43 - t106 - t108;
-    const float t111 = p->c * t36;
-    const float t115 = yaw_per_v_delta * t61;
-    const float t117 = t74 + (p->c * t115);
-    const float t118 = yaw_per_v_delta * t117;
-    const float C1_22 = (wx_delta2_delta_lam * (t106 - (K0_12 * t111))) + t118;
-    const float K0_22 = wx_delta2_delta * K0_12;
-    const float K2_12 = yaw_per_v_delta * t96;
-    const float t123 = (wx_delta2_delta * SF) - K0_12;
-    const float K2_22 = yaw_per_v_delta * t123;
-    const float t125 = yaw_per_v_delta * t87;
-    const float t127 = p->mH * wx_delta2_delta_lam;
-    const float t128 = p->zH * t127;
-    const float M_12_w = t128 - (t111 * t125);
-    const float t130 = t118 + t118;
-    const float t132 = t43 + t43;
-    const float t133 = wx_delta2_delta_lam * t132;
-    const float M_22_w = t133 - (t111 * t130);
-    const float t135 = yaw_per_v_delta * t99;
-    const float C1_21_w = t36 * t104;
-    const float t137 = yaw_per_v_delta * p->xH;
-    const float t138 = t127 * t137;
-    const float t139 = yaw_per_v_delta * t71;
-    const float t141 = t115 + t139 - K0_12;
-    const float t144 = t36 * (t117 + (p->c * t141));
-    const float t145 = t58 + t66;
-    const float t146 = yaw_per_v_delta * t145;
-    const float K0_12_w = t127 + (t111 * t146);
-    const float t152 = t138 + (yaw_per_v_delta * (t144 + (p->c * K0_12_w)));
-    const float K0_22_w = wx_delta2_delta * K0_12_w;
-    const float t154 = t36 * K2_12;
-    const float t155 = t36 * t123;
-    const float t157 = yaw_per_v_delta * (K0_12_w + t155);
-    const float M_12_c = t125 + t128;
-    const float M_22_c = t130 + t133;
-    const float t160 = yaw_per_v_delta * t92;
-    const float K0_12_c = t127 - t146;
-    const float t165 = t138 + (yaw_per_v_delta * ((p->c * K0_12_c) - t141));
-    const float K0_22_c = wx_delta2_delta * K0_12_c;
-    const float t167 = yaw_per_v_delta * K0_12_c;
-    const float t168 = t17 * wx_delta2_delta_lam;
-    const float K0_12_zH = p->mH * wx_delta2_delta;
-    const float t174 = (t33 * K0_12_zH) - t128;
-    const float M_12_lam = t168 - (wx_delta2_delta * (M_12_wz_delta2_delta + (p->c * t88))) -
-        (p->zH * t174);
-    const float t180 = (wx_delta2_delta_lam * p->IHxz) + (p->xH * t174);
-    const float t188 = (wz_delta2_delta * t180) - (t35 * t174) - (wx_delta2_delta * (t74 + (t111 *
-        t117) - t168));
-    const float M_22_lam = t188 + t188;
-    const float t190 = wx_delta2_delta * t101;
-    const float C1_21_lam = wx_delta2_delta * (SF + (t92 * t111));
-    const float K2_22_yaw_per_v_delta = yaw_per_v_delta * t180;
-    const float C1_22_mu = t66 + (t111 * t145);
-    const float t201 = t12 * wx_delta2_delta_lam;
-    const float K0_12_lam = (wx_delta2_delta * C1_22_mu) - t174 - t201;
-    const float ST_rR = wx_delta2_delta_lam * t201;
-    const float C1_22_lam = K2_22_yaw_per_v_delta + ST_rR - (wx_delta2_delta * (t106 + t139 +
-        t144)) - (mu * K0_12_lam);
-    const float K0_22_lam = (wx_delta2_delta * K0_12_lam) + (wx_delta2_delta_lam * K0_12);
-    const float t212 = wx_delta2_delta * t97;
-    const float K2_22_lam = (yaw_per_v_delta * (t103 - K0_12_lam)) - (wx_delta2_delta * t155);
-    const float M_11_rR = t20 + t20;
-    const float t219 = p->mR - (t90 * SR);
-    const float C1_12_rR = mu * t219;
-    const float K2_12_IRyy = yaw_per_v_delta * t90;
-    const float C1_12_IRyy = p->c * K2_12_IRyy;
-    const float C1_21_rR = SR * C1_12_IRyy;
-    const float K2_12_rR = yaw_per_v_delta * t219;
-    const float M_11_mR = p->rR * p->rR;
-    const float K2_12_mR = p->rR * yaw_per_v_delta;
-    const float C1_12_mR = p->c * K2_12_mR;
-    const float t229 = p->zB * t107;
-    const float M_12_yaw_per_v_delta = yaw_per_v_delta * p->xB;
-    const float K2_22_mB = mu * M_12_yaw_per_v_delta;
-    const float t232 = p->mB * K2_22_mB;
-    const float t233 = t232 + t232;
-    const float M_22_xB = p->c * t233;
-    const float t235 = p->zB * yaw_per_v_delta;
-    const float t236 = p->mB * t235;
-    const float C1_22_xB = t233 + (p->mB * M_22_IRxx);
-    const float t239 = wx_delta2_delta * t107;
-    const float K2_22_xB = yaw_per_v_delta * t107;
-    const float M_11_zB = t4 + t4;
-    const float t242 = mu + M_12_yaw_per_v_delta;
-    const float t243 = p->mB * t242;
-    const float t244 = p->mB * yaw_per_v_delta;
     const float M_11_mB = p->zB * p->zB;
-    const float t246 = mu * p->xB;
-    const float t247 = p->zB * t246;
-    const float M_22_mB = t246 * t246;
-    const float t249 = p->zB * t242;
-    const float C1_22_mB = t242 * t246;
-    const float t251 = wx_delta2_delta * t246;
-    const float t252 = wz_delta2_delta * t84;
-    const float t253 = wz_delta2_delta * t132;
-    const float t254 = p->zH * yaw_per_v_delta;
-    const float t255 = p->mH * t254;
-    const float t256 = yaw_per_v_delta * K0_12_mH;
-    const float t258 = mu + t137;
-    const float t259 = p->mH * t258;
-    const float C1_22_xH = (wz_delta2_delta * t259) - (p->mH * t256);
-    const float t262 = p->mH * wz_delta2_delta;
-    const float t263 = wz_delta2_delta * K0_12_zH;
-    const float C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
-    const float K2_22_xH = p->mH * C1_22_IHzz;
-    const float M_11_zH = t84 + t84;
-    const float M_12_zH = t43 + (wx_delta2_delta * t84);
-    const float t269 = wx_delta2_delta + wx_delta2_delta;
-    const float M_22_zH = t43 * t269;
-    const float t271 = wx_delta2_delta * t259;
-    const float K0_22_zH = wx_delta2_delta * K0_12_zH;
-    const float t273 = t36 * t127;
-    const float K2_22_SF = wx_delta2_delta * yaw_per_v_delta;
-    const float t275 = p->mH * K2_22_SF;
+    const float t28 = p->rR * p->mR;
+    const float M_11_mH = p->zH * p->zH;
+    const float M_11_mF = p->rF * p->rF;
+    const float t35 = (p->mH * M_11_mH) + p->IHxx + p->IFxx + (p->mF * M_11_mF);
+    const float t36 = 1.0F / p->w;
+    const float M_11_rR = t28 + t28;
+    const float M_11_mR = p->rR * p->rR;
+    const float t39 = p->mH * p->xH;
+    const float M_12_wz_delta2_delta = p->IHxz - (p->zH * t39);
+    const float t42 = p->mB * p->xB;
+    const float t43 = p->mH * p->zH;
+    const float M_11_zH = t43 + t43;
+    const float t45 = p->c + p->w;
+    const float t46 = t45 - p->xH;
+    const float t50 = t36 * (p->IBxz + M_12_wz_delta2_delta - (p->zB * t42));
+    const float t52 = p->IHxz + (t43 * t46);
+    const float t55 = p->IFxx + p->IHzz + (p->xH * t39);
+    const float t56 = p->c * t36;
+    const float t57 = 1.0F / p->rF;
+    const float C1_22_wz_delta2_delta = p->mB * M_11_mB;
+    const float M_11 = p->IBxx + C1_22_wz_delta2_delta + (p->rR * t28) + p->IRxx + t35;
+    const float SF = p->IFyy * t57;
+    const float t65 = p->mF * p->rF;
+    const float M_11_rF = t65 + t65;
+    const float t67 = 1.0F / p->rR;
+    const float t68 = p->mB * p->zB;
+    const float K0_11 = t68 - (t28 + t65 - t43);
+    const float M_11_zB = t68 + t68;
+    const float SR = p->IRyy * t67;
+    const float t74 = t39 + t42;
+    const float t75 = p->c + p->xB;
+    const float t76 = p->c + p->xH;
+    const float t78 = (p->c * t50) + t52;
+    const float t80 = p->mF - (t57 * SF);
+    const float t81 = SF + SR;
+    const float t83 = p->mR - (t67 * SR);
+    const float t84 = t35 * wx_delta2_delta;
+    const float M_12_c = wx_delta2_delta_lam * (t50 + t43);
+    const float yaw_per_v_delta = wx_delta2_delta_lam * t36;
+    const float K0_12_mH = (p->zH * wx_delta2_delta) + (wx_delta2_delta_lam * (t46 - (p->xH *
+        t56)));
+    const float t93 = t81 - K0_11;
+    const float t94 = wx_delta2_delta_lam * t39;
+    const float K2_12_IRyy = yaw_per_v_delta * t67;
+    const float K2_12_rF = yaw_per_v_delta * t80;
+    const float M_12_lam = (t35 * wx_delta2_delta_lam) - (wx_delta2_delta * t78);
+    const float M_12 = t84 + (wx_delta2_delta_lam * t78);
+    const float K2_12_rR = yaw_per_v_delta * t83;
+    const float K2_12_mF = p->rF * yaw_per_v_delta;
+    const float K2_12_IFyy = yaw_per_v_delta * t57;
+    const float t105 = M_12_wz_delta2_delta * yaw_per_v_delta;
+    const float ST = t84 + (wx_delta2_delta_lam * t52) + (p->c * t105);
+    const float t110 = wx_delta2_delta * M_12_wz_delta2_delta;
+    const float mu = p->c * yaw_per_v_delta;
+    const float C1_12_rR = mu * t83;
+    const float t113 = mu * t68;
+    const float C1_12_IRyy = mu * t67;
+    const float C1_21_rR = SR * C1_12_IRyy;
+    const float M_22_IRxx = mu * mu;
+    const float C1_22_IRxx = yaw_per_v_delta * mu;
+    const float wz_delta2_delta = wx_delta2_delta_lam + mu;
+    const float t119 = t43 * wz_delta2_delta;
+    const float t120 = wx_delta2_delta_lam * t43;
+    const float M_12_w = t120 - (t50 * mu);
+    const float t124 = t50 + (t56 * t93);
+    const float t125 = t36 * t93;
+    const float t126 = yaw_per_v_delta * t124;
+    const float t128 = SF + t65 + t124;
+    const float t129 = wx_delta2_delta_lam * t65;
+    const float t130 = wx_delta2_delta * t125;
+    const float K2_12 = wx_delta2_delta_lam * t125;
+    const float t132 = t36 * K2_12;
     const float M_12_mH = p->zH * K0_12_mH;
     const float M_22_mH = K0_12_mH * K0_12_mH;
-    const float t278 = p->zH * t258;
-    const float t279 = K0_12_mH * t258;
     const float K0_22_mH = wx_delta2_delta * K0_12_mH;
-    const float M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
-    const float M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-    const float M_22_IHxz = wz_delta2_delta * t269;
-    const float M_11_rF = t12 + t12;
-    const float M_12_rF = t12 * t269;
+    const float C1_12_rF = wz_delta2_delta * t80;
+    const float t137 = p->mH * K0_12_mH;
+    const float t142 = yaw_per_v_delta * (p->IRxx + t55 + p->IBzz + (p->xB * t42));
+    const float C1_12 = wx_delta2_delta_lam * t128;
+    const float t144 = wx_delta2_delta * t128;
+    const float t145 = t42 * mu;
+    const float t146 = yaw_per_v_delta * t81;
+    const float t147 = p->c * t146;
+    const float C1_21_w = t36 * t147;
+    const float t149 = wx_delta2_delta_lam * SF;
+    const float C1_21 = -(t147 + t149);
+    const float t152 = p->rF * wx_delta2_delta;
+    const float M_12_mF = p->rF * t152;
+    const float t154 = wx_delta2_delta * t152;
+    const float K2_22_mF = yaw_per_v_delta * t152;
+    const float t156 = p->mF * t152;
+    const float t157 = t56 * t142;
+    const float K0_12 = t137 - t156 - t145;
+    const float t160 = wx_delta2_delta * SF;
+    const float t161 = mu + mu;
+    const float M_22_xB = t145 * t161;
+    const float t163 = p->xB * mu;
+    const float t164 = p->zB * t163;
+    const float M_22_mB = t163 * t163;
+    const float t169 = t157 + (yaw_per_v_delta * (t55 - (t39 * t45)));
+    const float K0_22 = wx_delta2_delta * K0_12;
+    const float t171 = wx_delta2_delta * t163;
+    const float K2_22_mB = yaw_per_v_delta * t163;
+    const float C1_22_mB = t75 * K2_22_mB;
+    const float t175 = t36 * (t160 - K0_12);
+    const float t176 = p->mH * wx_delta2_delta_lam;
+    const float t177 = K0_12_mH + K0_12_mH;
+    const float t178 = yaw_per_v_delta * K0_12_mH;
+    const float t179 = t76 * t178;
+    const float t180 = yaw_per_v_delta * t74;
+    const float K0_12_w = t176 + (t56 * t180);
+    const float K0_12_c = t176 - t180;
+    const float t188 = yaw_per_v_delta * (t94 + K0_12 + (p->c * K0_12_c) - t142);
+    const float K0_22_w = wx_delta2_delta * K0_12_w;
+    const float K2_22 = wx_delta2_delta_lam * t175;
+    const float t192 = yaw_per_v_delta * (t175 + K0_12_w);
+    const float K0_22_c = wx_delta2_delta * K0_12_c;
+    const float t194 = yaw_per_v_delta * K0_12_c;
+    const float t195 = wx_delta2_delta * t56;
+    const float C1_21_lam = t160 + (t81 * t195);
+    const float K0_12_zH = p->mH * wx_delta2_delta;
+    const float t203 = t129 + (t46 * K0_12_zH) - t120 - (t74 * t195);
+    const float M_12_zH = t137 + (p->zH * K0_12_zH);
+    const float M_22_zH = t177 * K0_12_zH;
+    const float t207 = yaw_per_v_delta * K0_12_zH;
+    const float t208 = t76 * t207;
+    const float t210 = (t36 * t110) + t169;
+    const float t211 = t36 * t176;
+    const float t212 = t76 * t211;
+    const float K2_12_mR = p->rR * yaw_per_v_delta;
+    const float C1_12_mR = p->c * K2_12_mR;
+    const float t215 = p->zB * yaw_per_v_delta;
+    const float t216 = p->mB * t215;
+    const float t217 = t215 * t75;
+    const float t218 = p->mB * yaw_per_v_delta;
+    const float t219 = t75 * t218;
+    const float t220 = p->c * t218;
+    const float t221 = wx_delta2_delta * t220;
+    const float K2_22_xB = yaw_per_v_delta * t220;
+    const float t223 = p->mH * wz_delta2_delta;
+    const float t224 = t177 * t223;
+    const float t225 = wx_delta2_delta * t223;
+    const float M_22_w = (t176 * t177) - (t210 * t161);
+    const float t235 = (wz_delta2_delta * t55) + (t45 * (t137 - t94)) + t110 + (p->c * t210);
+    const float K2_22_lam = (yaw_per_v_delta * (t149 + t203)) - (wx_delta2_delta * t175);
+    const float C1_22_xB = (p->xB + t75) * K2_22_xB;
+    const float K2_22_xH = yaw_per_v_delta * t223;
+    const float t243 = t137 + t210;
+    const float M_22_c = wx_delta2_delta_lam * (t243 + t243);
+    const float t247 = t210 - (t56 * K0_12);
+    const float t252 = yaw_per_v_delta * (t94 + t157 + t247 + (p->c * K0_12_w));
+    const float K0_22_lam = (wx_delta2_delta_lam * K0_12) - (wx_delta2_delta * t203);
+    const float t256 = t156 + t247;
+    const float C1_22_lam = (wx_delta2_delta_lam * (t105 + t129 + (t56 * t203))) -
+        (wx_delta2_delta * (t169 + t256));
+    const float C1_22 = wx_delta2_delta_lam * t256;
+    const float M_12_rF = t156 + t156;
     const float M_22_rF = wx_delta2_delta * M_12_rF;
-    const float t287 = t82 * SF;
-    const float t288 = p->mF - t287;
-    const float C1_12_rF = wz_delta2_delta * t288;
-    const float C1_21_rF = wz_delta2_delta * t287;
+    const float t267 = p->zH * yaw_per_v_delta;
+    const float t268 = p->mH * t267;
+    const float t269 = t267 * t76;
+    const float C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
+    const float M_12_yaw_per_v_delta = t76 * C1_22_IHzz;
+    const float C1_22_xH = p->mH * (M_12_yaw_per_v_delta - t178);
+    const float K2_22_SF = wx_delta2_delta * yaw_per_v_delta;
+    const float K2_22_rF = K2_22_SF * t80;
+    const float K2_22_IFyy = t57 * K2_22_SF;
+    const float M_22 = (wx_delta2_delta * ST) + (wx_delta2_delta_lam * t235);
+    const float t282 = (wx_delta2_delta_lam * ST) - (wx_delta2_delta * t235);
+    const float C1_12_IFyy = wz_delta2_delta * t57;
+    const float C1_21_rF = SF * C1_12_IFyy;
+    const float M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+    const float K0_22_zH = p->mH * M_22_IHxx;
+    const float M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+    const float M_22_mF = M_11_mF * M_22_IHxx;
+    const float t289 = wx_delta2_delta * wz_delta2_delta;
+    const float M_22_IHxz = t289 + t289;
     const float t291 = p->mF * wx_delta2_delta;
-    const float C1_22_rF = wz_delta2_delta * t291;
-    const float t293 = wx_delta2_delta * t291;
-    const float K2_12_rF = yaw_per_v_delta * t288;
-    const float K2_22_rF = K2_22_SF * t288;
-    const float M_11_mF = p->rF * p->rF;
-    const float M_12_mF = wx_delta2_delta * M_11_mF;
-    const float t298 = p->rF * wx_delta2_delta;
-    const float M_22_mF = t298 * t298;
-    const float C1_12_mF = p->rF * wz_delta2_delta;
-    const float C1_22_mF = wz_delta2_delta * t298;
-    const float t302 = p->rF * M_22_IHxx;
-    const float K2_12_mF = p->rF * yaw_per_v_delta;
-    const float K2_22_mF = p->rF * K2_22_SF;
     const float M_22_IFxx = M_22_IHxx + M_22_IHzz;
-    const float C1_12_IFyy = wz_delta2_delta * t82;
-    const float K2_12_IFyy = yaw_per_v_delta * t82;
-    const float K2_22_IFyy = wx_delta2_delta * K2_12_IFyy;
-    const float C1_21 = -(t103 + t104);
+    const float C1_22_rF = wz_delta2_delta * t291;
+    const float t294 = wx_delta2_delta * t291;
+    const float C1_12_mF = p->rF * wz_delta2_delta;
+    const float M_22_lam = t282 + t282;
+    const float C1_22_mF = wx_delta2_delta * C1_12_mF;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -6509,129 +6491,129 @@ void whipple_mechanism_f32_derivatives(const whipple_mechanism_f32_t *p,
     matrices->k2[0][1] = K2_12;
     matrices->k2[1][0] = 0.0F;
     matrices->k2[1][1] = K2_22;
-    derivatives->values[0] = M_12_w;
-    derivatives->values[1] = M_22_w;
-    derivatives->values[2] = t135;
-    derivatives->values[3] = C1_21_w;
-    derivatives->values[4] = t152;
-    derivatives->values[5] = K0_12_w;
-    derivatives->values[6] = K0_22_w;
-    derivatives->values[7] = t154;
-    derivatives->values[8] = t157;
-    derivatives->values[9] = M_12_c;
-    derivatives->values[10] = M_22_c;
-    derivatives->values[11] = K2_12;
-    derivatives->values[12] = t160;
-    derivatives->values[13] = t165;
-    derivatives->values[14] = K0_12_c;
-    derivatives->values[15] = K0_22_c;
-    derivatives->values[16] = t167;
-    derivatives->values[17] = M_12_lam;
-    derivatives->values[18] = M_22_lam;
-    derivatives->values[19] = t190;
-    derivatives->values[20] = C1_21_lam;
-    derivatives->values[21] = C1_22_lam;
-    derivatives->values[22] = K0_12_lam;
-    derivatives->values[23] = K0_22_lam;
-    derivatives->values[24] = t212;
-    derivatives->values[25] = K2_22_lam;
-    derivatives->values[26] = M_11_rR;
-    derivatives->values[27] = C1_12_rR;
-    derivatives->values[28] = C1_21_rR;
-    derivatives->values[29] = p->mR;
-    derivatives->values[30] = K2_12_rR;
-    derivatives->values[31] = M_11_mR;
-    derivatives->values[32] = C1_12_mR;
-    derivatives->values[33] = p->rR;
-    derivatives->values[34] = K2_12_mR;
-    derivatives->values[35] = 1.0F;
-    derivatives->values[36] = M_22_IRxx;
-    derivatives->values[37] = C1_22_IRxx;
-    derivatives->values[38] = C1_12_IRyy;
-    derivatives->values[39] = K2_12_IRyy;
-    derivatives->values[40] = t229;
-    derivatives->values[41] = M_22_xB;
-    derivatives->values[42] = t236;
-    derivatives->values[43] = C1_22_xB;
-    derivatives->values[44] = t107;
-    derivatives->values[45] = t239;
-    derivatives->values[46] = K2_22_xB;
-    derivatives->values[47] = M_11_zB;
-    derivatives->values[48] = t108;
-    derivatives->values[49] = t243;
-    derivatives->values[50] = p->mB;
-    derivatives->values[51] = t244;
-    derivatives->values[52] = M_11_mB;
-    derivatives->values[53] = t247;
-    derivatives->values[54] = M_22_mB;
-    derivatives->values[55] = t249;
-    derivatives->values[56] = C1_22_mB;
-    derivatives->values[57] = p->zB;
-    derivatives->values[58] = t246;
-    derivatives->values[59] = t251;
-    derivatives->values[60] = t235;
-    derivatives->values[61] = K2_22_mB;
-    derivatives->values[62] = mu;
-    derivatives->values[63] = yaw_per_v_delta;
-    derivatives->values[64] = t252;
-    derivatives->values[65] = t253;
-    derivatives->values[66] = t255;
-    derivatives->values[67] = C1_22_xH;
-    derivatives->values[68] = t262;
-    derivatives->values[69] = t263;
-    derivatives->values[70] = K2_22_xH;
-    derivatives->values[71] = M_11_zH;
+    derivatives->values[0] = p->rR;
+    derivatives->values[1] = p->mR;
+    derivatives->values[2] = p->zB;
+    derivatives->values[3] = p->mB;
+    derivatives->values[4] = p->zH;
+    derivatives->values[5] = p->mH;
+    derivatives->values[6] = p->rF;
+    derivatives->values[7] = p->mF;
+    derivatives->values[8] = 1.0F;
+    derivatives->values[9] = wx_delta2_delta;
+    derivatives->values[10] = M_11_mB;
+    derivatives->values[11] = M_11_mH;
+    derivatives->values[12] = M_11_mF;
+    derivatives->values[13] = M_11_rR;
+    derivatives->values[14] = M_11_mR;
+    derivatives->values[15] = M_11_zH;
+    derivatives->values[16] = M_11_rF;
+    derivatives->values[17] = M_11_zB;
+    derivatives->values[18] = M_12_c;
+    derivatives->values[19] = yaw_per_v_delta;
+    derivatives->values[20] = K0_12_mH;
+    derivatives->values[21] = K2_12_IRyy;
+    derivatives->values[22] = K2_12_rF;
+    derivatives->values[23] = M_12_lam;
+    derivatives->values[24] = K2_12_rR;
+    derivatives->values[25] = K2_12_mF;
+    derivatives->values[26] = K2_12_IFyy;
+    derivatives->values[27] = mu;
+    derivatives->values[28] = C1_12_rR;
+    derivatives->values[29] = t113;
+    derivatives->values[30] = C1_12_IRyy;
+    derivatives->values[31] = C1_21_rR;
+    derivatives->values[32] = M_22_IRxx;
+    derivatives->values[33] = C1_22_IRxx;
+    derivatives->values[34] = wz_delta2_delta;
+    derivatives->values[35] = t119;
+    derivatives->values[36] = M_12_w;
+    derivatives->values[37] = t126;
+    derivatives->values[38] = t130;
+    derivatives->values[39] = K2_12;
+    derivatives->values[40] = t132;
+    derivatives->values[41] = M_12_mH;
+    derivatives->values[42] = M_22_mH;
+    derivatives->values[43] = K0_22_mH;
+    derivatives->values[44] = C1_12_rF;
+    derivatives->values[45] = t144;
+    derivatives->values[46] = t145;
+    derivatives->values[47] = t146;
+    derivatives->values[48] = C1_21_w;
+    derivatives->values[49] = t152;
+    derivatives->values[50] = M_12_mF;
+    derivatives->values[51] = t154;
+    derivatives->values[52] = K2_22_mF;
+    derivatives->values[53] = M_22_xB;
+    derivatives->values[54] = t163;
+    derivatives->values[55] = t164;
+    derivatives->values[56] = M_22_mB;
+    derivatives->values[57] = t171;
+    derivatives->values[58] = K2_22_mB;
+    derivatives->values[59] = C1_22_mB;
+    derivatives->values[60] = t178;
+    derivatives->values[61] = t179;
+    derivatives->values[62] = K0_12_w;
+    derivatives->values[63] = K0_12_c;
+    derivatives->values[64] = t188;
+    derivatives->values[65] = K0_22_w;
+    derivatives->values[66] = t192;
+    derivatives->values[67] = K0_22_c;
+    derivatives->values[68] = t194;
+    derivatives->values[69] = C1_21_lam;
+    derivatives->values[70] = K0_12_zH;
+    derivatives->values[71] = t203;
     derivatives->values[72] = M_12_zH;
     derivatives->values[73] = M_22_zH;
-    derivatives->values[74] = t259;
-    derivatives->values[75] = t271;
-    derivatives->values[76] = p->mH;
-    derivatives->values[77] = K0_12_zH;
-    derivatives->values[78] = K0_22_zH;
-    derivatives->values[79] = t273;
-    derivatives->values[80] = t275;
-    derivatives->values[81] = M_11_mH;
-    derivatives->values[82] = M_12_mH;
-    derivatives->values[83] = M_22_mH;
-    derivatives->values[84] = t278;
-    derivatives->values[85] = t279;
-    derivatives->values[86] = p->zH;
-    derivatives->values[87] = K0_12_mH;
-    derivatives->values[88] = K0_22_mH;
-    derivatives->values[89] = t254;
-    derivatives->values[90] = t256;
-    derivatives->values[91] = wx_delta2_delta;
-    derivatives->values[92] = M_22_IHxx;
-    derivatives->values[93] = M_22_IHzz;
-    derivatives->values[94] = C1_22_IHzz;
-    derivatives->values[95] = wz_delta2_delta;
-    derivatives->values[96] = M_22_IHxz;
-    derivatives->values[97] = K2_22_SF;
-    derivatives->values[98] = M_11_rF;
+    derivatives->values[74] = t207;
+    derivatives->values[75] = t208;
+    derivatives->values[76] = t211;
+    derivatives->values[77] = t212;
+    derivatives->values[78] = K2_12_mR;
+    derivatives->values[79] = C1_12_mR;
+    derivatives->values[80] = t215;
+    derivatives->values[81] = t216;
+    derivatives->values[82] = t217;
+    derivatives->values[83] = t218;
+    derivatives->values[84] = t219;
+    derivatives->values[85] = t220;
+    derivatives->values[86] = t221;
+    derivatives->values[87] = K2_22_xB;
+    derivatives->values[88] = t223;
+    derivatives->values[89] = t224;
+    derivatives->values[90] = t225;
+    derivatives->values[91] = M_22_w;
+    derivatives->values[92] = K2_22_lam;
+    derivatives->values[93] = C1_22_xB;
+    derivatives->values[94] = K2_22_xH;
+    derivatives->values[95] = M_22_c;
+    derivatives->values[96] = t252;
+    derivatives->values[97] = K0_22_lam;
+    derivatives->values[98] = C1_22_lam;
     derivatives->values[99] = M_12_rF;
     derivatives->values[100] = M_22_rF;
-    derivatives->values[101] = C1_12_rF;
-    derivatives->values[102] = C1_21_rF;
-    derivatives->values[103] = C1_22_rF;
-    derivatives->values[104] = p->mF;
-    derivatives->values[105] = t291;
-    derivatives->values[106] = t293;
-    derivatives->values[107] = K2_12_rF;
-    derivatives->values[108] = K2_22_rF;
-    derivatives->values[109] = M_11_mF;
-    derivatives->values[110] = M_12_mF;
-    derivatives->values[111] = M_22_mF;
-    derivatives->values[112] = C1_12_mF;
-    derivatives->values[113] = C1_22_mF;
-    derivatives->values[114] = p->rF;
-    derivatives->values[115] = t298;
-    derivatives->values[116] = t302;
-    derivatives->values[117] = K2_12_mF;
-    derivatives->values[118] = K2_22_mF;
-    derivatives->values[119] = M_22_IFxx;
-    derivatives->values[120] = C1_12_IFyy;
-    derivatives->values[121] = K2_12_IFyy;
-    derivatives->values[122] = K2_22_IFyy;
+    derivatives->values[101] = t267;
+    derivatives->values[102] = t268;
+    derivatives->values[103] = t269;
+    derivatives->values[104] = C1_22_IHzz;
+    derivatives->values[105] = C1_22_xH;
+    derivatives->values[106] = K2_22_SF;
+    derivatives->values[107] = K2_22_rF;
+    derivatives->values[108] = K2_22_IFyy;
+    derivatives->values[109] = C1_12_IFyy;
+    derivatives->values[110] = C1_21_rF;
+    derivatives->values[111] = M_22_IHxx;
+    derivatives->values[112] = K0_22_zH;
+    derivatives->values[113] = M_22_IHzz;
+    derivatives->values[114] = M_22_mF;
+    derivatives->values[115] = M_22_IHxz;
+    derivatives->values[116] = t291;
+    derivatives->values[117] = M_22_IFxx;
+    derivatives->values[118] = C1_22_rF;
+    derivatives->values[119] = t294;
+    derivatives->values[120] = C1_12_mF;
+    derivatives->values[121] = M_22_lam;
+    derivatives->values[122] = C1_22_mF;
 }
 
 void whipple_mechanism_f32_with_respect_to(const whipple_mechanism_f32_derivatives_t *derivatives,

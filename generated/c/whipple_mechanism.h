@@ -432,7 +432,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 94 additions, 185 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 285 operations.
+ * 92 additions, 175 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 273 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -824,7 +824,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 94 additions, 185 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 285 operations.
+ * 92 additions, 175 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 273 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

@@ -105,166 +105,166 @@ const char *whipple_sprung_validity_text(whipple_sprung_validity_t validity)
 }
 
 const carvallo_partial_t whipple_sprung_partials[WHIPPLE_SPRUNG_PARTIALS] = {
-    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 1U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 2U, true},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 3U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 4U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 5U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 5U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 6U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 7U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 8U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 1U, 9U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 1U, 9U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 10U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 11U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 1U, 12U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 13U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 1U, 14U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 1U, 14U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 15U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 16U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 17U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 17U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 18U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 19U, true},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 2U, 20U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 21U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 2U, 22U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 2U, 22U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 23U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 2U, 24U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 25U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 4U, 26U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 4U, 27U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 4U, 28U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 4U, 29U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 4U, 30U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 5U, 31U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 5U, 32U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 5U, 33U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 5U, 34U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 6U, 35U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 6U, 36U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 6U, 37U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 7U, 38U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 7U, 38U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 7U, 39U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 8U, 40U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 8U, 40U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 8U, 41U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 8U, 42U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 8U, 43U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 8U, 44U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 8U, 44U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 8U, 45U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 8U, 46U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 9U, 47U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 52U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 52U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 53U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 46U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 45U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 61U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 59U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 59U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 60U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 39U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 62U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 1U, 19U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 1U, 19U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 54U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 32U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 1U, 27U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 56U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 1U, 55U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 1U, 55U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 57U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 58U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 70U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 70U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 79U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 49U, true},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 2U, 63U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 69U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 2U, 71U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 2U, 71U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 78U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 2U, 40U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 77U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 4U, 14U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 4U, 28U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 4U, 23U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 4U, 1U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 4U, 29U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 5U, 11U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 5U, 30U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 5U, 0U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 5U, 31U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 6U, 8U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 6U, 67U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 6U, 66U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 7U, 34U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 7U, 34U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 7U, 33U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 8U, 73U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 8U, 73U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 8U, 80U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 8U, 24U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 8U, 75U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 8U, 72U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 8U, 72U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 8U, 81U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 8U, 82U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 9U, 15U, false},
     {CARVALLO_MATRIX_M, 0U, 1U, 9U, 48U, true},
     {CARVALLO_MATRIX_M, 1U, 0U, 9U, 48U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 9U, 49U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 9U, 50U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 9U, 51U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 10U, 52U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 10U, 53U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 10U, 53U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 10U, 54U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 10U, 55U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 10U, 56U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 10U, 57U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 10U, 58U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 10U, 58U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 10U, 59U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 10U, 60U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 10U, 61U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 11U, 35U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 13U, 36U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 13U, 37U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 14U, 62U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 14U, 62U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 14U, 63U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 15U, 64U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 15U, 64U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 65U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 15U, 66U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 15U, 67U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 15U, 68U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 15U, 68U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 15U, 69U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 15U, 70U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 16U, 71U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 16U, 72U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 16U, 72U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 73U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 74U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 16U, 75U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 16U, 76U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 16U, 77U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 16U, 77U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 16U, 78U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 16U, 79U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 16U, 80U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 17U, 81U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 82U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 82U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 17U, 83U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 84U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 85U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 17U, 86U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 87U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 87U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 88U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 17U, 89U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 90U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 18U, 35U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 18U, 91U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 18U, 91U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 18U, 92U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 20U, 93U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 20U, 94U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 21U, 95U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 21U, 95U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 21U, 96U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 21U, 63U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 21U, 97U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 22U, 98U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 22U, 99U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 22U, 99U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 22U, 100U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 22U, 101U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 22U, 102U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 22U, 103U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 22U, 104U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 22U, 105U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 22U, 105U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 22U, 106U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 107U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 108U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 23U, 109U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 110U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 110U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 23U, 111U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 23U, 112U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 113U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 23U, 114U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 115U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 115U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 116U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 23U, 117U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 118U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 24U, 35U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 24U, 91U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 24U, 91U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 24U, 119U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 24U, 94U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 25U, 120U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 25U, 120U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 9U, 74U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 9U, 3U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 9U, 68U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 10U, 12U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 10U, 83U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 10U, 83U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 10U, 84U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 10U, 89U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 10U, 87U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 10U, 2U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 10U, 76U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 10U, 76U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 10U, 85U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 10U, 88U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 10U, 86U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 11U, 8U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 13U, 67U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 13U, 66U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 14U, 18U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 14U, 18U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 14U, 22U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 15U, 92U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 15U, 92U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 91U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 15U, 94U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 15U, 98U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 15U, 90U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 15U, 90U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 15U, 101U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 15U, 97U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 16U, 13U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 16U, 47U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 16U, 47U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 65U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 51U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 16U, 106U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 16U, 5U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 16U, 64U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 16U, 64U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 16U, 108U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 16U, 50U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 16U, 105U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 17U, 10U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 41U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 41U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 17U, 44U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 95U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 100U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 17U, 4U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 37U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 37U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 42U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 17U, 93U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 99U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 18U, 8U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 18U, 9U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 18U, 9U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 18U, 107U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 20U, 111U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 20U, 96U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 21U, 38U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 21U, 38U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 21U, 102U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 21U, 22U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 21U, 103U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 22U, 16U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 22U, 20U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 22U, 20U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 22U, 25U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 22U, 43U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 22U, 114U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 22U, 116U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 22U, 7U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 22U, 115U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 22U, 115U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 22U, 109U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 35U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 104U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 23U, 17U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 21U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 21U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 23U, 26U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 23U, 117U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 118U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 23U, 6U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 119U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 119U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 110U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 23U, 36U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 120U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 24U, 8U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 24U, 9U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 24U, 9U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 24U, 112U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 24U, 96U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 25U, 113U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 25U, 113U, true},
     {CARVALLO_MATRIX_K2, 0U, 1U, 25U, 121U, false},
     {CARVALLO_MATRIX_K2, 1U, 1U, 25U, 122U, false},
-    {CARVALLO_MATRIX_KC, 1U, 1U, 26U, 35U, false},
-    {CARVALLO_MATRIX_C0, 1U, 1U, 27U, 35U, false}
+    {CARVALLO_MATRIX_KC, 1U, 1U, 26U, 8U, false},
+    {CARVALLO_MATRIX_C0, 1U, 1U, 27U, 8U, false}
 };
 
 const whipple_sprung_f64_t whipple_sprung_f64_sets[WHIPPLE_SPRUNG_SETS] = {
@@ -598,200 +598,201 @@ void whipple_sprung_f64_kinematics(const whipple_sprung_f64_t *p, whipple_sprung
 void whipple_sprung_f64_derivatives(const whipple_sprung_f64_t *p,
     whipple_sprung_f64_matrices_t *matrices, whipple_sprung_f64_derivatives_t *derivatives)
 {
-    const double M_11_mF = p->rF * p->rF;
-    const double t7 = (p->mF * M_11_mF) + p->IHxx + p->IFxx;
-    const double t11 = p->zB * p->mB;
-    const double t15 = p->zH * p->mH;
-    const double M_11_mR = p->rR * p->rR;
-    const double M_11 = t7 + p->IRxx + (p->zB * t11) + (p->zH * t15) + p->IBxx + (p->mR * M_11_mR);
     double wx_delta2_delta = 0.0;
     double wx_delta2_delta_lam = 0.0;
     carvallo_sin_cos_f64(p->lam, &wx_delta2_delta, &wx_delta2_delta_lam);
-    const double t32 = 1.0 / p->w;
-    const double yaw_per_v_delta = wx_delta2_delta_lam * t32;
-    const double yaw_by_delta = p->c * yaw_per_v_delta;
-    const double wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
-    const double t39 = (p->IHxz * wz_delta2_delta) + (t7 * wx_delta2_delta);
-    const double t42 = p->mB * p->xB;
-    const double t44 = p->IBxz - (p->zB * t42);
-    const double t48 = p->c * t32;
-    const double t52 = p->c + p->w - p->xH - (p->xH * t48);
-    const double K0_12_mH = (p->zH * wx_delta2_delta) + (wx_delta2_delta_lam * t52);
-    const double M_12 = t39 + (yaw_by_delta * t44) + (t15 * K0_12_mH);
-    const double t61 = p->IRxx + p->IBzz + (p->xB * t42);
-    const double t62 = yaw_by_delta * t61;
-    const double t65 = p->IFxx + p->IHzz;
-    const double t67 = p->IHxz * wx_delta2_delta;
-    const double t68 = (wz_delta2_delta * t65) + t67;
-    const double t70 = p->mH * K0_12_mH;
-    const double M_22 = (yaw_by_delta * t62) + (wz_delta2_delta * t68) + (K0_12_mH * t70) +
-        (wx_delta2_delta * t39);
-    const double t78 = p->mR * p->rR;
-    const double t79 = p->mF * p->rF;
-    const double K0_11 = t11 + t15 - t78 - t79;
-    const double M_12_yaw_by_delta = p->IHxz + t44;
-    const double t87 = t32 * (M_12_yaw_by_delta - (t15 * p->xH));
-    const double t88 = wx_delta2_delta_lam * t87;
-    const double t90 = 1.0 / p->rF;
-    const double h_spin_F = p->IFyy * t90;
-    const double t92 = wx_delta2_delta_lam * h_spin_F;
-    const double t94 = 1.0 / p->rR;
-    const double h_spin_R = p->IRyy * t94;
-    const double t96 = h_spin_F + h_spin_R;
-    const double t97 = yaw_per_v_delta * t96;
-    const double t99 = t92 + (p->c * t97);
-    const double t100 = wx_delta2_delta_lam * t79;
-    const double C1_12 = t88 + t99 + t100 - (yaw_by_delta * K0_11);
-    const double t104 = wx_delta2_delta * t48;
-    const double t106 = wx_delta2_delta_lam * (wx_delta2_delta + t104);
-    const double t109 = (p->xH * t70) - t68;
-    const double t112 = yaw_by_delta * t42;
-    const double t113 = t70 - t112;
-    const double t114 = (yaw_per_v_delta * t61) - t113;
-    const double C1_22 = (t79 * t106) + (yaw_by_delta * t114) - (yaw_per_v_delta * t109);
-    const double t119 = wx_delta2_delta * t79;
-    const double K0_12 = t113 - t119;
-    const double K0_22 = wx_delta2_delta * K0_12;
-    const double t122 = t96 - K0_11;
-    const double K2_12 = yaw_per_v_delta * t122;
-    const double t124 = wx_delta2_delta * h_spin_F;
-    const double t125 = K0_12 - t124;
-    const double t129 = yaw_per_v_delta * p->xH;
-    const double t131 = wx_delta2_delta_lam + (t48 * t129);
-    const double M_12_w = (t15 * t131) - (t32 * yaw_by_delta * M_12_yaw_by_delta);
-    const double M_22_wz_delta2_delta = t68 + t68;
-    const double M_22_yaw_by_delta = t62 + t62 + M_22_wz_delta2_delta;
-    const double t137 = t48 * M_22_yaw_by_delta;
-    const double t139 = K0_12_mH + K0_12_mH;
-    const double t140 = p->mH * t131;
-    const double M_22_w = (t139 * t140) - (yaw_per_v_delta * t137);
-    const double t143 = t32 * t122;
-    const double t145 = t87 + (p->c * t143);
-    const double t146 = yaw_per_v_delta * t145;
-    const double C1_21_w = t48 * t97;
-    const double t148 = yaw_by_delta + t129;
-    const double t149 = p->mH * t148;
-    const double C1_22_wz_delta2_delta = t119 + (yaw_per_v_delta * t65);
-    const double t154 = t112 + t114 + C1_22_wz_delta2_delta;
-    const double t158 = t32 * (t109 - t62 - (p->c * t154));
-    const double C1_22_w = (yaw_per_v_delta * t158) - (t131 * t149);
-    const double t161 = yaw_per_v_delta * t42;
-    const double vy_all1_delta = t48 * t161;
-    const double K0_12_w = t140 + vy_all1_delta;
-    const double K0_22_w = wx_delta2_delta * K0_12_w;
-    const double t165 = t32 * K2_12;
-    const double t166 = t32 * t125;
-    const double K2_22_w = yaw_per_v_delta * (t166 - K0_12_w);
-    const double t169 = t15 * wx_delta2_delta_lam;
-    const double M_12_c = t88 + t169;
-    const double t171 = wx_delta2_delta_lam - t129;
-    const double t172 = p->mH * t171;
-    const double M_22_c = (t139 * t172) + (yaw_per_v_delta * M_22_yaw_by_delta);
-    const double C1_22_c = (yaw_per_v_delta * t154) - (t149 * t171);
-    const double K0_12_c = t172 - t161;
-    const double K0_22_c = wx_delta2_delta * K0_12_c;
-    const double t181 = yaw_per_v_delta * K0_12_c;
-    const double K0_12_zH = p->mH * wx_delta2_delta;
-    const double t184 = (t52 * K0_12_zH) - t169;
-    const double M_12_lam = (t7 * wx_delta2_delta_lam) - t67 - (p->zH * t184) - (M_12_yaw_by_delta *
-        t104);
-    const double t193 = wx_delta2_delta_lam * t39;
-    const double M_22_lam = t193 + t193 - (wx_delta2_delta * (M_22_wz_delta2_delta + t137)) -
-        (t139 * t184);
-    const double t200 = t119 + t124 + (wx_delta2_delta * t145);
-    const double C1_21_lam = t124 + (t96 * t104);
-    const double C1_12_mF = p->rF * wz_delta2_delta;
-    const double C1_22_lam = (wx_delta2_delta * (t158 - C1_22_wz_delta2_delta)) + (t148 * t184) +
-        (wx_delta2_delta_lam * ((p->IHxz * yaw_per_v_delta) + (p->mF * C1_12_mF)));
-    const double t215 = t100 + t184 - (t42 * t104);
-    const double K0_22_lam = (wx_delta2_delta_lam * K0_12) - (wx_delta2_delta * t215);
-    const double t219 = wx_delta2_delta * t143;
-    const double K2_22_lam = (wx_delta2_delta * t166) + (yaw_per_v_delta * (t92 + t215));
-    const double M_11_rR = t78 + t78;
-    const double t226 = p->mR - (t94 * h_spin_R);
-    const double C1_12_rR = yaw_by_delta * t226;
-    const double K2_12_IRyy = yaw_per_v_delta * t94;
-    const double C1_12_IRyy = p->c * K2_12_IRyy;
-    const double C1_21_rR = h_spin_R * C1_12_IRyy;
-    const double K2_12_rR = yaw_per_v_delta * t226;
+    const double t29 = p->rF * p->mF;
+    const double t32 = (p->rF * t29) + p->IHxx + p->IFxx;
+    const double M_11_mH = p->zH * p->zH;
+    const double M_11_mR = p->rR * p->rR;
+    const double M_11_mB = p->zB * p->zB;
+    const double t36 = p->mB * p->xB;
+    const double M_12_yaw_by_delta = p->IHxz + p->IBxz - (p->zB * t36);
+    const double t40 = 1.0 / p->w;
+    const double t41 = p->mH * p->zH;
+    const double M_11_zH = t41 + t41;
+    const double t43 = p->IFxx + p->IHzz;
+    const double t46 = p->IRxx + p->IBzz + (p->xB * t36);
+    const double M_11 = t32 + (p->mH * M_11_mH) + p->IRxx + (p->mR * M_11_mR) + p->IBxx + (p->mB *
+        M_11_mB);
+    const double t55 = p->c * t40;
+    const double t56 = t55 * p->xH;
+    const double t57 = 1.0 / p->rF;
+    const double t60 = t40 * ((t41 * p->xH) - M_12_yaw_by_delta);
+    const double t61 = 1.0 / p->rR;
+    const double h_spin_F = p->IFyy * t57;
+    const double t63 = p->mR * p->rR;
+    const double M_11_rR = t63 + t63;
+    const double t67 = p->c + p->w - p->xH - t56;
+    const double h_spin_R = p->IRyy * t61;
+    const double t69 = p->mB * p->zB;
+    const double M_11_zB = t69 + t69;
+    const double t72 = t41 + t69 - t29;
+    const double t73 = p->c + p->xH;
+    const double t74 = p->xB + p->c;
+    const double M_11_rF = t29 + t29;
+    const double t76 = h_spin_F + h_spin_R;
+    const double t77 = t61 * h_spin_R;
+    const double K0_11 = t72 - t63;
+    const double t80 = p->mF - (t57 * h_spin_F);
+    const double M_11_mF = p->rF * p->rF;
+    const double t83 = t76 + (t63 - t72);
+    const double t84 = p->mR - t77;
+    const double t85 = wx_delta2_delta_lam * p->IHxz;
+    const double yaw_by_delta = wx_delta2_delta_lam * t55;
+    const double M_12_c = wx_delta2_delta_lam * (t41 - t60);
+    const double M_12_rF = wx_delta2_delta * M_11_rF;
+    const double M_12_mF = wx_delta2_delta * M_11_mF;
+    const double t91 = t32 * wx_delta2_delta;
+    const double t92 = p->zH * wx_delta2_delta;
+    const double t93 = p->IHxz * wx_delta2_delta;
+    const double t94 = wx_delta2_delta_lam * h_spin_F;
+    const double vy_all1_delta = t29 * wx_delta2_delta;
+    const double yaw_per_v_delta = wx_delta2_delta_lam * t40;
+    const double C1_21_rR = yaw_by_delta * t77;
+    const double t98 = t69 * yaw_per_v_delta;
+    const double M_22_rF = wx_delta2_delta * M_12_rF;
+    const double M_22_mF = wx_delta2_delta * M_12_mF;
+    const double t101 = t76 * yaw_per_v_delta;
+    const double C1_12_rR = yaw_by_delta * t84;
+    const double K2_12_rR = yaw_per_v_delta * t84;
     const double C1_12_mR = p->rR * yaw_by_delta;
     const double K2_12_mR = p->rR * yaw_per_v_delta;
-    const double M_22_IRxx = yaw_by_delta * yaw_by_delta;
-    const double C1_22_IRxx = yaw_per_v_delta * yaw_by_delta;
-    const double t237 = t11 * yaw_by_delta;
-    const double C1_22_yaw_by_delta = yaw_by_delta * t112;
-    const double M_22_xB = C1_22_yaw_by_delta + C1_22_yaw_by_delta;
-    const double t240 = t11 * yaw_per_v_delta;
-    const double t241 = p->mB * yaw_by_delta;
-    const double t242 = t161 + t241;
-    const double C1_22_xB = yaw_by_delta * (t161 + t242);
-    const double t245 = wx_delta2_delta * t241;
-    const double K2_22_xB = yaw_per_v_delta * t241;
-    const double M_11_zB = t11 + t11;
-    const double t248 = p->mB * yaw_per_v_delta;
-    const double M_11_mB = p->zB * p->zB;
-    const double t250 = p->c * p->xB;
-    const double t251 = p->zB * yaw_per_v_delta;
-    const double t252 = t250 * t251;
-    const double K2_22_mB = p->xB * C1_22_IRxx;
-    const double M_22_mB = t250 * K2_22_mB;
-    const double t255 = p->c + p->xB;
-    const double t256 = t251 * t255;
-    const double C1_22_mB = K2_22_mB * t255;
-    const double t258 = yaw_by_delta * p->xB;
-    const double K2_22_h_spin_F = yaw_per_v_delta * wx_delta2_delta;
-    const double t260 = t250 * K2_22_h_spin_F;
-    const double t261 = t15 * wz_delta2_delta;
-    const double t262 = p->mH * wz_delta2_delta;
-    const double t263 = t139 * t262;
-    const double t264 = p->zH * yaw_per_v_delta;
-    const double t265 = p->mH * t264;
-    const double t267 = p->mH * yaw_per_v_delta;
-    const double C1_22_xH = (wz_delta2_delta * t149) - (K0_12_mH * t267);
-    const double t270 = p->mH * t106;
-    const double C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
-    const double K2_22_xH = p->mH * C1_22_IHzz;
-    const double M_11_zH = t15 + t15;
-    const double M_12_zH = t70 + (p->zH * K0_12_zH);
-    const double t276 = wx_delta2_delta * t70;
-    const double M_22_zH = t276 + t276;
-    const double t278 = t148 * K0_12_zH;
-    const double K0_22_zH = wx_delta2_delta * K0_12_zH;
-    const double t280 = yaw_per_v_delta * K0_12_zH;
-    const double M_11_mH = p->zH * p->zH;
-    const double M_12_mH = p->zH * K0_12_mH;
-    const double M_22_mH = K0_12_mH * K0_12_mH;
-    const double t284 = p->zH * t148;
-    const double t285 = K0_12_mH * t148;
-    const double K0_22_mH = wx_delta2_delta * K0_12_mH;
-    const double t287 = yaw_per_v_delta * K0_12_mH;
-    const double M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
-    const double M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-    const double M_22_IHxz = t106 + t106;
-    const double M_11_rF = t79 + t79;
-    const double M_12_rF = t119 + t119;
-    const double M_22_rF = wx_delta2_delta * M_12_rF;
-    const double t295 = p->mF - (t90 * h_spin_F);
-    const double C1_12_rF = wz_delta2_delta * t295;
-    const double C1_12_IFyy = wz_delta2_delta * t90;
-    const double C1_21_rF = h_spin_F * C1_12_IFyy;
-    const double t299 = p->mF * wx_delta2_delta;
-    const double C1_22_rF = wz_delta2_delta * t299;
-    const double t301 = p->mF * M_22_IHxx;
-    const double K2_12_rF = yaw_per_v_delta * t295;
-    const double K2_22_rF = K2_22_h_spin_F * t295;
-    const double M_12_mF = M_11_mF * wx_delta2_delta;
-    const double M_22_mF = wx_delta2_delta * M_12_mF;
-    const double t306 = p->rF * wx_delta2_delta;
-    const double C1_22_mF = wz_delta2_delta * t306;
-    const double t308 = wx_delta2_delta * t306;
+    const double K2_12 = t83 * yaw_per_v_delta;
+    const double t107 = t40 * t83;
+    const double K2_12_IRyy = t61 * yaw_per_v_delta;
+    const double C1_12_IRyy = p->c * K2_12_IRyy;
+    const double K2_12_rF = yaw_per_v_delta * t80;
     const double K2_12_mF = p->rF * yaw_per_v_delta;
-    const double K2_22_mF = wx_delta2_delta * K2_12_mF;
+    const double t112 = M_12_yaw_by_delta * yaw_by_delta;
+    const double K0_12_mH = t92 + (wx_delta2_delta_lam * t67);
+    const double wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
+    const double t117 = t60 - (p->c * t107);
+    const double M_12 = t85 + t112 + t91 + (t41 * K0_12_mH);
+    const double t123 = t91 + (p->IHxz * wz_delta2_delta);
+    const double t124 = t107 * yaw_per_v_delta;
+    const double t125 = wx_delta2_delta * t107;
+    const double M_12_mH = p->zH * K0_12_mH;
+    const double K0_22_mH = wx_delta2_delta * K0_12_mH;
+    const double C1_12_rF = wz_delta2_delta * t80;
+    const double t130 = (wz_delta2_delta * t43) + t93;
+    const double t132 = t130 + (yaw_by_delta * t46);
+    const double M_22_mH = K0_12_mH * K0_12_mH;
+    const double t134 = yaw_by_delta * t76;
+    const double C1_21_w = t40 * t134;
+    const double C1_21 = -(t94 + t134);
+    const double C1_12_w = t117 * yaw_per_v_delta;
+    const double t140 = t29 + h_spin_F - t117;
+    const double t141 = t29 * wx_delta2_delta_lam;
+    const double t142 = p->mH * K0_12_mH;
+    const double M_12_zH = t142 + (p->mH * t92);
+    const double t145 = t36 * yaw_by_delta;
+    const double K0_12 = t142 - vy_all1_delta - t145;
+    const double t149 = t130 + (t55 * t132);
+    const double t152 = t40 * ((p->xH * t142) - t132);
+    const double t156 = t145 + (yaw_per_v_delta * (t43 + t46)) - K0_12;
+    const double C1_12 = wx_delta2_delta_lam * t140;
+    const double t158 = wx_delta2_delta * t140;
+    const double K0_22 = wx_delta2_delta * K0_12;
+    const double t161 = t132 * (yaw_per_v_delta + yaw_per_v_delta);
+    const double t162 = wx_delta2_delta * h_spin_F;
+    const double t164 = t40 * (t162 - K0_12);
+    const double t165 = p->mH * yaw_per_v_delta;
+    const double t166 = t165 * t73;
+    const double C1_12_yaw_per_v_delta = wx_delta2_delta * t123;
+    const double M_22 = (wx_delta2_delta_lam * t149) + C1_12_yaw_per_v_delta + (p->mH * M_22_mH);
+    const double t172 = p->mH * wx_delta2_delta_lam;
+    const double K2_22 = wx_delta2_delta_lam * t164;
+    const double t175 = (t56 * t165) + t172;
+    const double t177 = t172 - (p->xH * t165);
+    const double t178 = vy_all1_delta - t152;
+    const double M_22_wz_delta2_delta = K0_12_mH + K0_12_mH;
+    const double M_12_w = (p->zH * t175) - (t40 * t112);
+    const double C1_12_yaw_by_delta = t175 * M_22_wz_delta2_delta;
+    const double M_22_w = C1_12_yaw_by_delta - (t55 * t161);
+    const double M_22_c = t161 + (M_22_wz_delta2_delta * t177);
+    const double C1_22 = wx_delta2_delta_lam * (t178 - (t55 * K0_12));
+    const double t191 = t36 * yaw_per_v_delta;
+    const double K0_12_c = t177 - t191;
+    const double C1_22_c = yaw_per_v_delta * (t156 - (t73 * t177));
+    const double t196 = t55 * t156;
+    const double t197 = t191 - t177;
+    const double t198 = wx_delta2_delta * t197;
+    const double K2_22_c = yaw_per_v_delta * t197;
+    const double K0_12_w = t175 + (t55 * t191);
+    const double K0_22_w = wx_delta2_delta * K0_12_w;
+    const double C1_22_w = yaw_per_v_delta * (t152 - t196 - (t175 * t73));
+    const double t208 = yaw_per_v_delta * (t164 + K0_12_w);
+    const double t209 = t55 * wx_delta2_delta;
+    const double C1_21_lam = t162 + (t76 * t209);
+    const double K0_12_zH = p->mH * wx_delta2_delta;
+    const double C1_22_yaw_by_delta = (wx_delta2_delta_lam * t41) - (t67 * K0_12_zH);
+    const double M_22_zH = M_22_wz_delta2_delta * K0_12_zH;
+    const double C1_22_IRxx = yaw_by_delta * yaw_per_v_delta;
+    const double M_22_IRxx = p->c * C1_22_IRxx;
+    const double t219 = p->mB * yaw_per_v_delta;
+    const double C1_22_wz_delta2_delta = wx_delta2_delta * t43;
+    const double M_22_yaw_by_delta = t85 - (t73 * C1_22_yaw_by_delta) - C1_22_wz_delta2_delta;
+    const double C1_22_lam = (wz_delta2_delta * t141) + (yaw_per_v_delta * M_22_yaw_by_delta) -
+        (wx_delta2_delta * (t178 + t196));
+    const double t235 = t93 + (M_12_yaw_by_delta * t209) - (p->zH * C1_22_yaw_by_delta) - (t32 *
+        wx_delta2_delta_lam);
+    const double K0_12_lam = C1_22_yaw_by_delta + (t36 * t209) - t141;
+    const double t243 = (K0_12_mH * C1_22_yaw_by_delta) + (wx_delta2_delta_lam * t123) -
+        (wx_delta2_delta * t149);
+    const double t244 = p->c * t219;
+    const double t245 = p->zB * t244;
+    const double t246 = t219 * t74;
+    const double C1_22_xB = yaw_by_delta * (t191 + t246);
+    const double t249 = p->xB * yaw_by_delta;
+    const double M_12_yaw_per_v_delta = t94 - K0_12_lam;
+    const double K2_22_lam = (yaw_per_v_delta * M_12_yaw_per_v_delta) - (wx_delta2_delta * t164);
+    const double K0_22_lam = (wx_delta2_delta_lam * K0_12) + (wx_delta2_delta * K0_12_lam);
+    const double M_22_lam = t243 + t243;
+    const double M_22_xB = t244 * (t249 + t249);
+    const double t260 = wx_delta2_delta * t244;
+    const double K2_22_xB = yaw_per_v_delta * t244;
+    const double t262 = p->zB * t249;
+    const double M_22_mB = t249 * t249;
+    const double t264 = wx_delta2_delta * t249;
+    const double K2_22_mB = yaw_per_v_delta * t249;
+    const double C1_22_mB = t74 * K2_22_mB;
+    const double t267 = p->zB * yaw_per_v_delta;
+    const double t268 = t74 * t267;
+    const double t269 = p->mH * wz_delta2_delta;
+    const double t270 = M_22_wz_delta2_delta * t269;
+    const double t271 = p->zH * t269;
+    const double t272 = p->zH * yaw_per_v_delta;
+    const double t273 = p->mH * t272;
+    const double t274 = t73 * t272;
+    const double C1_22_IHzz = wz_delta2_delta * yaw_per_v_delta;
+    const double K2_22_xH = p->mH * C1_22_IHzz;
+    const double C1_22_xH = (t73 * K2_22_xH) - (K0_12_mH * t165);
+    const double t280 = K0_12_mH * yaw_per_v_delta;
+    const double t281 = t73 * t280;
+    const double t282 = wx_delta2_delta * wz_delta2_delta;
+    const double t283 = p->mH * t282;
+    const double M_22_IHxz = t282 + t282;
+    const double K2_22_h_spin_F = wx_delta2_delta * yaw_per_v_delta;
+    const double K2_22_rF = K2_22_h_spin_F * t80;
+    const double t287 = p->mH * K2_22_h_spin_F;
+    const double t288 = t73 * t287;
+    const double M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+    const double K0_22_zH = p->mH * M_22_IHxx;
+    const double t291 = p->mF * M_22_IHxx;
+    const double t292 = p->rF * M_22_IHxx;
+    const double M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
     const double M_22_IFxx = M_22_IHxx + M_22_IHzz;
-    const double K2_12_IFyy = yaw_per_v_delta * t90;
-    const double K2_22_IFyy = t90 * K2_22_h_spin_F;
-    const double C1_21 = -t99;
-    const double K2_22 = -(yaw_per_v_delta * t125);
+    const double C1_12_IFyy = wz_delta2_delta * t57;
+    const double C1_21_rF = h_spin_F * C1_12_IFyy;
+    const double t297 = p->mF * wx_delta2_delta;
+    const double C1_22_rF = wz_delta2_delta * t297;
+    const double C1_12_mF = p->rF * wz_delta2_delta;
+    const double C1_22_mF = wx_delta2_delta * C1_12_mF;
+    const double t301 = p->rF * wx_delta2_delta;
+    const double K2_22_mF = yaw_per_v_delta * t301;
+    const double K2_12_IFyy = t57 * yaw_per_v_delta;
+    const double K2_22_IFyy = wx_delta2_delta * K2_12_IFyy;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -816,127 +817,127 @@ void whipple_sprung_f64_derivatives(const whipple_sprung_f64_t *p,
     matrices->k2[0][1] = K2_12;
     matrices->k2[1][0] = 0.0;
     matrices->k2[1][1] = K2_22;
-    derivatives->values[0] = M_12_w;
-    derivatives->values[1] = M_22_w;
-    derivatives->values[2] = t146;
-    derivatives->values[3] = C1_21_w;
-    derivatives->values[4] = C1_22_w;
-    derivatives->values[5] = K0_12_w;
-    derivatives->values[6] = K0_22_w;
-    derivatives->values[7] = t165;
-    derivatives->values[8] = K2_22_w;
-    derivatives->values[9] = M_12_c;
-    derivatives->values[10] = M_22_c;
-    derivatives->values[11] = K2_12;
-    derivatives->values[12] = t97;
-    derivatives->values[13] = C1_22_c;
-    derivatives->values[14] = K0_12_c;
-    derivatives->values[15] = K0_22_c;
-    derivatives->values[16] = t181;
-    derivatives->values[17] = M_12_lam;
-    derivatives->values[18] = M_22_lam;
-    derivatives->values[19] = t200;
-    derivatives->values[20] = C1_21_lam;
-    derivatives->values[21] = C1_22_lam;
-    derivatives->values[22] = t215;
-    derivatives->values[23] = K0_22_lam;
-    derivatives->values[24] = t219;
-    derivatives->values[25] = K2_22_lam;
-    derivatives->values[26] = M_11_rR;
-    derivatives->values[27] = C1_12_rR;
-    derivatives->values[28] = C1_21_rR;
-    derivatives->values[29] = p->mR;
-    derivatives->values[30] = K2_12_rR;
-    derivatives->values[31] = M_11_mR;
-    derivatives->values[32] = C1_12_mR;
-    derivatives->values[33] = p->rR;
-    derivatives->values[34] = K2_12_mR;
-    derivatives->values[35] = 1.0;
-    derivatives->values[36] = M_22_IRxx;
-    derivatives->values[37] = C1_22_IRxx;
-    derivatives->values[38] = C1_12_IRyy;
-    derivatives->values[39] = K2_12_IRyy;
-    derivatives->values[40] = t237;
-    derivatives->values[41] = M_22_xB;
-    derivatives->values[42] = t240;
-    derivatives->values[43] = C1_22_xB;
-    derivatives->values[44] = t241;
-    derivatives->values[45] = t245;
-    derivatives->values[46] = K2_22_xB;
-    derivatives->values[47] = M_11_zB;
-    derivatives->values[48] = t112;
-    derivatives->values[49] = t242;
-    derivatives->values[50] = p->mB;
-    derivatives->values[51] = t248;
-    derivatives->values[52] = M_11_mB;
-    derivatives->values[53] = t252;
-    derivatives->values[54] = M_22_mB;
-    derivatives->values[55] = t256;
-    derivatives->values[56] = C1_22_mB;
-    derivatives->values[57] = p->zB;
-    derivatives->values[58] = t258;
-    derivatives->values[59] = t260;
-    derivatives->values[60] = t251;
-    derivatives->values[61] = K2_22_mB;
-    derivatives->values[62] = yaw_by_delta;
-    derivatives->values[63] = yaw_per_v_delta;
-    derivatives->values[64] = t261;
-    derivatives->values[65] = t263;
-    derivatives->values[66] = t265;
-    derivatives->values[67] = C1_22_xH;
-    derivatives->values[68] = t262;
-    derivatives->values[69] = t270;
-    derivatives->values[70] = K2_22_xH;
-    derivatives->values[71] = M_11_zH;
-    derivatives->values[72] = M_12_zH;
-    derivatives->values[73] = M_22_zH;
-    derivatives->values[74] = t149;
-    derivatives->values[75] = t278;
-    derivatives->values[76] = p->mH;
-    derivatives->values[77] = K0_12_zH;
-    derivatives->values[78] = K0_22_zH;
-    derivatives->values[79] = t267;
-    derivatives->values[80] = t280;
-    derivatives->values[81] = M_11_mH;
-    derivatives->values[82] = M_12_mH;
-    derivatives->values[83] = M_22_mH;
-    derivatives->values[84] = t284;
-    derivatives->values[85] = t285;
-    derivatives->values[86] = p->zH;
-    derivatives->values[87] = K0_12_mH;
-    derivatives->values[88] = K0_22_mH;
-    derivatives->values[89] = t264;
-    derivatives->values[90] = t287;
-    derivatives->values[91] = wx_delta2_delta;
-    derivatives->values[92] = M_22_IHxx;
-    derivatives->values[93] = M_22_IHzz;
-    derivatives->values[94] = C1_22_IHzz;
-    derivatives->values[95] = wz_delta2_delta;
-    derivatives->values[96] = M_22_IHxz;
-    derivatives->values[97] = K2_22_h_spin_F;
-    derivatives->values[98] = M_11_rF;
-    derivatives->values[99] = M_12_rF;
-    derivatives->values[100] = M_22_rF;
-    derivatives->values[101] = C1_12_rF;
-    derivatives->values[102] = C1_21_rF;
-    derivatives->values[103] = C1_22_rF;
-    derivatives->values[104] = p->mF;
-    derivatives->values[105] = t299;
-    derivatives->values[106] = t301;
-    derivatives->values[107] = K2_12_rF;
-    derivatives->values[108] = K2_22_rF;
-    derivatives->values[109] = M_11_mF;
-    derivatives->values[110] = M_12_mF;
-    derivatives->values[111] = M_22_mF;
-    derivatives->values[112] = C1_12_mF;
-    derivatives->values[113] = C1_22_mF;
-    derivatives->values[114] = p->rF;
-    derivatives->values[115] = t306;
-    derivatives->values[116] = t308;
-    derivatives->values[117] = K2_12_mF;
-    derivatives->values[118] = K2_22_mF;
-    derivatives->values[119] = M_22_IFxx;
-    derivatives->values[120] = C1_12_IFyy;
+    derivatives->values[0] = p->rR;
+    derivatives->values[1] = p->mR;
+    derivatives->values[2] = p->zB;
+    derivatives->values[3] = p->mB;
+    derivatives->values[4] = p->zH;
+    derivatives->values[5] = p->mH;
+    derivatives->values[6] = p->rF;
+    derivatives->values[7] = p->mF;
+    derivatives->values[8] = 1.0;
+    derivatives->values[9] = wx_delta2_delta;
+    derivatives->values[10] = M_11_mH;
+    derivatives->values[11] = M_11_mR;
+    derivatives->values[12] = M_11_mB;
+    derivatives->values[13] = M_11_zH;
+    derivatives->values[14] = M_11_rR;
+    derivatives->values[15] = M_11_zB;
+    derivatives->values[16] = M_11_rF;
+    derivatives->values[17] = M_11_mF;
+    derivatives->values[18] = yaw_by_delta;
+    derivatives->values[19] = M_12_c;
+    derivatives->values[20] = M_12_rF;
+    derivatives->values[21] = M_12_mF;
+    derivatives->values[22] = yaw_per_v_delta;
+    derivatives->values[23] = C1_21_rR;
+    derivatives->values[24] = t98;
+    derivatives->values[25] = M_22_rF;
+    derivatives->values[26] = M_22_mF;
+    derivatives->values[27] = t101;
+    derivatives->values[28] = C1_12_rR;
+    derivatives->values[29] = K2_12_rR;
+    derivatives->values[30] = C1_12_mR;
+    derivatives->values[31] = K2_12_mR;
+    derivatives->values[32] = K2_12;
+    derivatives->values[33] = K2_12_IRyy;
+    derivatives->values[34] = C1_12_IRyy;
+    derivatives->values[35] = K2_12_rF;
+    derivatives->values[36] = K2_12_mF;
+    derivatives->values[37] = K0_12_mH;
+    derivatives->values[38] = wz_delta2_delta;
+    derivatives->values[39] = t124;
+    derivatives->values[40] = t125;
+    derivatives->values[41] = M_12_mH;
+    derivatives->values[42] = K0_22_mH;
+    derivatives->values[43] = C1_12_rF;
+    derivatives->values[44] = M_22_mH;
+    derivatives->values[45] = C1_21_w;
+    derivatives->values[46] = C1_12_w;
+    derivatives->values[47] = M_12_zH;
+    derivatives->values[48] = t145;
+    derivatives->values[49] = t158;
+    derivatives->values[50] = t165;
+    derivatives->values[51] = t166;
+    derivatives->values[52] = M_12_w;
+    derivatives->values[53] = M_22_w;
+    derivatives->values[54] = M_22_c;
+    derivatives->values[55] = K0_12_c;
+    derivatives->values[56] = C1_22_c;
+    derivatives->values[57] = t198;
+    derivatives->values[58] = K2_22_c;
+    derivatives->values[59] = K0_12_w;
+    derivatives->values[60] = K0_22_w;
+    derivatives->values[61] = C1_22_w;
+    derivatives->values[62] = t208;
+    derivatives->values[63] = C1_21_lam;
+    derivatives->values[64] = K0_12_zH;
+    derivatives->values[65] = M_22_zH;
+    derivatives->values[66] = C1_22_IRxx;
+    derivatives->values[67] = M_22_IRxx;
+    derivatives->values[68] = t219;
+    derivatives->values[69] = C1_22_lam;
+    derivatives->values[70] = t235;
+    derivatives->values[71] = K0_12_lam;
+    derivatives->values[72] = t244;
+    derivatives->values[73] = t245;
+    derivatives->values[74] = t246;
+    derivatives->values[75] = C1_22_xB;
+    derivatives->values[76] = t249;
+    derivatives->values[77] = K2_22_lam;
+    derivatives->values[78] = K0_22_lam;
+    derivatives->values[79] = M_22_lam;
+    derivatives->values[80] = M_22_xB;
+    derivatives->values[81] = t260;
+    derivatives->values[82] = K2_22_xB;
+    derivatives->values[83] = t262;
+    derivatives->values[84] = M_22_mB;
+    derivatives->values[85] = t264;
+    derivatives->values[86] = K2_22_mB;
+    derivatives->values[87] = C1_22_mB;
+    derivatives->values[88] = t267;
+    derivatives->values[89] = t268;
+    derivatives->values[90] = t269;
+    derivatives->values[91] = t270;
+    derivatives->values[92] = t271;
+    derivatives->values[93] = t272;
+    derivatives->values[94] = t273;
+    derivatives->values[95] = t274;
+    derivatives->values[96] = C1_22_IHzz;
+    derivatives->values[97] = K2_22_xH;
+    derivatives->values[98] = C1_22_xH;
+    derivatives->values[99] = t280;
+    derivatives->values[100] = t281;
+    derivatives->values[101] = t283;
+    derivatives->values[102] = M_22_IHxz;
+    derivatives->values[103] = K2_22_h_spin_F;
+    derivatives->values[104] = K2_22_rF;
+    derivatives->values[105] = t287;
+    derivatives->values[106] = t288;
+    derivatives->values[107] = M_22_IHxx;
+    derivatives->values[108] = K0_22_zH;
+    derivatives->values[109] = t291;
+    derivatives->values[110] = t292;
+    derivatives->values[111] = M_22_IHzz;
+    derivatives->values[112] = M_22_IFxx;
+    derivatives->values[113] = C1_12_IFyy;
+    derivatives->values[114] = C1_21_rF;
+    derivatives->values[115] = t297;
+    derivatives->values[116] = C1_22_rF;
+    derivatives->values[117] = C1_12_mF;
+    derivatives->values[118] = C1_22_mF;
+    derivatives->values[119] = t301;
+    derivatives->values[120] = K2_22_mF;
     derivatives->values[121] = K2_12_IFyy;
     derivatives->values[122] = K2_22_IFyy;
 }
@@ -1317,200 +1318,201 @@ void whipple_sprung_f32_kinematics(const whipple_sprung_f32_t *p, whipple_sprung
 void whipple_sprung_f32_derivatives(const whipple_sprung_f32_t *p,
     whipple_sprung_f32_matrices_t *matrices, whipple_sprung_f32_derivatives_t *derivatives)
 {
-    const float M_11_mF = p->rF * p->rF;
-    const float t7 = (p->mF * M_11_mF) + p->IHxx + p->IFxx;
-    const float t11 = p->zB * p->mB;
-    const float t15 = p->zH * p->mH;
-    const float M_11_mR = p->rR * p->rR;
-    const float M_11 = t7 + p->IRxx + (p->zB * t11) + (p->zH * t15) + p->IBxx + (p->mR * M_11_mR);
     float wx_delta2_delta = 0.0F;
     float wx_delta2_delta_lam = 0.0F;
     carvallo_sin_cos_f32(p->lam, &wx_delta2_delta, &wx_delta2_delta_lam);
-    const float t32 = 1.0F / p->w;
-    const float yaw_per_v_delta = wx_delta2_delta_lam * t32;
-    const float yaw_by_delta = p->c * yaw_per_v_delta;
-    const float wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
-    const float t39 = (p->IHxz * wz_delta2_delta) + (t7 * wx_delta2_delta);
-    const float t42 = p->mB * p->xB;
-    const float t44 = p->IBxz - (p->zB * t42);
-    const float t48 = p->c * t32;
-    const float t52 = p->c + p->w - p->xH - (p->xH * t48);
-    const float K0_12_mH = (p->zH * wx_delta2_delta) + (wx_delta2_delta_lam * t52);
-    const float M_12 = t39 + (yaw_by_delta * t44) + (t15 * K0_12_mH);
-    const float t61 = p->IRxx + p->IBzz + (p->xB * t42);
-    const float t62 = yaw_by_delta * t61;
-    const float t65 = p->IFxx + p->IHzz;
-    const float t67 = p->IHxz * wx_delta2_delta;
-    const float t68 = (wz_delta2_delta * t65) + t67;
-    const float t70 = p->mH * K0_12_mH;
-    const float M_22 = (yaw_by_delta * t62) + (wz_delta2_delta * t68) + (K0_12_mH * t70) +
-        (wx_delta2_delta * t39);
-    const float t78 = p->mR * p->rR;
-    const float t79 = p->mF * p->rF;
-    const float K0_11 = t11 + t15 - t78 - t79;
-    const float M_12_yaw_by_delta = p->IHxz + t44;
-    const float t87 = t32 * (M_12_yaw_by_delta - (t15 * p->xH));
-    const float t88 = wx_delta2_delta_lam * t87;
-    const float t90 = 1.0F / p->rF;
-    const float h_spin_F = p->IFyy * t90;
-    const float t92 = wx_delta2_delta_lam * h_spin_F;
-    const float t94 = 1.0F / p->rR;
-    const float h_spin_R = p->IRyy * t94;
-    const float t96 = h_spin_F + h_spin_R;
-    const float t97 = yaw_per_v_delta * t96;
-    const float t99 = t92 + (p->c * t97);
-    const float t100 = wx_delta2_delta_lam * t79;
-    const float C1_12 = t88 + t99 + t100 - (yaw_by_delta * K0_11);
-    const float t104 = wx_delta2_delta * t48;
-    const float t106 = wx_delta2_delta_lam * (wx_delta2_delta + t104);
-    const float t109 = (p->xH * t70) - t68;
-    const float t112 = yaw_by_delta * t42;
-    const float t113 = t70 - t112;
-    const float t114 = (yaw_per_v_delta * t61) - t113;
-    const float C1_22 = (t79 * t106) + (yaw_by_delta * t114) - (yaw_per_v_delta * t109);
-    const float t119 = wx_delta2_delta * t79;
-    const float K0_12 = t113 - t119;
-    const float K0_22 = wx_delta2_delta * K0_12;
-    const float t122 = t96 - K0_11;
-    const float K2_12 = yaw_per_v_delta * t122;
-    const float t124 = wx_delta2_delta * h_spin_F;
-    const float t125 = K0_12 - t124;
-    const float t129 = yaw_per_v_delta * p->xH;
-    const float t131 = wx_delta2_delta_lam + (t48 * t129);
-    const float M_12_w = (t15 * t131) - (t32 * yaw_by_delta * M_12_yaw_by_delta);
-    const float M_22_wz_delta2_delta = t68 + t68;
-    const float M_22_yaw_by_delta = t62 + t62 + M_22_wz_delta2_delta;
-    const float t137 = t48 * M_22_yaw_by_delta;
-    const float t139 = K0_12_mH + K0_12_mH;
-    const float t140 = p->mH * t131;
-    const float M_22_w = (t139 * t140) - (yaw_per_v_delta * t137);
-    const float t143 = t32 * t122;
-    const float t145 = t87 + (p->c * t143);
-    const float t146 = yaw_per_v_delta * t145;
-    const float C1_21_w = t48 * t97;
-    const float t148 = yaw_by_delta + t129;
-    const float t149 = p->mH * t148;
-    const float C1_22_wz_delta2_delta = t119 + (yaw_per_v_delta * t65);
-    const float t154 = t112 + t114 + C1_22_wz_delta2_delta;
-    const float t158 = t32 * (t109 - t62 - (p->c * t154));
-    const float C1_22_w = (yaw_per_v_delta * t158) - (t131 * t149);
-    const float t161 = yaw_per_v_delta * t42;
-    const float vy_all1_delta = t48 * t161;
-    const float K0_12_w = t140 + vy_all1_delta;
-    const float K0_22_w = wx_delta2_delta * K0_12_w;
-    const float t165 = t32 * K2_12;
-    const float t166 = t32 * t125;
-    const float K2_22_w = yaw_per_v_delta * (t166 - K0_12_w);
-    const float t169 = t15 * wx_delta2_delta_lam;
-    const float M_12_c = t88 + t169;
-    const float t171 = wx_delta2_delta_lam - t129;
-    const float t172 = p->mH * t171;
-    const float M_22_c = (t139 * t172) + (yaw_per_v_delta * M_22_yaw_by_delta);
-    const float C1_22_c = (yaw_per_v_delta * t154) - (t149 * t171);
-    const float K0_12_c = t172 - t161;
-    const float K0_22_c = wx_delta2_delta * K0_12_c;
-    const float t181 = yaw_per_v_delta * K0_12_c;
-    const float K0_12_zH = p->mH * wx_delta2_delta;
-    const float t184 = (t52 * K0_12_zH) - t169;
-    const float M_12_lam = (t7 * wx_delta2_delta_lam) - t67 - (p->zH * t184) - (M_12_yaw_by_delta *
-        t104);
-    const float t193 = wx_delta2_delta_lam * t39;
-    const float M_22_lam = t193 + t193 - (wx_delta2_delta * (M_22_wz_delta2_delta + t137)) - (t139 *
-        t184);
-    const float t200 = t119 + t124 + (wx_delta2_delta * t145);
-    const float C1_21_lam = t124 + (t96 * t104);
-    const float C1_12_mF = p->rF * wz_delta2_delta;
-    const float C1_22_lam = (wx_delta2_delta * (t158 - C1_22_wz_delta2_delta)) + (t148 * t184) +
-        (wx_delta2_delta_lam * ((p->IHxz * yaw_per_v_delta) + (p->mF * C1_12_mF)));
-    const float t215 = t100 + t184 - (t42 * t104);
-    const float K0_22_lam = (wx_delta2_delta_lam * K0_12) - (wx_delta2_delta * t215);
-    const float t219 = wx_delta2_delta * t143;
-    const float K2_22_lam = (wx_delta2_delta * t166) + (yaw_per_v_delta * (t92 + t215));
-    const float M_11_rR = t78 + t78;
-    const float t226 = p->mR - (t94 * h_spin_R);
-    const float C1_12_rR = yaw_by_delta * t226;
-    const float K2_12_IRyy = yaw_per_v_delta * t94;
-    const float C1_12_IRyy = p->c * K2_12_IRyy;
-    const float C1_21_rR = h_spin_R * C1_12_IRyy;
-    const float K2_12_rR = yaw_per_v_delta * t226;
+    const float t29 = p->rF * p->mF;
+    const float t32 = (p->rF * t29) + p->IHxx + p->IFxx;
+    const float M_11_mH = p->zH * p->zH;
+    const float M_11_mR = p->rR * p->rR;
+    const float M_11_mB = p->zB * p->zB;
+    const float t36 = p->mB * p->xB;
+    const float M_12_yaw_by_delta = p->IHxz + p->IBxz - (p->zB * t36);
+    const float t40 = 1.0F / p->w;
+    const float t41 = p->mH * p->zH;
+    const float M_11_zH = t41 + t41;
+    const float t43 = p->IFxx + p->IHzz;
+    const float t46 = p->IRxx + p->IBzz + (p->xB * t36);
+    const float M_11 = t32 + (p->mH * M_11_mH) + p->IRxx + (p->mR * M_11_mR) + p->IBxx + (p->mB *
+        M_11_mB);
+    const float t55 = p->c * t40;
+    const float t56 = t55 * p->xH;
+    const float t57 = 1.0F / p->rF;
+    const float t60 = t40 * ((t41 * p->xH) - M_12_yaw_by_delta);
+    const float t61 = 1.0F / p->rR;
+    const float h_spin_F = p->IFyy * t57;
+    const float t63 = p->mR * p->rR;
+    const float M_11_rR = t63 + t63;
+    const float t67 = p->c + p->w - p->xH - t56;
+    const float h_spin_R = p->IRyy * t61;
+    const float t69 = p->mB * p->zB;
+    const float M_11_zB = t69 + t69;
+    const float t72 = t41 + t69 - t29;
+    const float t73 = p->c + p->xH;
+    const float t74 = p->xB + p->c;
+    const float M_11_rF = t29 + t29;
+    const float t76 = h_spin_F + h_spin_R;
+    const float t77 = t61 * h_spin_R;
+    const float K0_11 = t72 - t63;
+    const float t80 = p->mF - (t57 * h_spin_F);
+    const float M_11_mF = p->rF * p->rF;
+    const float t83 = t76 + (t63 - t72);
+    const float t84 = p->mR - t77;
+    const float t85 = wx_delta2_delta_lam * p->IHxz;
+    const float yaw_by_delta = wx_delta2_delta_lam * t55;
+    const float M_12_c = wx_delta2_delta_lam * (t41 - t60);
+    const float M_12_rF = wx_delta2_delta * M_11_rF;
+    const float M_12_mF = wx_delta2_delta * M_11_mF;
+    const float t91 = t32 * wx_delta2_delta;
+    const float t92 = p->zH * wx_delta2_delta;
+    const float t93 = p->IHxz * wx_delta2_delta;
+    const float t94 = wx_delta2_delta_lam * h_spin_F;
+    const float vy_all1_delta = t29 * wx_delta2_delta;
+    const float yaw_per_v_delta = wx_delta2_delta_lam * t40;
+    const float C1_21_rR = yaw_by_delta * t77;
+    const float t98 = t69 * yaw_per_v_delta;
+    const float M_22_rF = wx_delta2_delta * M_12_rF;
+    const float M_22_mF = wx_delta2_delta * M_12_mF;
+    const float t101 = t76 * yaw_per_v_delta;
+    const float C1_12_rR = yaw_by_delta * t84;
+    const float K2_12_rR = yaw_per_v_delta * t84;
     const float C1_12_mR = p->rR * yaw_by_delta;
     const float K2_12_mR = p->rR * yaw_per_v_delta;
-    const float M_22_IRxx = yaw_by_delta * yaw_by_delta;
-    const float C1_22_IRxx = yaw_per_v_delta * yaw_by_delta;
-    const float t237 = t11 * yaw_by_delta;
-    const float C1_22_yaw_by_delta = yaw_by_delta * t112;
-    const float M_22_xB = C1_22_yaw_by_delta + C1_22_yaw_by_delta;
-    const float t240 = t11 * yaw_per_v_delta;
-    const float t241 = p->mB * yaw_by_delta;
-    const float t242 = t161 + t241;
-    const float C1_22_xB = yaw_by_delta * (t161 + t242);
-    const float t245 = wx_delta2_delta * t241;
-    const float K2_22_xB = yaw_per_v_delta * t241;
-    const float M_11_zB = t11 + t11;
-    const float t248 = p->mB * yaw_per_v_delta;
-    const float M_11_mB = p->zB * p->zB;
-    const float t250 = p->c * p->xB;
-    const float t251 = p->zB * yaw_per_v_delta;
-    const float t252 = t250 * t251;
-    const float K2_22_mB = p->xB * C1_22_IRxx;
-    const float M_22_mB = t250 * K2_22_mB;
-    const float t255 = p->c + p->xB;
-    const float t256 = t251 * t255;
-    const float C1_22_mB = K2_22_mB * t255;
-    const float t258 = yaw_by_delta * p->xB;
-    const float K2_22_h_spin_F = yaw_per_v_delta * wx_delta2_delta;
-    const float t260 = t250 * K2_22_h_spin_F;
-    const float t261 = t15 * wz_delta2_delta;
-    const float t262 = p->mH * wz_delta2_delta;
-    const float t263 = t139 * t262;
-    const float t264 = p->zH * yaw_per_v_delta;
-    const float t265 = p->mH * t264;
-    const float t267 = p->mH * yaw_per_v_delta;
-    const float C1_22_xH = (wz_delta2_delta * t149) - (K0_12_mH * t267);
-    const float t270 = p->mH * t106;
-    const float C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
-    const float K2_22_xH = p->mH * C1_22_IHzz;
-    const float M_11_zH = t15 + t15;
-    const float M_12_zH = t70 + (p->zH * K0_12_zH);
-    const float t276 = wx_delta2_delta * t70;
-    const float M_22_zH = t276 + t276;
-    const float t278 = t148 * K0_12_zH;
-    const float K0_22_zH = wx_delta2_delta * K0_12_zH;
-    const float t280 = yaw_per_v_delta * K0_12_zH;
-    const float M_11_mH = p->zH * p->zH;
-    const float M_12_mH = p->zH * K0_12_mH;
-    const float M_22_mH = K0_12_mH * K0_12_mH;
-    const float t284 = p->zH * t148;
-    const float t285 = K0_12_mH * t148;
-    const float K0_22_mH = wx_delta2_delta * K0_12_mH;
-    const float t287 = yaw_per_v_delta * K0_12_mH;
-    const float M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
-    const float M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-    const float M_22_IHxz = t106 + t106;
-    const float M_11_rF = t79 + t79;
-    const float M_12_rF = t119 + t119;
-    const float M_22_rF = wx_delta2_delta * M_12_rF;
-    const float t295 = p->mF - (t90 * h_spin_F);
-    const float C1_12_rF = wz_delta2_delta * t295;
-    const float C1_12_IFyy = wz_delta2_delta * t90;
-    const float C1_21_rF = h_spin_F * C1_12_IFyy;
-    const float t299 = p->mF * wx_delta2_delta;
-    const float C1_22_rF = wz_delta2_delta * t299;
-    const float t301 = p->mF * M_22_IHxx;
-    const float K2_12_rF = yaw_per_v_delta * t295;
-    const float K2_22_rF = K2_22_h_spin_F * t295;
-    const float M_12_mF = M_11_mF * wx_delta2_delta;
-    const float M_22_mF = wx_delta2_delta * M_12_mF;
-    const float t306 = p->rF * wx_delta2_delta;
-    const float C1_22_mF = wz_delta2_delta * t306;
-    const float t308 = wx_delta2_delta * t306;
+    const float K2_12 = t83 * yaw_per_v_delta;
+    const float t107 = t40 * t83;
+    const float K2_12_IRyy = t61 * yaw_per_v_delta;
+    const float C1_12_IRyy = p->c * K2_12_IRyy;
+    const float K2_12_rF = yaw_per_v_delta * t80;
     const float K2_12_mF = p->rF * yaw_per_v_delta;
-    const float K2_22_mF = wx_delta2_delta * K2_12_mF;
+    const float t112 = M_12_yaw_by_delta * yaw_by_delta;
+    const float K0_12_mH = t92 + (wx_delta2_delta_lam * t67);
+    const float wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
+    const float t117 = t60 - (p->c * t107);
+    const float M_12 = t85 + t112 + t91 + (t41 * K0_12_mH);
+    const float t123 = t91 + (p->IHxz * wz_delta2_delta);
+    const float t124 = t107 * yaw_per_v_delta;
+    const float t125 = wx_delta2_delta * t107;
+    const float M_12_mH = p->zH * K0_12_mH;
+    const float K0_22_mH = wx_delta2_delta * K0_12_mH;
+    const float C1_12_rF = wz_delta2_delta * t80;
+    const float t130 = (wz_delta2_delta * t43) + t93;
+    const float t132 = t130 + (yaw_by_delta * t46);
+    const float M_22_mH = K0_12_mH * K0_12_mH;
+    const float t134 = yaw_by_delta * t76;
+    const float C1_21_w = t40 * t134;
+    const float C1_21 = -(t94 + t134);
+    const float C1_12_w = t117 * yaw_per_v_delta;
+    const float t140 = t29 + h_spin_F - t117;
+    const float t141 = t29 * wx_delta2_delta_lam;
+    const float t142 = p->mH * K0_12_mH;
+    const float M_12_zH = t142 + (p->mH * t92);
+    const float t145 = t36 * yaw_by_delta;
+    const float K0_12 = t142 - vy_all1_delta - t145;
+    const float t149 = t130 + (t55 * t132);
+    const float t152 = t40 * ((p->xH * t142) - t132);
+    const float t156 = t145 + (yaw_per_v_delta * (t43 + t46)) - K0_12;
+    const float C1_12 = wx_delta2_delta_lam * t140;
+    const float t158 = wx_delta2_delta * t140;
+    const float K0_22 = wx_delta2_delta * K0_12;
+    const float t161 = t132 * (yaw_per_v_delta + yaw_per_v_delta);
+    const float t162 = wx_delta2_delta * h_spin_F;
+    const float t164 = t40 * (t162 - K0_12);
+    const float t165 = p->mH * yaw_per_v_delta;
+    const float t166 = t165 * t73;
+    const float C1_12_yaw_per_v_delta = wx_delta2_delta * t123;
+    const float M_22 = (wx_delta2_delta_lam * t149) + C1_12_yaw_per_v_delta + (p->mH * M_22_mH);
+    const float t172 = p->mH * wx_delta2_delta_lam;
+    const float K2_22 = wx_delta2_delta_lam * t164;
+    const float t175 = (t56 * t165) + t172;
+    const float t177 = t172 - (p->xH * t165);
+    const float t178 = vy_all1_delta - t152;
+    const float M_22_wz_delta2_delta = K0_12_mH + K0_12_mH;
+    const float M_12_w = (p->zH * t175) - (t40 * t112);
+    const float C1_12_yaw_by_delta = t175 * M_22_wz_delta2_delta;
+    const float M_22_w = C1_12_yaw_by_delta - (t55 * t161);
+    const float M_22_c = t161 + (M_22_wz_delta2_delta * t177);
+    const float C1_22 = wx_delta2_delta_lam * (t178 - (t55 * K0_12));
+    const float t191 = t36 * yaw_per_v_delta;
+    const float K0_12_c = t177 - t191;
+    const float C1_22_c = yaw_per_v_delta * (t156 - (t73 * t177));
+    const float t196 = t55 * t156;
+    const float t197 = t191 - t177;
+    const float t198 = wx_delta2_delta * t197;
+    const float K2_22_c = yaw_per_v_delta * t197;
+    const float K0_12_w = t175 + (t55 * t191);
+    const float K0_22_w = wx_delta2_delta * K0_12_w;
+    const float C1_22_w = yaw_per_v_delta * (t152 - t196 - (t175 * t73));
+    const float t208 = yaw_per_v_delta * (t164 + K0_12_w);
+    const float t209 = t55 * wx_delta2_delta;
+    const float C1_21_lam = t162 + (t76 * t209);
+    const float K0_12_zH = p->mH * wx_delta2_delta;
+    const float C1_22_yaw_by_delta = (wx_delta2_delta_lam * t41) - (t67 * K0_12_zH);
+    const float M_22_zH = M_22_wz_delta2_delta * K0_12_zH;
+    const float C1_22_IRxx = yaw_by_delta * yaw_per_v_delta;
+    const float M_22_IRxx = p->c * C1_22_IRxx;
+    const float t219 = p->mB * yaw_per_v_delta;
+    const float C1_22_wz_delta2_delta = wx_delta2_delta * t43;
+    const float M_22_yaw_by_delta = t85 - (t73 * C1_22_yaw_by_delta) - C1_22_wz_delta2_delta;
+    const float C1_22_lam = (wz_delta2_delta * t141) + (yaw_per_v_delta * M_22_yaw_by_delta) -
+        (wx_delta2_delta * (t178 + t196));
+    const float t235 = t93 + (M_12_yaw_by_delta * t209) - (p->zH * C1_22_yaw_by_delta) - (t32 *
+        wx_delta2_delta_lam);
+    const float K0_12_lam = C1_22_yaw_by_delta + (t36 * t209) - t141;
+    const float t243 = (K0_12_mH * C1_22_yaw_by_delta) + (wx_delta2_delta_lam * t123) -
+        (wx_delta2_delta * t149);
+    const float t244 = p->c * t219;
+    const float t245 = p->zB * t244;
+    const float t246 = t219 * t74;
+    const float C1_22_xB = yaw_by_delta * (t191 + t246);
+    const float t249 = p->xB * yaw_by_delta;
+    const float M_12_yaw_per_v_delta = t94 - K0_12_lam;
+    const float K2_22_lam = (yaw_per_v_delta * M_12_yaw_per_v_delta) - (wx_delta2_delta * t164);
+    const float K0_22_lam = (wx_delta2_delta_lam * K0_12) + (wx_delta2_delta * K0_12_lam);
+    const float M_22_lam = t243 + t243;
+    const float M_22_xB = t244 * (t249 + t249);
+    const float t260 = wx_delta2_delta * t244;
+    const float K2_22_xB = yaw_per_v_delta * t244;
+    const float t262 = p->zB * t249;
+    const float M_22_mB = t249 * t249;
+    const float t264 = wx_delta2_delta * t249;
+    const float K2_22_mB = yaw_per_v_delta * t249;
+    const float C1_22_mB = t74 * K2_22_mB;
+    const float t267 = p->zB * yaw_per_v_delta;
+    const float t268 = t74 * t267;
+    const float t269 = p->mH * wz_delta2_delta;
+    const float t270 = M_22_wz_delta2_delta * t269;
+    const float t271 = p->zH * t269;
+    const float t272 = p->zH * yaw_per_v_delta;
+    const float t273 = p->mH * t272;
+    const float t274 = t73 * t272;
+    const float C1_22_IHzz = wz_delta2_delta * yaw_per_v_delta;
+    const float K2_22_xH = p->mH * C1_22_IHzz;
+    const float C1_22_xH = (t73 * K2_22_xH) - (K0_12_mH * t165);
+    const float t280 = K0_12_mH * yaw_per_v_delta;
+    const float t281 = t73 * t280;
+    const float t282 = wx_delta2_delta * wz_delta2_delta;
+    const float t283 = p->mH * t282;
+    const float M_22_IHxz = t282 + t282;
+    const float K2_22_h_spin_F = wx_delta2_delta * yaw_per_v_delta;
+    const float K2_22_rF = K2_22_h_spin_F * t80;
+    const float t287 = p->mH * K2_22_h_spin_F;
+    const float t288 = t73 * t287;
+    const float M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+    const float K0_22_zH = p->mH * M_22_IHxx;
+    const float t291 = p->mF * M_22_IHxx;
+    const float t292 = p->rF * M_22_IHxx;
+    const float M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
     const float M_22_IFxx = M_22_IHxx + M_22_IHzz;
-    const float K2_12_IFyy = yaw_per_v_delta * t90;
-    const float K2_22_IFyy = t90 * K2_22_h_spin_F;
-    const float C1_21 = -t99;
-    const float K2_22 = -(yaw_per_v_delta * t125);
+    const float C1_12_IFyy = wz_delta2_delta * t57;
+    const float C1_21_rF = h_spin_F * C1_12_IFyy;
+    const float t297 = p->mF * wx_delta2_delta;
+    const float C1_22_rF = wz_delta2_delta * t297;
+    const float C1_12_mF = p->rF * wz_delta2_delta;
+    const float C1_22_mF = wx_delta2_delta * C1_12_mF;
+    const float t301 = p->rF * wx_delta2_delta;
+    const float K2_22_mF = yaw_per_v_delta * t301;
+    const float K2_12_IFyy = t57 * yaw_per_v_delta;
+    const float K2_22_IFyy = wx_delta2_delta * K2_12_IFyy;
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -1535,127 +1537,127 @@ void whipple_sprung_f32_derivatives(const whipple_sprung_f32_t *p,
     matrices->k2[0][1] = K2_12;
     matrices->k2[1][0] = 0.0F;
     matrices->k2[1][1] = K2_22;
-    derivatives->values[0] = M_12_w;
-    derivatives->values[1] = M_22_w;
-    derivatives->values[2] = t146;
-    derivatives->values[3] = C1_21_w;
-    derivatives->values[4] = C1_22_w;
-    derivatives->values[5] = K0_12_w;
-    derivatives->values[6] = K0_22_w;
-    derivatives->values[7] = t165;
-    derivatives->values[8] = K2_22_w;
-    derivatives->values[9] = M_12_c;
-    derivatives->values[10] = M_22_c;
-    derivatives->values[11] = K2_12;
-    derivatives->values[12] = t97;
-    derivatives->values[13] = C1_22_c;
-    derivatives->values[14] = K0_12_c;
-    derivatives->values[15] = K0_22_c;
-    derivatives->values[16] = t181;
-    derivatives->values[17] = M_12_lam;
-    derivatives->values[18] = M_22_lam;
-    derivatives->values[19] = t200;
-    derivatives->values[20] = C1_21_lam;
-    derivatives->values[21] = C1_22_lam;
-    derivatives->values[22] = t215;
-    derivatives->values[23] = K0_22_lam;
-    derivatives->values[24] = t219;
-    derivatives->values[25] = K2_22_lam;
-    derivatives->values[26] = M_11_rR;
-    derivatives->values[27] = C1_12_rR;
-    derivatives->values[28] = C1_21_rR;
-    derivatives->values[29] = p->mR;
-    derivatives->values[30] = K2_12_rR;
-    derivatives->values[31] = M_11_mR;
-    derivatives->values[32] = C1_12_mR;
-    derivatives->values[33] = p->rR;
-    derivatives->values[34] = K2_12_mR;
-    derivatives->values[35] = 1.0F;
-    derivatives->values[36] = M_22_IRxx;
-    derivatives->values[37] = C1_22_IRxx;
-    derivatives->values[38] = C1_12_IRyy;
-    derivatives->values[39] = K2_12_IRyy;
-    derivatives->values[40] = t237;
-    derivatives->values[41] = M_22_xB;
-    derivatives->values[42] = t240;
-    derivatives->values[43] = C1_22_xB;
-    derivatives->values[44] = t241;
-    derivatives->values[45] = t245;
-    derivatives->values[46] = K2_22_xB;
-    derivatives->values[47] = M_11_zB;
-    derivatives->values[48] = t112;
-    derivatives->values[49] = t242;
-    derivatives->values[50] = p->mB;
-    derivatives->values[51] = t248;
-    derivatives->values[52] = M_11_mB;
-    derivatives->values[53] = t252;
-    derivatives->values[54] = M_22_mB;
-    derivatives->values[55] = t256;
-    derivatives->values[56] = C1_22_mB;
-    derivatives->values[57] = p->zB;
-    derivatives->values[58] = t258;
-    derivatives->values[59] = t260;
-    derivatives->values[60] = t251;
-    derivatives->values[61] = K2_22_mB;
-    derivatives->values[62] = yaw_by_delta;
-    derivatives->values[63] = yaw_per_v_delta;
-    derivatives->values[64] = t261;
-    derivatives->values[65] = t263;
-    derivatives->values[66] = t265;
-    derivatives->values[67] = C1_22_xH;
-    derivatives->values[68] = t262;
-    derivatives->values[69] = t270;
-    derivatives->values[70] = K2_22_xH;
-    derivatives->values[71] = M_11_zH;
-    derivatives->values[72] = M_12_zH;
-    derivatives->values[73] = M_22_zH;
-    derivatives->values[74] = t149;
-    derivatives->values[75] = t278;
-    derivatives->values[76] = p->mH;
-    derivatives->values[77] = K0_12_zH;
-    derivatives->values[78] = K0_22_zH;
-    derivatives->values[79] = t267;
-    derivatives->values[80] = t280;
-    derivatives->values[81] = M_11_mH;
-    derivatives->values[82] = M_12_mH;
-    derivatives->values[83] = M_22_mH;
-    derivatives->values[84] = t284;
-    derivatives->values[85] = t285;
-    derivatives->values[86] = p->zH;
-    derivatives->values[87] = K0_12_mH;
-    derivatives->values[88] = K0_22_mH;
-    derivatives->values[89] = t264;
-    derivatives->values[90] = t287;
-    derivatives->values[91] = wx_delta2_delta;
-    derivatives->values[92] = M_22_IHxx;
-    derivatives->values[93] = M_22_IHzz;
-    derivatives->values[94] = C1_22_IHzz;
-    derivatives->values[95] = wz_delta2_delta;
-    derivatives->values[96] = M_22_IHxz;
-    derivatives->values[97] = K2_22_h_spin_F;
-    derivatives->values[98] = M_11_rF;
-    derivatives->values[99] = M_12_rF;
-    derivatives->values[100] = M_22_rF;
-    derivatives->values[101] = C1_12_rF;
-    derivatives->values[102] = C1_21_rF;
-    derivatives->values[103] = C1_22_rF;
-    derivatives->values[104] = p->mF;
-    derivatives->values[105] = t299;
-    derivatives->values[106] = t301;
-    derivatives->values[107] = K2_12_rF;
-    derivatives->values[108] = K2_22_rF;
-    derivatives->values[109] = M_11_mF;
-    derivatives->values[110] = M_12_mF;
-    derivatives->values[111] = M_22_mF;
-    derivatives->values[112] = C1_12_mF;
-    derivatives->values[113] = C1_22_mF;
-    derivatives->values[114] = p->rF;
-    derivatives->values[115] = t306;
-    derivatives->values[116] = t308;
-    derivatives->values[117] = K2_12_mF;
-    derivatives->values[118] = K2_22_mF;
-    derivatives->values[119] = M_22_IFxx;
-    derivatives->values[120] = C1_12_IFyy;
+    derivatives->values[0] = p->rR;
+    derivatives->values[1] = p->mR;
+    derivatives->values[2] = p->zB;
+    derivatives->values[3] = p->mB;
+    derivatives->values[4] = p->zH;
+    derivatives->values[5] = p->mH;
+    derivatives->values[6] = p->rF;
+    derivatives->values[7] = p->mF;
+    derivatives->values[8] = 1.0F;
+    derivatives->values[9] = wx_delta2_delta;
+    derivatives->values[10] = M_11_mH;
+    derivatives->values[11] = M_11_mR;
+    derivatives->values[12] = M_11_mB;
+    derivatives->values[13] = M_11_zH;
+    derivatives->values[14] = M_11_rR;
+    derivatives->values[15] = M_11_zB;
+    derivatives->values[16] = M_11_rF;
+    derivatives->values[17] = M_11_mF;
+    derivatives->values[18] = yaw_by_delta;
+    derivatives->values[19] = M_12_c;
+    derivatives->values[20] = M_12_rF;
+    derivatives->values[21] = M_12_mF;
+    derivatives->values[22] = yaw_per_v_delta;
+    derivatives->values[23] = C1_21_rR;
+    derivatives->values[24] = t98;
+    derivatives->values[25] = M_22_rF;
+    derivatives->values[26] = M_22_mF;
+    derivatives->values[27] = t101;
+    derivatives->values[28] = C1_12_rR;
+    derivatives->values[29] = K2_12_rR;
+    derivatives->values[30] = C1_12_mR;
+    derivatives->values[31] = K2_12_mR;
+    derivatives->values[32] = K2_12;
+    derivatives->values[33] = K2_12_IRyy;
+    derivatives->values[34] = C1_12_IRyy;
+    derivatives->values[35] = K2_12_rF;
+    derivatives->values[36] = K2_12_mF;
+    derivatives->values[37] = K0_12_mH;
+    derivatives->values[38] = wz_delta2_delta;
+    derivatives->values[39] = t124;
+    derivatives->values[40] = t125;
+    derivatives->values[41] = M_12_mH;
+    derivatives->values[42] = K0_22_mH;
+    derivatives->values[43] = C1_12_rF;
+    derivatives->values[44] = M_22_mH;
+    derivatives->values[45] = C1_21_w;
+    derivatives->values[46] = C1_12_w;
+    derivatives->values[47] = M_12_zH;
+    derivatives->values[48] = t145;
+    derivatives->values[49] = t158;
+    derivatives->values[50] = t165;
+    derivatives->values[51] = t166;
+    derivatives->values[52] = M_12_w;
+    derivatives->values[53] = M_22_w;
+    derivatives->values[54] = M_22_c;
+    derivatives->values[55] = K0_12_c;
+    derivatives->values[56] = C1_22_c;
+    derivatives->values[57] = t198;
+    derivatives->values[58] = K2_22_c;
+    derivatives->values[59] = K0_12_w;
+    derivatives->values[60] = K0_22_w;
+    derivatives->values[61] = C1_22_w;
+    derivatives->values[62] = t208;
+    derivatives->values[63] = C1_21_lam;
+    derivatives->values[64] = K0_12_zH;
+    derivatives->values[65] = M_22_zH;
+    derivatives->values[66] = C1_22_IRxx;
+    derivatives->values[67] = M_22_IRxx;
+    derivatives->values[68] = t219;
+    derivatives->values[69] = C1_22_lam;
+    derivatives->values[70] = t235;
+    derivatives->values[71] = K0_12_lam;
+    derivatives->values[72] = t244;
+    derivatives->values[73] = t245;
+    derivatives->values[74] = t246;
+    derivatives->values[75] = C1_22_xB;
+    derivatives->values[76] = t249;
+    derivatives->values[77] = K2_22_lam;
+    derivatives->values[78] = K0_22_lam;
+    derivatives->values[79] = M_22_lam;
+    derivatives->values[80] = M_22_xB;
+    derivatives->values[81] = t260;
+    derivatives->values[82] = K2_22_xB;
+    derivatives->values[83] = t262;
+    derivatives->values[84] = M_22_mB;
+    derivatives->values[85] = t264;
+    derivatives->values[86] = K2_22_mB;
+    derivatives->values[87] = C1_22_mB;
+    derivatives->values[88] = t267;
+    derivatives->values[89] = t268;
+    derivatives->values[90] = t269;
+    derivatives->values[91] = t270;
+    derivatives->values[92] = t271;
+    derivatives->values[93] = t272;
+    derivatives->values[94] = t273;
+    derivatives->values[95] = t274;
+    derivatives->values[96] = C1_22_IHzz;
+    derivatives->values[97] = K2_22_xH;
+    derivatives->values[98] = C1_22_xH;
+    derivatives->values[99] = t280;
+    derivatives->values[100] = t281;
+    derivatives->values[101] = t283;
+    derivatives->values[102] = M_22_IHxz;
+    derivatives->values[103] = K2_22_h_spin_F;
+    derivatives->values[104] = K2_22_rF;
+    derivatives->values[105] = t287;
+    derivatives->values[106] = t288;
+    derivatives->values[107] = M_22_IHxx;
+    derivatives->values[108] = K0_22_zH;
+    derivatives->values[109] = t291;
+    derivatives->values[110] = t292;
+    derivatives->values[111] = M_22_IHzz;
+    derivatives->values[112] = M_22_IFxx;
+    derivatives->values[113] = C1_12_IFyy;
+    derivatives->values[114] = C1_21_rF;
+    derivatives->values[115] = t297;
+    derivatives->values[116] = C1_22_rF;
+    derivatives->values[117] = C1_12_mF;
+    derivatives->values[118] = C1_22_mF;
+    derivatives->values[119] = t301;
+    derivatives->values[120] = K2_22_mF;
     derivatives->values[121] = K2_12_IFyy;
     derivatives->values[122] = K2_22_IFyy;
 }

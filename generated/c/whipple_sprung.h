@@ -358,7 +358,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 100 additions, 182 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 289 operations.
+ * 93 additions, 179 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 278 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -598,7 +598,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 100 additions, 182 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 289 operations.
+ * 93 additions, 179 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 278 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

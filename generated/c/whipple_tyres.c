@@ -109,172 +109,172 @@ const char *whipple_tyres_validity_text(whipple_tyres_validity_t validity)
 }
 
 const carvallo_partial_t whipple_tyres_partials[WHIPPLE_TYRES_PARTIALS] = {
-    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 0U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 1U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 2U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 3U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 4U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 0U, 5U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 6U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 6U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 7U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 8U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 9U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 1U, 10U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 1U, 10U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 11U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 12U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 1U, 13U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 14U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 1U, 15U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 1U, 15U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 16U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 17U, true},
-    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 18U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 18U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 19U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 20U, true},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 2U, 21U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 22U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 2U, 23U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 2U, 23U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 24U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 2U, 25U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 26U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 4U, 27U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 4U, 28U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 4U, 29U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 4U, 30U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 4U, 31U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 5U, 32U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 5U, 33U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 5U, 34U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 5U, 35U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 6U, 36U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 6U, 37U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 6U, 38U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 7U, 39U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 7U, 39U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 7U, 40U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 8U, 41U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 8U, 41U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 8U, 42U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 8U, 43U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 8U, 44U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 8U, 45U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 8U, 46U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 8U, 46U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 8U, 47U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 8U, 48U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 9U, 49U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 9U, 50U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 9U, 50U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 9U, 51U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 9U, 52U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 9U, 53U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 10U, 54U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 10U, 55U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 10U, 55U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 10U, 56U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 10U, 57U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 10U, 58U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 10U, 59U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 10U, 60U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 10U, 60U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 10U, 61U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 10U, 62U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 10U, 63U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 11U, 36U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 13U, 37U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 13U, 38U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 14U, 64U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 14U, 64U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 14U, 65U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 15U, 66U, true},
-    {CARVALLO_MATRIX_M, 1U, 0U, 15U, 66U, true},
-    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 67U, true},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 15U, 68U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 15U, 69U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 15U, 70U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 15U, 71U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 15U, 71U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 15U, 72U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 15U, 73U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 16U, 74U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 16U, 75U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 16U, 75U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 76U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 77U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 16U, 78U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 16U, 79U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 16U, 80U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 16U, 80U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 16U, 81U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 16U, 82U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 16U, 83U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 17U, 84U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 85U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 85U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 17U, 86U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 87U, true},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 88U, true},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 17U, 89U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 90U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 90U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 91U, false},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 17U, 92U, true},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 93U, true},
-    {CARVALLO_MATRIX_M, 0U, 0U, 18U, 36U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 18U, 94U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 18U, 94U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 18U, 95U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 20U, 96U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 20U, 97U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 21U, 98U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 21U, 98U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 21U, 99U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 21U, 65U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 21U, 100U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 22U, 101U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 22U, 102U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 22U, 102U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 22U, 103U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 22U, 104U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 22U, 105U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 22U, 106U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 22U, 107U, true},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 22U, 108U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 22U, 108U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 22U, 109U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 110U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 111U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 23U, 112U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 113U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 113U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 23U, 114U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 23U, 115U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 116U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 23U, 117U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 118U, true},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 118U, true},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 119U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 23U, 120U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 121U, false},
-    {CARVALLO_MATRIX_M, 0U, 0U, 24U, 36U, false},
-    {CARVALLO_MATRIX_M, 0U, 1U, 24U, 94U, false},
-    {CARVALLO_MATRIX_M, 1U, 0U, 24U, 94U, false},
-    {CARVALLO_MATRIX_M, 1U, 1U, 24U, 122U, false},
-    {CARVALLO_MATRIX_C1, 1U, 1U, 24U, 97U, false},
-    {CARVALLO_MATRIX_C1, 0U, 1U, 25U, 123U, false},
-    {CARVALLO_MATRIX_C1, 1U, 0U, 25U, 123U, true},
-    {CARVALLO_MATRIX_K2, 0U, 1U, 25U, 124U, false},
-    {CARVALLO_MATRIX_K2, 1U, 1U, 25U, 125U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 26U, 126U, false},
-    {CARVALLO_MATRIX_K0, 0U, 0U, 27U, 127U, false},
-    {CARVALLO_MATRIX_K0, 0U, 1U, 27U, 128U, false},
-    {CARVALLO_MATRIX_K0, 1U, 0U, 27U, 128U, false},
-    {CARVALLO_MATRIX_K0, 1U, 1U, 27U, 129U, false}
+    {CARVALLO_MATRIX_M, 0U, 1U, 0U, 44U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 0U, 44U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 0U, 54U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 0U, 43U, true},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 0U, 52U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 0U, 71U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 0U, 15U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 0U, 62U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 0U, 62U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 0U, 68U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 0U, 31U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 0U, 53U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 1U, 45U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 1U, 45U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 1U, 55U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 1U, 30U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 1U, 51U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 1U, 61U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 1U, 37U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 1U, 37U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 1U, 38U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 1U, 39U, true},
+    {CARVALLO_MATRIX_M, 0U, 1U, 2U, 82U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 2U, 82U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 2U, 69U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 2U, 50U, true},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 2U, 63U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 2U, 83U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 2U, 97U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 2U, 97U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 2U, 107U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 2U, 27U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 2U, 96U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 4U, 8U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 4U, 73U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 4U, 77U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 4U, 0U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 4U, 74U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 5U, 9U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 5U, 79U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 5U, 10U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 5U, 78U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 6U, 4U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 6U, 81U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 6U, 80U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 7U, 76U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 7U, 76U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 7U, 75U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 8U, 28U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 8U, 28U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 8U, 49U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 8U, 87U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 8U, 89U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 8U, 16U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 8U, 91U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 8U, 91U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 8U, 92U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 8U, 88U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 9U, 11U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 9U, 35U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 9U, 35U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 9U, 90U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 9U, 1U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 9U, 86U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 10U, 7U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 10U, 33U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 10U, 33U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 10U, 34U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 10U, 94U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 10U, 85U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 10U, 17U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 10U, 95U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 10U, 95U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 10U, 98U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 10U, 93U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 10U, 84U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 11U, 4U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 13U, 81U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 13U, 80U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 14U, 26U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 14U, 26U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 14U, 21U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 15U, 32U, true},
+    {CARVALLO_MATRIX_M, 1U, 0U, 15U, 32U, true},
+    {CARVALLO_MATRIX_M, 1U, 1U, 15U, 102U, true},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 15U, 24U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 15U, 106U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 15U, 18U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 15U, 100U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 15U, 100U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 15U, 99U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 15U, 58U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 16U, 14U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 16U, 46U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 16U, 46U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 16U, 72U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 16U, 56U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 16U, 60U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 16U, 2U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 16U, 67U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 16U, 67U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 16U, 109U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 16U, 57U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 16U, 59U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 17U, 6U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 17U, 40U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 17U, 40U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 17U, 41U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 17U, 112U, true},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 17U, 48U, true},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 17U, 19U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 17U, 101U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 17U, 101U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 17U, 104U, false},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 17U, 111U, true},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 17U, 47U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 18U, 4U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 18U, 5U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 18U, 5U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 18U, 108U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 20U, 113U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 20U, 105U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 21U, 29U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 21U, 29U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 21U, 103U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 21U, 21U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 21U, 64U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 22U, 12U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 22U, 42U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 22U, 42U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 22U, 70U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 22U, 119U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 22U, 116U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 22U, 120U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 22U, 3U, true},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 22U, 20U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 22U, 20U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 22U, 110U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 22U, 118U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 22U, 129U, true},
+    {CARVALLO_MATRIX_M, 0U, 0U, 23U, 121U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 23U, 123U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 23U, 123U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 23U, 122U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 23U, 125U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 23U, 126U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 23U, 13U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 23U, 127U, true},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 23U, 127U, true},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 23U, 128U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 23U, 124U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 23U, 65U, false},
+    {CARVALLO_MATRIX_M, 0U, 0U, 24U, 4U, false},
+    {CARVALLO_MATRIX_M, 0U, 1U, 24U, 5U, false},
+    {CARVALLO_MATRIX_M, 1U, 0U, 24U, 5U, false},
+    {CARVALLO_MATRIX_M, 1U, 1U, 24U, 114U, false},
+    {CARVALLO_MATRIX_C1, 1U, 1U, 24U, 105U, false},
+    {CARVALLO_MATRIX_C1, 0U, 1U, 25U, 115U, false},
+    {CARVALLO_MATRIX_C1, 1U, 0U, 25U, 115U, true},
+    {CARVALLO_MATRIX_K2, 0U, 1U, 25U, 117U, false},
+    {CARVALLO_MATRIX_K2, 1U, 1U, 25U, 66U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 26U, 36U, false},
+    {CARVALLO_MATRIX_K0, 0U, 0U, 27U, 22U, false},
+    {CARVALLO_MATRIX_K0, 0U, 1U, 27U, 23U, false},
+    {CARVALLO_MATRIX_K0, 1U, 0U, 27U, 23U, false},
+    {CARVALLO_MATRIX_K0, 1U, 1U, 27U, 25U, false}
 };
 
 const char *whipple_tyres_position_name(whipple_tyres_position_t which)
@@ -661,226 +661,224 @@ void whipple_tyres_f64_kinematics(const whipple_tyres_f64_t *p, whipple_tyres_f6
 void whipple_tyres_f64_derivatives(const whipple_tyres_f64_t *p,
     whipple_tyres_f64_matrices_t *matrices, whipple_tyres_f64_derivatives_t *derivatives)
 {
-    const double t2 = p->zB * p->mB;
-    const double t6 = p->zH * p->mH;
-    const double M_11_mR = p->rR * p->rR;
-    const double M_11_mF = p->rF * p->rF;
-    const double t21 = p->IHxx + p->IFxx + (p->mF * M_11_mF);
-    const double M_11 = (p->zB * t2) + (p->zH * t6) + (p->mR * M_11_mR) + p->IRxx + p->IBxx + t21;
     double wx_delta2_delta = 0.0;
     double wx_delta2_delta_lam = 0.0;
     carvallo_sin_cos_f64(p->lam, &wx_delta2_delta, &wx_delta2_delta_lam);
-    const double t32 = 1.0 / p->w;
-    const double t33 = p->c * t32;
-    const double yaw_by_delta = wx_delta2_delta_lam * t33;
-    const double wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
-    const double t36 = p->IHxz * wz_delta2_delta;
-    const double t39 = t36 + (t21 * wx_delta2_delta);
-    const double t43 = p->IBxz - (t2 * p->xB);
-    const double t45 = p->zH * wx_delta2_delta;
-    const double t46 = p->c + p->w;
-    const double t48 = t46 - p->xH;
-    const double t50 = yaw_by_delta * p->xH;
-    const double t52 = t45 + (wx_delta2_delta_lam * t48) - t50;
-    const double M_12_mH = p->zH * t52;
-    const double M_12 = t39 + (yaw_by_delta * t43) + (p->mH * M_12_mH);
-    const double t57 = p->IHxz * wx_delta2_delta;
-    const double t59 = p->IFxx + p->IHzz;
-    const double t61 = t57 + (wz_delta2_delta * t59);
-    const double t63 = p->mB * p->xB;
-    const double t66 = p->IRxx + p->IBzz + (p->xB * t63);
-    const double t68 = t61 + (yaw_by_delta * t66);
-    const double t70 = t61 + (t33 * t68);
-    const double t72 = p->mH * t52;
-    const double M_22 = (wx_delta2_delta_lam * t70) + (t52 * t72) + (wx_delta2_delta * t39);
-    const double t79 = 1.0 / p->rF;
-    const double h_spin_F = p->IFyy * t79;
-    const double t81 = wx_delta2_delta_lam * h_spin_F;
-    const double yaw_per_v_delta = wx_delta2_delta_lam * t32;
-    const double t83 = p->mR * p->rR;
-    const double t85 = t2 + t6 - t83;
-    const double t87 = 1.0 / p->rR;
-    const double t88 = p->IRyy * t87;
-    const double h_wheels_all = h_spin_F + t88;
-    const double t90 = t85 - h_wheels_all;
-    const double t92 = p->mF * p->rF;
-    const double t94 = p->IHxz + (t46 * t92);
-    const double t98 = t43 + t94 - (p->c * t90) - (t6 * p->xH);
-    const double t99 = yaw_per_v_delta * t98;
-    const double C1_12 = t81 + t99;
-    const double t101 = yaw_per_v_delta * h_wheels_all;
-    const double ay_all1_delta = p->c * t101;
-    const double t104 = yaw_by_delta * p->xB;
-    const double t105 = p->mB * t104;
-    const double t106 = p->mF * wx_delta2_delta;
-    const double t107 = p->rF * t106;
-    const double t109 = t105 + t107 - t72;
-    const double t112 = t68 - (p->xH * t72);
-    const double t114 = t112 + (p->w * t107);
-    const double C1_22 = (yaw_by_delta * t109) + (yaw_per_v_delta * t114);
-    const double t118 = t32 * t63;
-    const double t120 = p->mH * t32 * p->xH;
-    const double t121 = t118 + t120;
-    const double K0_11_rhoF = p->mF + t121;
-    const double t123 = p->rhoF * K0_11_rhoF;
-    const double t125 = p->mH - t120;
-    const double K0_11_rhoR = p->mB + p->mR + t125 - t118;
-    const double K0_11 = t85 + t123 + (p->rhoR * K0_11_rhoR) - t92;
-    const double K0_12_rhoF = wx_delta2_delta * K0_11_rhoF;
-    const double K0_12 = (p->rhoF * K0_12_rhoF) - t109;
-    const double K0_22 = wx_delta2_delta * K0_12;
-    const double vy_all1_delta = t92 - t90;
-    const double K2_12 = yaw_per_v_delta * vy_all1_delta;
-    const double t139 = wx_delta2_delta * h_spin_F;
-    const double t140 = t109 + t139;
-    const double K2_22 = yaw_per_v_delta * t140;
-    const double t143 = wx_delta2_delta_lam + (t32 * t50);
-    const double t144 = p->mH * t143;
-    const double t146 = p->IHxz + t43;
-    const double t147 = yaw_per_v_delta * t146;
-    const double C1_22_yaw_by_delta = t33 * t147;
-    const double M_12_w = (p->zH * t144) - C1_22_yaw_by_delta;
-    const double t150 = t32 * t112;
-    const double t153 = wx_delta2_delta_lam * (t72 - (t33 * t150));
-    const double M_22_w = t153 + t153;
-    const double t155 = wx_delta2_delta_lam * t92;
-    const double C1_12_w = t32 * (t155 - t99);
-    const double C1_21_w = t32 * ay_all1_delta;
-    const double M_22_wz_delta2_delta = yaw_per_v_delta * (t59 + t66);
-    const double t162 = t105 + t109 + M_22_wz_delta2_delta;
-    const double t164 = t114 + (p->c * t162);
-    const double t168 = p->c + p->xH;
-    const double t169 = p->mH * yaw_per_v_delta;
-    const double t170 = t168 * t169;
-    const double C1_22_w = (yaw_per_v_delta * (t107 - (t32 * t164))) - (t143 * t170);
-    const double t174 = t32 * (p->rhoF - p->rhoR);
-    const double t175 = t121 * t174;
-    const double t176 = t32 * wx_delta2_delta;
-    const double t177 = p->rhoF * t176;
-    const double t178 = t121 * t177;
-    const double K2_22_yaw_by_delta = wx_delta2_delta_lam * t118;
-    const double t181 = t144 + (t33 * K2_22_yaw_by_delta);
-    const double t183 = wx_delta2_delta * (t178 - t181);
-    const double t184 = t32 * K2_12;
-    const double t187 = yaw_per_v_delta * (t181 + (t32 * t140));
-    const double t188 = wx_delta2_delta_lam * t125;
-    const double M_12_c = t147 + (p->zH * t188);
-    const double t192 = wx_delta2_delta_lam * (t72 + t150);
-    const double M_22_c = t192 + t192;
-    const double t195 = yaw_per_v_delta * t168;
-    const double C1_22_c = (yaw_per_v_delta * t162) - (t188 * t195);
-    const double K0_12_c = t188 - K2_22_yaw_by_delta;
-    const double K0_22_c = wx_delta2_delta * K0_12_c;
-    const double t200 = yaw_per_v_delta * K0_12_c;
-    const double t201 = t33 * wx_delta2_delta;
-    const double t203 = t21 * wx_delta2_delta_lam;
-    const double t208 = (p->xH * t201) + (p->zH * wx_delta2_delta_lam) - (wx_delta2_delta * t48);
-    const double t212 = t57 + (t146 * t201) - t203 - (t6 * t208);
-    const double t218 = (wx_delta2_delta_lam * t36) + (t72 * t208) - (wx_delta2_delta * (t70 -
-        t203));
-    const double M_22_lam = t218 + t218;
-    const double t221 = t139 + (t98 * t176);
-    const double C1_21_lam = t139 + (h_wheels_all * t201);
-    const double C1_22_lam = (wx_delta2_delta_lam * yaw_per_v_delta * t94) - (t170 * t208) - (t176 *
-        (t164 + (wx_delta2_delta_lam * t59)));
-    const double t235 = (p->mH * t208) + (t63 * t201) - t155;
-    const double K0_12_lam = t235 + (wx_delta2_delta_lam * t123);
-    const double K0_22_lam = (wx_delta2_delta_lam * K0_12) + (wx_delta2_delta * K0_12_lam);
-    const double t241 = vy_all1_delta * t176;
-    const double K2_22_lam = (yaw_per_v_delta * (t81 - t235)) - (t140 * t176);
-    const double M_11_rR = t83 + t83;
-    const double K2_12_rR = yaw_per_v_delta * (p->mR - (t87 * t88));
-    const double C1_12_rR = p->c * K2_12_rR;
-    const double C1_12_IRyy = yaw_by_delta * t87;
-    const double C1_21_rR = t88 * C1_12_IRyy;
-    const double C1_12_mR = p->rR * yaw_by_delta;
-    const double K0_11_mR = p->rhoR - p->rR;
-    const double K2_12_mR = p->rR * yaw_per_v_delta;
-    const double C1_22_IRxx = yaw_by_delta * yaw_per_v_delta;
-    const double M_22_IRxx = p->c * C1_22_IRxx;
-    const double K2_12_IRyy = yaw_per_v_delta * t87;
-    const double t260 = t2 * yaw_per_v_delta;
-    const double t261 = p->c * t260;
-    const double t262 = t63 * M_22_IRxx;
-    const double M_22_xB = t262 + t262;
-    const double K2_22_mB = yaw_per_v_delta * t104;
-    const double t265 = M_22_IRxx + K2_22_mB;
-    const double C1_22_xB = p->mB * (K2_22_mB + t265);
-    const double K0_11_xB = p->mB * t174;
-    const double t269 = yaw_by_delta - t177;
-    const double t270 = p->mB * t269;
-    const double t271 = wx_delta2_delta * t270;
-    const double K2_22_xB = p->mB * C1_22_IRxx;
-    const double M_11_zB = t2 + t2;
-    const double t275 = K2_22_yaw_by_delta + (p->mB * yaw_by_delta);
-    const double t276 = p->mB * yaw_per_v_delta;
-    const double M_11_mB = p->zB * p->zB;
-    const double t278 = p->zB * t104;
-    const double M_22_mB = t104 * t104;
-    const double t281 = p->zB * yaw_per_v_delta;
-    const double t282 = (p->c + p->xB) * t281;
-    const double C1_22_mB = p->xB * t265;
-    const double K0_11_mB = p->zB + p->rhoR + (p->xB * t174);
-    const double t287 = p->xB * t269;
-    const double t288 = wx_delta2_delta * t287;
-    const double t289 = t6 * wz_delta2_delta;
-    const double t290 = t72 + t72;
-    const double t291 = wz_delta2_delta * t290;
-    const double t292 = p->zH * yaw_per_v_delta;
-    const double t293 = p->mH * t292;
-    const double C1_22_xH = (wz_delta2_delta * t170) - (t72 * yaw_per_v_delta);
-    const double K0_11_xH = p->mH * t174;
-    const double t299 = p->mH * (wz_delta2_delta - t177);
-    const double t300 = wx_delta2_delta * t299;
-    const double K2_22_xH = wz_delta2_delta * t169;
-    const double M_11_zH = t6 + t6;
-    const double M_12_zH = t72 + (p->mH * t45);
-    const double M_22_zH = wx_delta2_delta * t290;
-    const double K0_12_zH = p->mH * wx_delta2_delta;
-    const double t307 = t195 * K0_12_zH;
-    const double K0_22_zH = wx_delta2_delta * K0_12_zH;
-    const double t309 = yaw_per_v_delta * K0_12_zH;
+    const double t29 = p->rR * p->mR;
+    const double t30 = p->rF * p->mF;
+    const double C1_22_wz_delta2_delta = p->rF * t30;
+    const double t33 = p->IFxx + p->IHxx + C1_22_wz_delta2_delta;
     const double M_11_mH = p->zH * p->zH;
-    const double M_22_mH = t52 * t52;
-    const double t312 = p->zH * t195;
-    const double t313 = t52 * yaw_per_v_delta;
-    const double t314 = t168 * t313;
-    const double K0_11_mH = p->zH + p->rhoR + (p->xH * t174);
-    const double K0_12_mH = t52 + (p->xH * t177);
-    const double K0_22_mH = wx_delta2_delta * K0_12_mH;
-    const double M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
-    const double M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-    const double C1_22_IHzz = wz_delta2_delta * yaw_per_v_delta;
-    const double t324 = wz_delta2_delta * wx_delta2_delta;
-    const double M_22_IHxz = t324 + t324;
-    const double K2_22_h_spin_F = wx_delta2_delta_lam * t176;
-    const double M_11_rF = t92 + t92;
-    const double M_12_rF = t107 + t107;
-    const double M_22_rF = wx_delta2_delta * M_12_rF;
-    const double t330 = p->mF * yaw_per_v_delta;
-    const double t331 = t46 * t330;
-    const double C1_12_IFyy = wz_delta2_delta * t79;
-    const double C1_21_rF = h_spin_F * C1_12_IFyy;
-    const double C1_12_rF = t331 - C1_21_rF;
-    const double C1_22_rF = wx_delta2_delta * t331;
-    const double t336 = wx_delta2_delta * t106;
-    const double K2_12_IFyy = t79 * yaw_per_v_delta;
-    const double K2_12_rF = t330 - (h_spin_F * K2_12_IFyy);
-    const double K2_22_rF = wx_delta2_delta * K2_12_rF;
-    const double M_12_mF = M_11_mF * wx_delta2_delta;
-    const double M_22_mF = wx_delta2_delta * M_12_mF;
-    const double K2_12_mF = p->rF * yaw_per_v_delta;
-    const double C1_12_mF = t46 * K2_12_mF;
-    const double K2_22_mF = p->rF * K2_22_h_spin_F;
-    const double C1_22_mF = t46 * K2_22_mF;
-    const double t348 = wx_delta2_delta * (p->rF - p->rhoF);
-    const double t349 = wx_delta2_delta * t348;
-    const double M_22_IFxx = M_22_IHxx + M_22_IHzz;
-    const double K2_22_IFyy = t79 * K2_22_h_spin_F;
-    const double K0_22_rhoF = wx_delta2_delta * K0_12_rhoF;
-    const double C1_21 = -(t81 + ay_all1_delta);
-    const double K0_12_w = t181 - t178;
+    const double M_11_mB = p->zB * p->zB;
+    const double M_11_rR = t29 + t29;
+    const double M_11_mR = p->rR * p->rR;
+    const double M_11 = (p->rR * t29) + p->IRxx + p->IBxx + t33 + (p->mH * M_11_mH) + (p->mB *
+        M_11_mB);
+    const double t46 = p->mB * p->zB;
+    const double t48 = p->IBxz - (t46 * p->xB);
+    const double K0_11_mR = p->rhoR - p->rR;
+    const double M_11_zB = t46 + t46;
+    const double M_11_rF = t30 + t30;
     const double K0_11_mF = p->rhoF - p->rF;
+    const double t53 = 1.0 / p->w;
+    const double t54 = p->mH * p->zH;
+    const double t57 = t29 + t30 - t46 - t54;
+    const double M_11_zH = t54 + t54;
+    const double t59 = p->c + p->w;
+    const double t60 = p->IFxx + p->IHzz;
+    const double ay_all1_delta = p->mH * p->xH;
+    const double t62 = p->c * t53;
+    const double t63 = p->mB * p->xB;
+    const double t64 = t48 + p->IHxz;
+    const double t66 = t64 - (t54 * p->xH);
+    const double t67 = 1.0 / p->rF;
+    const double t68 = 1.0 / p->rR;
+    const double t69 = t30 * t59;
+    const double t71 = t53 * (ay_all1_delta + t63);
+    const double h_spin_F = p->IFyy * t67;
+    const double t73 = p->IRyy * t68;
+    const double t74 = p->c + p->xH;
+    const double t76 = t53 * (p->rhoF - p->rhoR);
+    const double t77 = p->xB + p->c;
+    const double t78 = t71 * t76;
+    const double K0_11_xB = p->mB * t76;
+    const double K0_11_mB = p->zB + p->rhoR + (p->xB * t76);
+    const double K0_11_xH = p->mH * t76;
+    const double K0_11_mH = p->zH + p->rhoR + (p->xH * t76);
+    const double t87 = p->mF * wx_delta2_delta;
+    const double yaw_per_v_delta = wx_delta2_delta_lam * t53;
+    const double t89 = p->zH * wx_delta2_delta;
+    const double t90 = p->IHxz * wx_delta2_delta;
+    const double h_wheels_all = h_spin_F + t73;
+    const double t92 = wx_delta2_delta_lam * h_spin_F;
+    const double vy_all1_delta = h_wheels_all + t57;
+    const double t94 = t53 * wx_delta2_delta;
+    const double K0_11_rhoF = p->mF + t71;
+    const double t96 = p->rhoF * K0_11_rhoF;
+    const double K0_12_rhoF = wx_delta2_delta * K0_11_rhoF;
+    const double t98 = yaw_per_v_delta * t54;
+    const double K0_22_rhoF = wx_delta2_delta * K0_12_rhoF;
+    const double t100 = p->rhoF * K0_12_rhoF;
+    const double yaw_by_delta = p->c * yaw_per_v_delta;
+    const double t103 = t89 + (wx_delta2_delta_lam * t59);
+    const double t104 = vy_all1_delta * t94;
+    const double t108 = yaw_per_v_delta * (p->IRxx + p->IBzz + (p->xB * t63));
+    const double t109 = t46 * yaw_by_delta;
+    const double C1_21 = -(t92 + (yaw_by_delta * h_wheels_all));
+    const double wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
+    const double t117 = (t30 * p->w) + t66 + (p->c * vy_all1_delta);
+    const double K2_12 = yaw_per_v_delta * vy_all1_delta;
+    const double t119 = t53 * K2_12;
+    const double t120 = yaw_per_v_delta * t66;
+    const double t121 = wz_delta2_delta * t54;
+    const double t123 = t103 - (wz_delta2_delta * p->xH);
+    const double t124 = p->xB * yaw_by_delta;
+    const double t125 = p->zB * t124;
+    const double M_22_mB = t124 * t124;
+    const double t127 = p->mB * t124;
+    const double t128 = p->mH - t71;
+    const double K0_11_rhoR = p->mR + p->mB + t128;
+    const double K0_12_c = wx_delta2_delta_lam * t128;
+    const double K0_22_c = wx_delta2_delta * K0_12_c;
+    const double t133 = yaw_per_v_delta * K0_12_c;
+    const double t134 = yaw_per_v_delta * t117;
+    const double t135 = t30 * wx_delta2_delta;
+    const double K0_11 = t96 + (p->rhoR * K0_11_rhoR) - t57;
+    const double t139 = t30 * wx_delta2_delta_lam;
+    const double M_12_mH = p->zH * t123;
+    const double M_22_mH = t123 * t123;
+    const double M_12_rF = t135 + t135;
+    const double C1_12 = t134 + t92;
+    const double t145 = t53 * (t134 - t139);
+    const double t150 = (p->IHxz * wz_delta2_delta) + (t33 * wx_delta2_delta) + (t54 * t123);
+    const double t151 = wx_delta2_delta_lam * t54;
+    const double M_12_w = t151 - (t62 * t120);
+    const double M_12_c = t120 + t151;
+    const double t158 = (wz_delta2_delta * t60) + t90 - (t123 * ay_all1_delta);
+    const double t159 = yaw_per_v_delta * t60;
+    const double t160 = p->mH * t123;
+    const double M_12_zH = t160 + (p->mH * t89);
+    const double t163 = yaw_per_v_delta * t123;
+    const double t164 = t74 * t163;
+    const double t165 = t160 - t127;
+    const double t166 = t135 - t165;
+    const double M_12 = (t48 * yaw_by_delta) + t150;
+    const double K0_12 = t100 - t166;
+    const double t170 = t166 - t100;
+    const double t172 = t158 + (p->c * t108);
+    const double t174 = t108 + t127 + t159;
+    const double t175 = yaw_by_delta * t127;
+    const double M_22_xB = t175 + t175;
+    const double t177 = wx_delta2_delta * h_spin_F;
+    const double t179 = t177 + (t117 * t94);
+    const double t180 = t166 + t177;
+    const double K2_22 = yaw_per_v_delta * t180;
+    const double t182 = t53 * t180;
+    const double K0_22 = -(wx_delta2_delta * t170);
+    const double t185 = wx_delta2_delta_lam + wx_delta2_delta_lam;
+    const double t186 = yaw_per_v_delta * h_wheels_all;
+    const double C1_21_w = t62 * t186;
+    const double t191 = t158 + (t59 * t160) + (t62 * t172);
+    const double t192 = t53 * t172;
+    const double t193 = p->mH * wx_delta2_delta_lam;
+    const double t197 = yaw_per_v_delta * (t193 + t182 + (yaw_by_delta * t71));
+    const double t200 = t185 * ((t62 * t192) - t160);
+    const double M_22_c = t185 * (t160 + t192);
+    const double t206 = (t69 * t94) + t192 - (t62 * t165);
+    const double t207 = t74 * t193;
+    const double t208 = t135 - t207;
+    const double t209 = t53 * t207;
+    const double t210 = t53 * t193;
+    const double K2_22_xH = wz_delta2_delta * t210;
+    const double t212 = wx_delta2_delta * t210;
+    const double t213 = wx_delta2_delta * t209;
+    const double t214 = p->xH * t209;
+    const double C1_22_c = yaw_per_v_delta * (t208 + t174 + t214 - t165);
+    const double M_22 = (wx_delta2_delta_lam * t191) + (wx_delta2_delta * t150);
+    const double t223 = yaw_by_delta - (t94 * p->rhoF);
+    const double K0_12_w = t193 + (t71 * t223);
+    const double t226 = p->c * t94;
+    const double C1_21_lam = t177 + (h_wheels_all * t226);
+    const double C1_22 = wx_delta2_delta_lam * t206;
+    const double t231 = t206 + (t62 * t174);
+    const double K2_22_h_spin_F = wx_delta2_delta_lam * t94;
+    const double K2_22_mF = p->rF * K2_22_h_spin_F;
+    const double K2_22_IFyy = t67 * K2_22_h_spin_F;
+    const double K0_12_zH = p->mH * wx_delta2_delta;
+    const double t240 = t151 + (ay_all1_delta * (wx_delta2_delta + t226)) - (t59 * K0_12_zH);
+    const double K0_22_w = wx_delta2_delta * K0_12_w;
+    const double t242 = wx_delta2_delta + wx_delta2_delta;
+    const double M_22_lam = (t150 * t185) - (t191 * t242);
+    const double M_22_rF = t135 * t242;
+    const double C1_22_w = yaw_per_v_delta * (t208 - t231 - (t62 * t214));
+    const double M_22_zH = t160 * t242;
+    const double t253 = p->mR - (t68 * t73);
+    const double C1_12_rR = yaw_by_delta * t253;
+    const double K2_12_rR = yaw_per_v_delta * t253;
+    const double K2_12_IRyy = yaw_per_v_delta * t68;
+    const double C1_12_IRyy = p->c * K2_12_IRyy;
+    const double C1_21_rR = t73 * C1_12_IRyy;
+    const double K2_12_mR = p->rR * yaw_per_v_delta;
+    const double C1_12_mR = p->c * K2_12_mR;
+    const double C1_22_IRxx = yaw_per_v_delta * yaw_by_delta;
+    const double M_22_IRxx = p->c * C1_22_IRxx;
+    const double M_12_lam = (t33 * wx_delta2_delta_lam) + (p->zH * t240) - t90 - (t64 * t226);
+    const double M_22_yaw_by_delta = (wx_delta2_delta_lam * (p->IHxz + t69)) - (t74 * t240);
+    const double C1_22_lam = (yaw_per_v_delta * M_22_yaw_by_delta) - (wx_delta2_delta * (t159 +
+        t231));
+    const double t279 = t240 + (t63 * t226) - t139;
+    const double K2_22_mB = p->xB * C1_22_IRxx;
+    const double C1_22_mB = t77 * K2_22_mB;
+    const double t282 = p->mB * yaw_per_v_delta;
+    const double t283 = p->zB * t282;
+    const double K2_22_xB = yaw_by_delta * t282;
+    const double C1_22_xB = (p->xB + t77) * K2_22_xB;
+    const double t287 = t282 * t77;
+    const double t288 = p->mB * t223;
+    const double t289 = wx_delta2_delta * t288;
+    const double t290 = p->zB * yaw_per_v_delta;
+    const double t291 = t77 * t290;
+    const double t292 = p->xB * t223;
+    const double K2_22_lam = (yaw_per_v_delta * (t92 - t279)) - (wx_delta2_delta * t182);
+    const double K0_12_lam = (wx_delta2_delta_lam * t96) + t279;
+    const double t299 = wx_delta2_delta * t292;
+    const double t300 = wx_delta2_delta_lam + t223;
+    const double t301 = K0_12_zH * t300;
+    const double t302 = p->mH * t300;
+    const double K0_12_mH = t103 - (p->xH * t300);
+    const double t305 = wz_delta2_delta + wz_delta2_delta;
+    const double t306 = t160 * t305;
+    const double M_22_IHxz = wx_delta2_delta * t305;
+    const double K0_22_mH = wx_delta2_delta * K0_12_mH;
+    const double C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
+    const double C1_22_yaw_by_delta = t74 * C1_22_IHzz;
+    const double C1_22_xH = p->mH * (C1_22_yaw_by_delta - t163);
+    const double K2_22_yaw_by_delta = wx_delta2_delta * K0_12_lam;
+    const double K0_22_lam = K2_22_yaw_by_delta - (wx_delta2_delta_lam * t170);
+    const double M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+    const double K0_22_zH = p->mH * M_22_IHxx;
+    const double t318 = p->mF * M_22_IHxx;
+    const double t319 = p->zH * yaw_per_v_delta;
+    const double t320 = t74 * t319;
+    const double M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+    const double M_22_IFxx = M_22_IHxx + M_22_IHzz;
+    const double C1_12_IFyy = wz_delta2_delta * t67;
+    const double C1_21_rF = h_spin_F * C1_12_IFyy;
+    const double K2_12_IFyy = yaw_per_v_delta * t67;
+    const double t326 = p->mF * yaw_per_v_delta;
+    const double K2_12_rF = t326 - (h_spin_F * K2_12_IFyy);
+    const double t329 = t59 * t326;
+    const double C1_12_rF = t329 - C1_21_rF;
+    const double C1_22_rF = wx_delta2_delta * t329;
+    const double M_11_mF = p->rF * p->rF;
+    const double M_22_mF = M_22_IHxx * M_11_mF;
+    const double M_12_mF = wx_delta2_delta * M_11_mF;
+    const double K2_12_mF = p->rF * yaw_per_v_delta;
+    const double C1_12_mF = t59 * K2_12_mF;
+    const double C1_22_mF = wx_delta2_delta * C1_12_mF;
+    const double t339 = wx_delta2_delta * (p->rF - p->rhoF);
+    const double t340 = wx_delta2_delta * t339;
+    const double t342 = -(wx_delta2_delta * K2_12_rF);
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -897,136 +895,136 @@ void whipple_tyres_f64_derivatives(const whipple_tyres_f64_t *p,
     matrices->k2[0][1] = K2_12;
     matrices->k2[1][0] = 0.0;
     matrices->k2[1][1] = K2_22;
-    derivatives->values[0] = M_12_w;
-    derivatives->values[1] = M_22_w;
-    derivatives->values[2] = C1_12_w;
-    derivatives->values[3] = C1_21_w;
-    derivatives->values[4] = C1_22_w;
-    derivatives->values[5] = t175;
-    derivatives->values[6] = K0_12_w;
-    derivatives->values[7] = t183;
-    derivatives->values[8] = t184;
-    derivatives->values[9] = t187;
-    derivatives->values[10] = M_12_c;
-    derivatives->values[11] = M_22_c;
-    derivatives->values[12] = K2_12;
-    derivatives->values[13] = t101;
-    derivatives->values[14] = C1_22_c;
-    derivatives->values[15] = K0_12_c;
-    derivatives->values[16] = K0_22_c;
-    derivatives->values[17] = t200;
-    derivatives->values[18] = t212;
-    derivatives->values[19] = M_22_lam;
-    derivatives->values[20] = t221;
-    derivatives->values[21] = C1_21_lam;
-    derivatives->values[22] = C1_22_lam;
-    derivatives->values[23] = K0_12_lam;
-    derivatives->values[24] = K0_22_lam;
-    derivatives->values[25] = t241;
-    derivatives->values[26] = K2_22_lam;
-    derivatives->values[27] = M_11_rR;
-    derivatives->values[28] = C1_12_rR;
-    derivatives->values[29] = C1_21_rR;
-    derivatives->values[30] = p->mR;
-    derivatives->values[31] = K2_12_rR;
-    derivatives->values[32] = M_11_mR;
-    derivatives->values[33] = C1_12_mR;
-    derivatives->values[34] = K0_11_mR;
-    derivatives->values[35] = K2_12_mR;
-    derivatives->values[36] = 1.0;
-    derivatives->values[37] = M_22_IRxx;
-    derivatives->values[38] = C1_22_IRxx;
-    derivatives->values[39] = C1_12_IRyy;
-    derivatives->values[40] = K2_12_IRyy;
-    derivatives->values[41] = t261;
-    derivatives->values[42] = M_22_xB;
-    derivatives->values[43] = t260;
-    derivatives->values[44] = C1_22_xB;
-    derivatives->values[45] = K0_11_xB;
-    derivatives->values[46] = t270;
-    derivatives->values[47] = t271;
-    derivatives->values[48] = K2_22_xB;
-    derivatives->values[49] = M_11_zB;
-    derivatives->values[50] = t105;
-    derivatives->values[51] = t275;
-    derivatives->values[52] = p->mB;
-    derivatives->values[53] = t276;
-    derivatives->values[54] = M_11_mB;
-    derivatives->values[55] = t278;
-    derivatives->values[56] = M_22_mB;
-    derivatives->values[57] = t282;
-    derivatives->values[58] = C1_22_mB;
-    derivatives->values[59] = K0_11_mB;
-    derivatives->values[60] = t287;
-    derivatives->values[61] = t288;
-    derivatives->values[62] = t281;
-    derivatives->values[63] = K2_22_mB;
-    derivatives->values[64] = yaw_by_delta;
-    derivatives->values[65] = yaw_per_v_delta;
-    derivatives->values[66] = t289;
-    derivatives->values[67] = t291;
-    derivatives->values[68] = t293;
-    derivatives->values[69] = C1_22_xH;
-    derivatives->values[70] = K0_11_xH;
-    derivatives->values[71] = t299;
-    derivatives->values[72] = t300;
-    derivatives->values[73] = K2_22_xH;
-    derivatives->values[74] = M_11_zH;
-    derivatives->values[75] = M_12_zH;
-    derivatives->values[76] = M_22_zH;
-    derivatives->values[77] = t170;
-    derivatives->values[78] = t307;
-    derivatives->values[79] = p->mH;
-    derivatives->values[80] = K0_12_zH;
-    derivatives->values[81] = K0_22_zH;
-    derivatives->values[82] = t169;
-    derivatives->values[83] = t309;
-    derivatives->values[84] = M_11_mH;
-    derivatives->values[85] = M_12_mH;
-    derivatives->values[86] = M_22_mH;
-    derivatives->values[87] = t312;
-    derivatives->values[88] = t314;
-    derivatives->values[89] = K0_11_mH;
-    derivatives->values[90] = K0_12_mH;
-    derivatives->values[91] = K0_22_mH;
-    derivatives->values[92] = t292;
-    derivatives->values[93] = t313;
-    derivatives->values[94] = wx_delta2_delta;
-    derivatives->values[95] = M_22_IHxx;
-    derivatives->values[96] = M_22_IHzz;
-    derivatives->values[97] = C1_22_IHzz;
-    derivatives->values[98] = wz_delta2_delta;
-    derivatives->values[99] = M_22_IHxz;
-    derivatives->values[100] = K2_22_h_spin_F;
-    derivatives->values[101] = M_11_rF;
-    derivatives->values[102] = M_12_rF;
-    derivatives->values[103] = M_22_rF;
-    derivatives->values[104] = C1_12_rF;
-    derivatives->values[105] = C1_21_rF;
-    derivatives->values[106] = C1_22_rF;
-    derivatives->values[107] = p->mF;
-    derivatives->values[108] = t106;
-    derivatives->values[109] = t336;
-    derivatives->values[110] = K2_12_rF;
-    derivatives->values[111] = K2_22_rF;
-    derivatives->values[112] = M_11_mF;
-    derivatives->values[113] = M_12_mF;
-    derivatives->values[114] = M_22_mF;
-    derivatives->values[115] = C1_12_mF;
-    derivatives->values[116] = C1_22_mF;
-    derivatives->values[117] = K0_11_mF;
-    derivatives->values[118] = t348;
-    derivatives->values[119] = t349;
-    derivatives->values[120] = K2_12_mF;
-    derivatives->values[121] = K2_22_mF;
-    derivatives->values[122] = M_22_IFxx;
-    derivatives->values[123] = C1_12_IFyy;
-    derivatives->values[124] = K2_12_IFyy;
-    derivatives->values[125] = K2_22_IFyy;
-    derivatives->values[126] = K0_11_rhoR;
-    derivatives->values[127] = K0_11_rhoF;
-    derivatives->values[128] = K0_12_rhoF;
-    derivatives->values[129] = K0_22_rhoF;
+    derivatives->values[0] = p->mR;
+    derivatives->values[1] = p->mB;
+    derivatives->values[2] = p->mH;
+    derivatives->values[3] = p->mF;
+    derivatives->values[4] = 1.0;
+    derivatives->values[5] = wx_delta2_delta;
+    derivatives->values[6] = M_11_mH;
+    derivatives->values[7] = M_11_mB;
+    derivatives->values[8] = M_11_rR;
+    derivatives->values[9] = M_11_mR;
+    derivatives->values[10] = K0_11_mR;
+    derivatives->values[11] = M_11_zB;
+    derivatives->values[12] = M_11_rF;
+    derivatives->values[13] = K0_11_mF;
+    derivatives->values[14] = M_11_zH;
+    derivatives->values[15] = t78;
+    derivatives->values[16] = K0_11_xB;
+    derivatives->values[17] = K0_11_mB;
+    derivatives->values[18] = K0_11_xH;
+    derivatives->values[19] = K0_11_mH;
+    derivatives->values[20] = t87;
+    derivatives->values[21] = yaw_per_v_delta;
+    derivatives->values[22] = K0_11_rhoF;
+    derivatives->values[23] = K0_12_rhoF;
+    derivatives->values[24] = t98;
+    derivatives->values[25] = K0_22_rhoF;
+    derivatives->values[26] = yaw_by_delta;
+    derivatives->values[27] = t104;
+    derivatives->values[28] = t109;
+    derivatives->values[29] = wz_delta2_delta;
+    derivatives->values[30] = K2_12;
+    derivatives->values[31] = t119;
+    derivatives->values[32] = t121;
+    derivatives->values[33] = t125;
+    derivatives->values[34] = M_22_mB;
+    derivatives->values[35] = t127;
+    derivatives->values[36] = K0_11_rhoR;
+    derivatives->values[37] = K0_12_c;
+    derivatives->values[38] = K0_22_c;
+    derivatives->values[39] = t133;
+    derivatives->values[40] = M_12_mH;
+    derivatives->values[41] = M_22_mH;
+    derivatives->values[42] = M_12_rF;
+    derivatives->values[43] = t145;
+    derivatives->values[44] = M_12_w;
+    derivatives->values[45] = M_12_c;
+    derivatives->values[46] = M_12_zH;
+    derivatives->values[47] = t163;
+    derivatives->values[48] = t164;
+    derivatives->values[49] = M_22_xB;
+    derivatives->values[50] = t179;
+    derivatives->values[51] = t186;
+    derivatives->values[52] = C1_21_w;
+    derivatives->values[53] = t197;
+    derivatives->values[54] = t200;
+    derivatives->values[55] = M_22_c;
+    derivatives->values[56] = t209;
+    derivatives->values[57] = t210;
+    derivatives->values[58] = K2_22_xH;
+    derivatives->values[59] = t212;
+    derivatives->values[60] = t213;
+    derivatives->values[61] = C1_22_c;
+    derivatives->values[62] = K0_12_w;
+    derivatives->values[63] = C1_21_lam;
+    derivatives->values[64] = K2_22_h_spin_F;
+    derivatives->values[65] = K2_22_mF;
+    derivatives->values[66] = K2_22_IFyy;
+    derivatives->values[67] = K0_12_zH;
+    derivatives->values[68] = K0_22_w;
+    derivatives->values[69] = M_22_lam;
+    derivatives->values[70] = M_22_rF;
+    derivatives->values[71] = C1_22_w;
+    derivatives->values[72] = M_22_zH;
+    derivatives->values[73] = C1_12_rR;
+    derivatives->values[74] = K2_12_rR;
+    derivatives->values[75] = K2_12_IRyy;
+    derivatives->values[76] = C1_12_IRyy;
+    derivatives->values[77] = C1_21_rR;
+    derivatives->values[78] = K2_12_mR;
+    derivatives->values[79] = C1_12_mR;
+    derivatives->values[80] = C1_22_IRxx;
+    derivatives->values[81] = M_22_IRxx;
+    derivatives->values[82] = M_12_lam;
+    derivatives->values[83] = C1_22_lam;
+    derivatives->values[84] = K2_22_mB;
+    derivatives->values[85] = C1_22_mB;
+    derivatives->values[86] = t282;
+    derivatives->values[87] = t283;
+    derivatives->values[88] = K2_22_xB;
+    derivatives->values[89] = C1_22_xB;
+    derivatives->values[90] = t287;
+    derivatives->values[91] = t288;
+    derivatives->values[92] = t289;
+    derivatives->values[93] = t290;
+    derivatives->values[94] = t291;
+    derivatives->values[95] = t292;
+    derivatives->values[96] = K2_22_lam;
+    derivatives->values[97] = K0_12_lam;
+    derivatives->values[98] = t299;
+    derivatives->values[99] = t301;
+    derivatives->values[100] = t302;
+    derivatives->values[101] = K0_12_mH;
+    derivatives->values[102] = t306;
+    derivatives->values[103] = M_22_IHxz;
+    derivatives->values[104] = K0_22_mH;
+    derivatives->values[105] = C1_22_IHzz;
+    derivatives->values[106] = C1_22_xH;
+    derivatives->values[107] = K0_22_lam;
+    derivatives->values[108] = M_22_IHxx;
+    derivatives->values[109] = K0_22_zH;
+    derivatives->values[110] = t318;
+    derivatives->values[111] = t319;
+    derivatives->values[112] = t320;
+    derivatives->values[113] = M_22_IHzz;
+    derivatives->values[114] = M_22_IFxx;
+    derivatives->values[115] = C1_12_IFyy;
+    derivatives->values[116] = C1_21_rF;
+    derivatives->values[117] = K2_12_IFyy;
+    derivatives->values[118] = K2_12_rF;
+    derivatives->values[119] = C1_12_rF;
+    derivatives->values[120] = C1_22_rF;
+    derivatives->values[121] = M_11_mF;
+    derivatives->values[122] = M_22_mF;
+    derivatives->values[123] = M_12_mF;
+    derivatives->values[124] = K2_12_mF;
+    derivatives->values[125] = C1_12_mF;
+    derivatives->values[126] = C1_22_mF;
+    derivatives->values[127] = t339;
+    derivatives->values[128] = t340;
+    derivatives->values[129] = t342;
 }
 
 void whipple_tyres_f64_with_respect_to(const whipple_tyres_f64_derivatives_t *derivatives,
@@ -6637,226 +6635,224 @@ void whipple_tyres_f32_kinematics(const whipple_tyres_f32_t *p, whipple_tyres_f3
 void whipple_tyres_f32_derivatives(const whipple_tyres_f32_t *p,
     whipple_tyres_f32_matrices_t *matrices, whipple_tyres_f32_derivatives_t *derivatives)
 {
-    const float t2 = p->zB * p->mB;
-    const float t6 = p->zH * p->mH;
-    const float M_11_mR = p->rR * p->rR;
-    const float M_11_mF = p->rF * p->rF;
-    const float t21 = p->IHxx + p->IFxx + (p->mF * M_11_mF);
-    const float M_11 = (p->zB * t2) + (p->zH * t6) + (p->mR * M_11_mR) + p->IRxx + p->IBxx + t21;
     float wx_delta2_delta = 0.0F;
     float wx_delta2_delta_lam = 0.0F;
     carvallo_sin_cos_f32(p->lam, &wx_delta2_delta, &wx_delta2_delta_lam);
-    const float t32 = 1.0F / p->w;
-    const float t33 = p->c * t32;
-    const float yaw_by_delta = wx_delta2_delta_lam * t33;
-    const float wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
-    const float t36 = p->IHxz * wz_delta2_delta;
-    const float t39 = t36 + (t21 * wx_delta2_delta);
-    const float t43 = p->IBxz - (t2 * p->xB);
-    const float t45 = p->zH * wx_delta2_delta;
-    const float t46 = p->c + p->w;
-    const float t48 = t46 - p->xH;
-    const float t50 = yaw_by_delta * p->xH;
-    const float t52 = t45 + (wx_delta2_delta_lam * t48) - t50;
-    const float M_12_mH = p->zH * t52;
-    const float M_12 = t39 + (yaw_by_delta * t43) + (p->mH * M_12_mH);
-    const float t57 = p->IHxz * wx_delta2_delta;
-    const float t59 = p->IFxx + p->IHzz;
-    const float t61 = t57 + (wz_delta2_delta * t59);
-    const float t63 = p->mB * p->xB;
-    const float t66 = p->IRxx + p->IBzz + (p->xB * t63);
-    const float t68 = t61 + (yaw_by_delta * t66);
-    const float t70 = t61 + (t33 * t68);
-    const float t72 = p->mH * t52;
-    const float M_22 = (wx_delta2_delta_lam * t70) + (t52 * t72) + (wx_delta2_delta * t39);
-    const float t79 = 1.0F / p->rF;
-    const float h_spin_F = p->IFyy * t79;
-    const float t81 = wx_delta2_delta_lam * h_spin_F;
-    const float yaw_per_v_delta = wx_delta2_delta_lam * t32;
-    const float t83 = p->mR * p->rR;
-    const float t85 = t2 + t6 - t83;
-    const float t87 = 1.0F / p->rR;
-    const float t88 = p->IRyy * t87;
-    const float h_wheels_all = h_spin_F + t88;
-    const float t90 = t85 - h_wheels_all;
-    const float t92 = p->mF * p->rF;
-    const float t94 = p->IHxz + (t46 * t92);
-    const float t98 = t43 + t94 - (p->c * t90) - (t6 * p->xH);
-    const float t99 = yaw_per_v_delta * t98;
-    const float C1_12 = t81 + t99;
-    const float t101 = yaw_per_v_delta * h_wheels_all;
-    const float ay_all1_delta = p->c * t101;
-    const float t104 = yaw_by_delta * p->xB;
-    const float t105 = p->mB * t104;
-    const float t106 = p->mF * wx_delta2_delta;
-    const float t107 = p->rF * t106;
-    const float t109 = t105 + t107 - t72;
-    const float t112 = t68 - (p->xH * t72);
-    const float t114 = t112 + (p->w * t107);
-    const float C1_22 = (yaw_by_delta * t109) + (yaw_per_v_delta * t114);
-    const float t118 = t32 * t63;
-    const float t120 = p->mH * t32 * p->xH;
-    const float t121 = t118 + t120;
-    const float K0_11_rhoF = p->mF + t121;
-    const float t123 = p->rhoF * K0_11_rhoF;
-    const float t125 = p->mH - t120;
-    const float K0_11_rhoR = p->mB + p->mR + t125 - t118;
-    const float K0_11 = t85 + t123 + (p->rhoR * K0_11_rhoR) - t92;
-    const float K0_12_rhoF = wx_delta2_delta * K0_11_rhoF;
-    const float K0_12 = (p->rhoF * K0_12_rhoF) - t109;
-    const float K0_22 = wx_delta2_delta * K0_12;
-    const float vy_all1_delta = t92 - t90;
-    const float K2_12 = yaw_per_v_delta * vy_all1_delta;
-    const float t139 = wx_delta2_delta * h_spin_F;
-    const float t140 = t109 + t139;
-    const float K2_22 = yaw_per_v_delta * t140;
-    const float t143 = wx_delta2_delta_lam + (t32 * t50);
-    const float t144 = p->mH * t143;
-    const float t146 = p->IHxz + t43;
-    const float t147 = yaw_per_v_delta * t146;
-    const float C1_22_yaw_by_delta = t33 * t147;
-    const float M_12_w = (p->zH * t144) - C1_22_yaw_by_delta;
-    const float t150 = t32 * t112;
-    const float t153 = wx_delta2_delta_lam * (t72 - (t33 * t150));
-    const float M_22_w = t153 + t153;
-    const float t155 = wx_delta2_delta_lam * t92;
-    const float C1_12_w = t32 * (t155 - t99);
-    const float C1_21_w = t32 * ay_all1_delta;
-    const float M_22_wz_delta2_delta = yaw_per_v_delta * (t59 + t66);
-    const float t162 = t105 + t109 + M_22_wz_delta2_delta;
-    const float t164 = t114 + (p->c * t162);
-    const float t168 = p->c + p->xH;
-    const float t169 = p->mH * yaw_per_v_delta;
-    const float t170 = t168 * t169;
-    const float C1_22_w = (yaw_per_v_delta * (t107 - (t32 * t164))) - (t143 * t170);
-    const float t174 = t32 * (p->rhoF - p->rhoR);
-    const float t175 = t121 * t174;
-    const float t176 = t32 * wx_delta2_delta;
-    const float t177 = p->rhoF * t176;
-    const float t178 = t121 * t177;
-    const float K2_22_yaw_by_delta = wx_delta2_delta_lam * t118;
-    const float t181 = t144 + (t33 * K2_22_yaw_by_delta);
-    const float t183 = wx_delta2_delta * (t178 - t181);
-    const float t184 = t32 * K2_12;
-    const float t187 = yaw_per_v_delta * (t181 + (t32 * t140));
-    const float t188 = wx_delta2_delta_lam * t125;
-    const float M_12_c = t147 + (p->zH * t188);
-    const float t192 = wx_delta2_delta_lam * (t72 + t150);
-    const float M_22_c = t192 + t192;
-    const float t195 = yaw_per_v_delta * t168;
-    const float C1_22_c = (yaw_per_v_delta * t162) - (t188 * t195);
-    const float K0_12_c = t188 - K2_22_yaw_by_delta;
-    const float K0_22_c = wx_delta2_delta * K0_12_c;
-    const float t200 = yaw_per_v_delta * K0_12_c;
-    const float t201 = t33 * wx_delta2_delta;
-    const float t203 = t21 * wx_delta2_delta_lam;
-    const float t208 = (p->xH * t201) + (p->zH * wx_delta2_delta_lam) - (wx_delta2_delta * t48);
-    const float t212 = t57 + (t146 * t201) - t203 - (t6 * t208);
-    const float t218 = (wx_delta2_delta_lam * t36) + (t72 * t208) - (wx_delta2_delta * (t70 -
-        t203));
-    const float M_22_lam = t218 + t218;
-    const float t221 = t139 + (t98 * t176);
-    const float C1_21_lam = t139 + (h_wheels_all * t201);
-    const float C1_22_lam = (wx_delta2_delta_lam * yaw_per_v_delta * t94) - (t170 * t208) - (t176 *
-        (t164 + (wx_delta2_delta_lam * t59)));
-    const float t235 = (p->mH * t208) + (t63 * t201) - t155;
-    const float K0_12_lam = t235 + (wx_delta2_delta_lam * t123);
-    const float K0_22_lam = (wx_delta2_delta_lam * K0_12) + (wx_delta2_delta * K0_12_lam);
-    const float t241 = vy_all1_delta * t176;
-    const float K2_22_lam = (yaw_per_v_delta * (t81 - t235)) - (t140 * t176);
-    const float M_11_rR = t83 + t83;
-    const float K2_12_rR = yaw_per_v_delta * (p->mR - (t87 * t88));
-    const float C1_12_rR = p->c * K2_12_rR;
-    const float C1_12_IRyy = yaw_by_delta * t87;
-    const float C1_21_rR = t88 * C1_12_IRyy;
-    const float C1_12_mR = p->rR * yaw_by_delta;
-    const float K0_11_mR = p->rhoR - p->rR;
-    const float K2_12_mR = p->rR * yaw_per_v_delta;
-    const float C1_22_IRxx = yaw_by_delta * yaw_per_v_delta;
-    const float M_22_IRxx = p->c * C1_22_IRxx;
-    const float K2_12_IRyy = yaw_per_v_delta * t87;
-    const float t260 = t2 * yaw_per_v_delta;
-    const float t261 = p->c * t260;
-    const float t262 = t63 * M_22_IRxx;
-    const float M_22_xB = t262 + t262;
-    const float K2_22_mB = yaw_per_v_delta * t104;
-    const float t265 = M_22_IRxx + K2_22_mB;
-    const float C1_22_xB = p->mB * (K2_22_mB + t265);
-    const float K0_11_xB = p->mB * t174;
-    const float t269 = yaw_by_delta - t177;
-    const float t270 = p->mB * t269;
-    const float t271 = wx_delta2_delta * t270;
-    const float K2_22_xB = p->mB * C1_22_IRxx;
-    const float M_11_zB = t2 + t2;
-    const float t275 = K2_22_yaw_by_delta + (p->mB * yaw_by_delta);
-    const float t276 = p->mB * yaw_per_v_delta;
-    const float M_11_mB = p->zB * p->zB;
-    const float t278 = p->zB * t104;
-    const float M_22_mB = t104 * t104;
-    const float t281 = p->zB * yaw_per_v_delta;
-    const float t282 = (p->c + p->xB) * t281;
-    const float C1_22_mB = p->xB * t265;
-    const float K0_11_mB = p->zB + p->rhoR + (p->xB * t174);
-    const float t287 = p->xB * t269;
-    const float t288 = wx_delta2_delta * t287;
-    const float t289 = t6 * wz_delta2_delta;
-    const float t290 = t72 + t72;
-    const float t291 = wz_delta2_delta * t290;
-    const float t292 = p->zH * yaw_per_v_delta;
-    const float t293 = p->mH * t292;
-    const float C1_22_xH = (wz_delta2_delta * t170) - (t72 * yaw_per_v_delta);
-    const float K0_11_xH = p->mH * t174;
-    const float t299 = p->mH * (wz_delta2_delta - t177);
-    const float t300 = wx_delta2_delta * t299;
-    const float K2_22_xH = wz_delta2_delta * t169;
-    const float M_11_zH = t6 + t6;
-    const float M_12_zH = t72 + (p->mH * t45);
-    const float M_22_zH = wx_delta2_delta * t290;
-    const float K0_12_zH = p->mH * wx_delta2_delta;
-    const float t307 = t195 * K0_12_zH;
-    const float K0_22_zH = wx_delta2_delta * K0_12_zH;
-    const float t309 = yaw_per_v_delta * K0_12_zH;
+    const float t29 = p->rR * p->mR;
+    const float t30 = p->rF * p->mF;
+    const float C1_22_wz_delta2_delta = p->rF * t30;
+    const float t33 = p->IFxx + p->IHxx + C1_22_wz_delta2_delta;
     const float M_11_mH = p->zH * p->zH;
-    const float M_22_mH = t52 * t52;
-    const float t312 = p->zH * t195;
-    const float t313 = t52 * yaw_per_v_delta;
-    const float t314 = t168 * t313;
-    const float K0_11_mH = p->zH + p->rhoR + (p->xH * t174);
-    const float K0_12_mH = t52 + (p->xH * t177);
-    const float K0_22_mH = wx_delta2_delta * K0_12_mH;
-    const float M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
-    const float M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-    const float C1_22_IHzz = wz_delta2_delta * yaw_per_v_delta;
-    const float t324 = wz_delta2_delta * wx_delta2_delta;
-    const float M_22_IHxz = t324 + t324;
-    const float K2_22_h_spin_F = wx_delta2_delta_lam * t176;
-    const float M_11_rF = t92 + t92;
-    const float M_12_rF = t107 + t107;
-    const float M_22_rF = wx_delta2_delta * M_12_rF;
-    const float t330 = p->mF * yaw_per_v_delta;
-    const float t331 = t46 * t330;
-    const float C1_12_IFyy = wz_delta2_delta * t79;
-    const float C1_21_rF = h_spin_F * C1_12_IFyy;
-    const float C1_12_rF = t331 - C1_21_rF;
-    const float C1_22_rF = wx_delta2_delta * t331;
-    const float t336 = wx_delta2_delta * t106;
-    const float K2_12_IFyy = t79 * yaw_per_v_delta;
-    const float K2_12_rF = t330 - (h_spin_F * K2_12_IFyy);
-    const float K2_22_rF = wx_delta2_delta * K2_12_rF;
-    const float M_12_mF = M_11_mF * wx_delta2_delta;
-    const float M_22_mF = wx_delta2_delta * M_12_mF;
-    const float K2_12_mF = p->rF * yaw_per_v_delta;
-    const float C1_12_mF = t46 * K2_12_mF;
-    const float K2_22_mF = p->rF * K2_22_h_spin_F;
-    const float C1_22_mF = t46 * K2_22_mF;
-    const float t348 = wx_delta2_delta * (p->rF - p->rhoF);
-    const float t349 = wx_delta2_delta * t348;
-    const float M_22_IFxx = M_22_IHxx + M_22_IHzz;
-    const float K2_22_IFyy = t79 * K2_22_h_spin_F;
-    const float K0_22_rhoF = wx_delta2_delta * K0_12_rhoF;
-    const float C1_21 = -(t81 + ay_all1_delta);
-    const float K0_12_w = t181 - t178;
+    const float M_11_mB = p->zB * p->zB;
+    const float M_11_rR = t29 + t29;
+    const float M_11_mR = p->rR * p->rR;
+    const float M_11 = (p->rR * t29) + p->IRxx + p->IBxx + t33 + (p->mH * M_11_mH) + (p->mB *
+        M_11_mB);
+    const float t46 = p->mB * p->zB;
+    const float t48 = p->IBxz - (t46 * p->xB);
+    const float K0_11_mR = p->rhoR - p->rR;
+    const float M_11_zB = t46 + t46;
+    const float M_11_rF = t30 + t30;
     const float K0_11_mF = p->rhoF - p->rF;
+    const float t53 = 1.0F / p->w;
+    const float t54 = p->mH * p->zH;
+    const float t57 = t29 + t30 - t46 - t54;
+    const float M_11_zH = t54 + t54;
+    const float t59 = p->c + p->w;
+    const float t60 = p->IFxx + p->IHzz;
+    const float ay_all1_delta = p->mH * p->xH;
+    const float t62 = p->c * t53;
+    const float t63 = p->mB * p->xB;
+    const float t64 = t48 + p->IHxz;
+    const float t66 = t64 - (t54 * p->xH);
+    const float t67 = 1.0F / p->rF;
+    const float t68 = 1.0F / p->rR;
+    const float t69 = t30 * t59;
+    const float t71 = t53 * (ay_all1_delta + t63);
+    const float h_spin_F = p->IFyy * t67;
+    const float t73 = p->IRyy * t68;
+    const float t74 = p->c + p->xH;
+    const float t76 = t53 * (p->rhoF - p->rhoR);
+    const float t77 = p->xB + p->c;
+    const float t78 = t71 * t76;
+    const float K0_11_xB = p->mB * t76;
+    const float K0_11_mB = p->zB + p->rhoR + (p->xB * t76);
+    const float K0_11_xH = p->mH * t76;
+    const float K0_11_mH = p->zH + p->rhoR + (p->xH * t76);
+    const float t87 = p->mF * wx_delta2_delta;
+    const float yaw_per_v_delta = wx_delta2_delta_lam * t53;
+    const float t89 = p->zH * wx_delta2_delta;
+    const float t90 = p->IHxz * wx_delta2_delta;
+    const float h_wheels_all = h_spin_F + t73;
+    const float t92 = wx_delta2_delta_lam * h_spin_F;
+    const float vy_all1_delta = h_wheels_all + t57;
+    const float t94 = t53 * wx_delta2_delta;
+    const float K0_11_rhoF = p->mF + t71;
+    const float t96 = p->rhoF * K0_11_rhoF;
+    const float K0_12_rhoF = wx_delta2_delta * K0_11_rhoF;
+    const float t98 = yaw_per_v_delta * t54;
+    const float K0_22_rhoF = wx_delta2_delta * K0_12_rhoF;
+    const float t100 = p->rhoF * K0_12_rhoF;
+    const float yaw_by_delta = p->c * yaw_per_v_delta;
+    const float t103 = t89 + (wx_delta2_delta_lam * t59);
+    const float t104 = vy_all1_delta * t94;
+    const float t108 = yaw_per_v_delta * (p->IRxx + p->IBzz + (p->xB * t63));
+    const float t109 = t46 * yaw_by_delta;
+    const float C1_21 = -(t92 + (yaw_by_delta * h_wheels_all));
+    const float wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
+    const float t117 = (t30 * p->w) + t66 + (p->c * vy_all1_delta);
+    const float K2_12 = yaw_per_v_delta * vy_all1_delta;
+    const float t119 = t53 * K2_12;
+    const float t120 = yaw_per_v_delta * t66;
+    const float t121 = wz_delta2_delta * t54;
+    const float t123 = t103 - (wz_delta2_delta * p->xH);
+    const float t124 = p->xB * yaw_by_delta;
+    const float t125 = p->zB * t124;
+    const float M_22_mB = t124 * t124;
+    const float t127 = p->mB * t124;
+    const float t128 = p->mH - t71;
+    const float K0_11_rhoR = p->mR + p->mB + t128;
+    const float K0_12_c = wx_delta2_delta_lam * t128;
+    const float K0_22_c = wx_delta2_delta * K0_12_c;
+    const float t133 = yaw_per_v_delta * K0_12_c;
+    const float t134 = yaw_per_v_delta * t117;
+    const float t135 = t30 * wx_delta2_delta;
+    const float K0_11 = t96 + (p->rhoR * K0_11_rhoR) - t57;
+    const float t139 = t30 * wx_delta2_delta_lam;
+    const float M_12_mH = p->zH * t123;
+    const float M_22_mH = t123 * t123;
+    const float M_12_rF = t135 + t135;
+    const float C1_12 = t134 + t92;
+    const float t145 = t53 * (t134 - t139);
+    const float t150 = (p->IHxz * wz_delta2_delta) + (t33 * wx_delta2_delta) + (t54 * t123);
+    const float t151 = wx_delta2_delta_lam * t54;
+    const float M_12_w = t151 - (t62 * t120);
+    const float M_12_c = t120 + t151;
+    const float t158 = (wz_delta2_delta * t60) + t90 - (t123 * ay_all1_delta);
+    const float t159 = yaw_per_v_delta * t60;
+    const float t160 = p->mH * t123;
+    const float M_12_zH = t160 + (p->mH * t89);
+    const float t163 = yaw_per_v_delta * t123;
+    const float t164 = t74 * t163;
+    const float t165 = t160 - t127;
+    const float t166 = t135 - t165;
+    const float M_12 = (t48 * yaw_by_delta) + t150;
+    const float K0_12 = t100 - t166;
+    const float t170 = t166 - t100;
+    const float t172 = t158 + (p->c * t108);
+    const float t174 = t108 + t127 + t159;
+    const float t175 = yaw_by_delta * t127;
+    const float M_22_xB = t175 + t175;
+    const float t177 = wx_delta2_delta * h_spin_F;
+    const float t179 = t177 + (t117 * t94);
+    const float t180 = t166 + t177;
+    const float K2_22 = yaw_per_v_delta * t180;
+    const float t182 = t53 * t180;
+    const float K0_22 = -(wx_delta2_delta * t170);
+    const float t185 = wx_delta2_delta_lam + wx_delta2_delta_lam;
+    const float t186 = yaw_per_v_delta * h_wheels_all;
+    const float C1_21_w = t62 * t186;
+    const float t191 = t158 + (t59 * t160) + (t62 * t172);
+    const float t192 = t53 * t172;
+    const float t193 = p->mH * wx_delta2_delta_lam;
+    const float t197 = yaw_per_v_delta * (t193 + t182 + (yaw_by_delta * t71));
+    const float t200 = t185 * ((t62 * t192) - t160);
+    const float M_22_c = t185 * (t160 + t192);
+    const float t206 = (t69 * t94) + t192 - (t62 * t165);
+    const float t207 = t74 * t193;
+    const float t208 = t135 - t207;
+    const float t209 = t53 * t207;
+    const float t210 = t53 * t193;
+    const float K2_22_xH = wz_delta2_delta * t210;
+    const float t212 = wx_delta2_delta * t210;
+    const float t213 = wx_delta2_delta * t209;
+    const float t214 = p->xH * t209;
+    const float C1_22_c = yaw_per_v_delta * (t208 + t174 + t214 - t165);
+    const float M_22 = (wx_delta2_delta_lam * t191) + (wx_delta2_delta * t150);
+    const float t223 = yaw_by_delta - (t94 * p->rhoF);
+    const float K0_12_w = t193 + (t71 * t223);
+    const float t226 = p->c * t94;
+    const float C1_21_lam = t177 + (h_wheels_all * t226);
+    const float C1_22 = wx_delta2_delta_lam * t206;
+    const float t231 = t206 + (t62 * t174);
+    const float K2_22_h_spin_F = wx_delta2_delta_lam * t94;
+    const float K2_22_mF = p->rF * K2_22_h_spin_F;
+    const float K2_22_IFyy = t67 * K2_22_h_spin_F;
+    const float K0_12_zH = p->mH * wx_delta2_delta;
+    const float t240 = t151 + (ay_all1_delta * (wx_delta2_delta + t226)) - (t59 * K0_12_zH);
+    const float K0_22_w = wx_delta2_delta * K0_12_w;
+    const float t242 = wx_delta2_delta + wx_delta2_delta;
+    const float M_22_lam = (t150 * t185) - (t191 * t242);
+    const float M_22_rF = t135 * t242;
+    const float C1_22_w = yaw_per_v_delta * (t208 - t231 - (t62 * t214));
+    const float M_22_zH = t160 * t242;
+    const float t253 = p->mR - (t68 * t73);
+    const float C1_12_rR = yaw_by_delta * t253;
+    const float K2_12_rR = yaw_per_v_delta * t253;
+    const float K2_12_IRyy = yaw_per_v_delta * t68;
+    const float C1_12_IRyy = p->c * K2_12_IRyy;
+    const float C1_21_rR = t73 * C1_12_IRyy;
+    const float K2_12_mR = p->rR * yaw_per_v_delta;
+    const float C1_12_mR = p->c * K2_12_mR;
+    const float C1_22_IRxx = yaw_per_v_delta * yaw_by_delta;
+    const float M_22_IRxx = p->c * C1_22_IRxx;
+    const float M_12_lam = (t33 * wx_delta2_delta_lam) + (p->zH * t240) - t90 - (t64 * t226);
+    const float M_22_yaw_by_delta = (wx_delta2_delta_lam * (p->IHxz + t69)) - (t74 * t240);
+    const float C1_22_lam = (yaw_per_v_delta * M_22_yaw_by_delta) - (wx_delta2_delta * (t159 +
+        t231));
+    const float t279 = t240 + (t63 * t226) - t139;
+    const float K2_22_mB = p->xB * C1_22_IRxx;
+    const float C1_22_mB = t77 * K2_22_mB;
+    const float t282 = p->mB * yaw_per_v_delta;
+    const float t283 = p->zB * t282;
+    const float K2_22_xB = yaw_by_delta * t282;
+    const float C1_22_xB = (p->xB + t77) * K2_22_xB;
+    const float t287 = t282 * t77;
+    const float t288 = p->mB * t223;
+    const float t289 = wx_delta2_delta * t288;
+    const float t290 = p->zB * yaw_per_v_delta;
+    const float t291 = t77 * t290;
+    const float t292 = p->xB * t223;
+    const float K2_22_lam = (yaw_per_v_delta * (t92 - t279)) - (wx_delta2_delta * t182);
+    const float K0_12_lam = (wx_delta2_delta_lam * t96) + t279;
+    const float t299 = wx_delta2_delta * t292;
+    const float t300 = wx_delta2_delta_lam + t223;
+    const float t301 = K0_12_zH * t300;
+    const float t302 = p->mH * t300;
+    const float K0_12_mH = t103 - (p->xH * t300);
+    const float t305 = wz_delta2_delta + wz_delta2_delta;
+    const float t306 = t160 * t305;
+    const float M_22_IHxz = wx_delta2_delta * t305;
+    const float K0_22_mH = wx_delta2_delta * K0_12_mH;
+    const float C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
+    const float C1_22_yaw_by_delta = t74 * C1_22_IHzz;
+    const float C1_22_xH = p->mH * (C1_22_yaw_by_delta - t163);
+    const float K2_22_yaw_by_delta = wx_delta2_delta * K0_12_lam;
+    const float K0_22_lam = K2_22_yaw_by_delta - (wx_delta2_delta_lam * t170);
+    const float M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+    const float K0_22_zH = p->mH * M_22_IHxx;
+    const float t318 = p->mF * M_22_IHxx;
+    const float t319 = p->zH * yaw_per_v_delta;
+    const float t320 = t74 * t319;
+    const float M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+    const float M_22_IFxx = M_22_IHxx + M_22_IHzz;
+    const float C1_12_IFyy = wz_delta2_delta * t67;
+    const float C1_21_rF = h_spin_F * C1_12_IFyy;
+    const float K2_12_IFyy = yaw_per_v_delta * t67;
+    const float t326 = p->mF * yaw_per_v_delta;
+    const float K2_12_rF = t326 - (h_spin_F * K2_12_IFyy);
+    const float t329 = t59 * t326;
+    const float C1_12_rF = t329 - C1_21_rF;
+    const float C1_22_rF = wx_delta2_delta * t329;
+    const float M_11_mF = p->rF * p->rF;
+    const float M_22_mF = M_22_IHxx * M_11_mF;
+    const float M_12_mF = wx_delta2_delta * M_11_mF;
+    const float K2_12_mF = p->rF * yaw_per_v_delta;
+    const float C1_12_mF = t59 * K2_12_mF;
+    const float C1_22_mF = wx_delta2_delta * C1_12_mF;
+    const float t339 = wx_delta2_delta * (p->rF - p->rhoF);
+    const float t340 = wx_delta2_delta * t339;
+    const float t342 = -(wx_delta2_delta * K2_12_rF);
     matrices->m[0][0] = M_11;
     matrices->m[0][1] = M_12;
     matrices->m[1][0] = M_12;
@@ -6873,136 +6869,136 @@ void whipple_tyres_f32_derivatives(const whipple_tyres_f32_t *p,
     matrices->k2[0][1] = K2_12;
     matrices->k2[1][0] = 0.0F;
     matrices->k2[1][1] = K2_22;
-    derivatives->values[0] = M_12_w;
-    derivatives->values[1] = M_22_w;
-    derivatives->values[2] = C1_12_w;
-    derivatives->values[3] = C1_21_w;
-    derivatives->values[4] = C1_22_w;
-    derivatives->values[5] = t175;
-    derivatives->values[6] = K0_12_w;
-    derivatives->values[7] = t183;
-    derivatives->values[8] = t184;
-    derivatives->values[9] = t187;
-    derivatives->values[10] = M_12_c;
-    derivatives->values[11] = M_22_c;
-    derivatives->values[12] = K2_12;
-    derivatives->values[13] = t101;
-    derivatives->values[14] = C1_22_c;
-    derivatives->values[15] = K0_12_c;
-    derivatives->values[16] = K0_22_c;
-    derivatives->values[17] = t200;
-    derivatives->values[18] = t212;
-    derivatives->values[19] = M_22_lam;
-    derivatives->values[20] = t221;
-    derivatives->values[21] = C1_21_lam;
-    derivatives->values[22] = C1_22_lam;
-    derivatives->values[23] = K0_12_lam;
-    derivatives->values[24] = K0_22_lam;
-    derivatives->values[25] = t241;
-    derivatives->values[26] = K2_22_lam;
-    derivatives->values[27] = M_11_rR;
-    derivatives->values[28] = C1_12_rR;
-    derivatives->values[29] = C1_21_rR;
-    derivatives->values[30] = p->mR;
-    derivatives->values[31] = K2_12_rR;
-    derivatives->values[32] = M_11_mR;
-    derivatives->values[33] = C1_12_mR;
-    derivatives->values[34] = K0_11_mR;
-    derivatives->values[35] = K2_12_mR;
-    derivatives->values[36] = 1.0F;
-    derivatives->values[37] = M_22_IRxx;
-    derivatives->values[38] = C1_22_IRxx;
-    derivatives->values[39] = C1_12_IRyy;
-    derivatives->values[40] = K2_12_IRyy;
-    derivatives->values[41] = t261;
-    derivatives->values[42] = M_22_xB;
-    derivatives->values[43] = t260;
-    derivatives->values[44] = C1_22_xB;
-    derivatives->values[45] = K0_11_xB;
-    derivatives->values[46] = t270;
-    derivatives->values[47] = t271;
-    derivatives->values[48] = K2_22_xB;
-    derivatives->values[49] = M_11_zB;
-    derivatives->values[50] = t105;
-    derivatives->values[51] = t275;
-    derivatives->values[52] = p->mB;
-    derivatives->values[53] = t276;
-    derivatives->values[54] = M_11_mB;
-    derivatives->values[55] = t278;
-    derivatives->values[56] = M_22_mB;
-    derivatives->values[57] = t282;
-    derivatives->values[58] = C1_22_mB;
-    derivatives->values[59] = K0_11_mB;
-    derivatives->values[60] = t287;
-    derivatives->values[61] = t288;
-    derivatives->values[62] = t281;
-    derivatives->values[63] = K2_22_mB;
-    derivatives->values[64] = yaw_by_delta;
-    derivatives->values[65] = yaw_per_v_delta;
-    derivatives->values[66] = t289;
-    derivatives->values[67] = t291;
-    derivatives->values[68] = t293;
-    derivatives->values[69] = C1_22_xH;
-    derivatives->values[70] = K0_11_xH;
-    derivatives->values[71] = t299;
-    derivatives->values[72] = t300;
-    derivatives->values[73] = K2_22_xH;
-    derivatives->values[74] = M_11_zH;
-    derivatives->values[75] = M_12_zH;
-    derivatives->values[76] = M_22_zH;
-    derivatives->values[77] = t170;
-    derivatives->values[78] = t307;
-    derivatives->values[79] = p->mH;
-    derivatives->values[80] = K0_12_zH;
-    derivatives->values[81] = K0_22_zH;
-    derivatives->values[82] = t169;
-    derivatives->values[83] = t309;
-    derivatives->values[84] = M_11_mH;
-    derivatives->values[85] = M_12_mH;
-    derivatives->values[86] = M_22_mH;
-    derivatives->values[87] = t312;
-    derivatives->values[88] = t314;
-    derivatives->values[89] = K0_11_mH;
-    derivatives->values[90] = K0_12_mH;
-    derivatives->values[91] = K0_22_mH;
-    derivatives->values[92] = t292;
-    derivatives->values[93] = t313;
-    derivatives->values[94] = wx_delta2_delta;
-    derivatives->values[95] = M_22_IHxx;
-    derivatives->values[96] = M_22_IHzz;
-    derivatives->values[97] = C1_22_IHzz;
-    derivatives->values[98] = wz_delta2_delta;
-    derivatives->values[99] = M_22_IHxz;
-    derivatives->values[100] = K2_22_h_spin_F;
-    derivatives->values[101] = M_11_rF;
-    derivatives->values[102] = M_12_rF;
-    derivatives->values[103] = M_22_rF;
-    derivatives->values[104] = C1_12_rF;
-    derivatives->values[105] = C1_21_rF;
-    derivatives->values[106] = C1_22_rF;
-    derivatives->values[107] = p->mF;
-    derivatives->values[108] = t106;
-    derivatives->values[109] = t336;
-    derivatives->values[110] = K2_12_rF;
-    derivatives->values[111] = K2_22_rF;
-    derivatives->values[112] = M_11_mF;
-    derivatives->values[113] = M_12_mF;
-    derivatives->values[114] = M_22_mF;
-    derivatives->values[115] = C1_12_mF;
-    derivatives->values[116] = C1_22_mF;
-    derivatives->values[117] = K0_11_mF;
-    derivatives->values[118] = t348;
-    derivatives->values[119] = t349;
-    derivatives->values[120] = K2_12_mF;
-    derivatives->values[121] = K2_22_mF;
-    derivatives->values[122] = M_22_IFxx;
-    derivatives->values[123] = C1_12_IFyy;
-    derivatives->values[124] = K2_12_IFyy;
-    derivatives->values[125] = K2_22_IFyy;
-    derivatives->values[126] = K0_11_rhoR;
-    derivatives->values[127] = K0_11_rhoF;
-    derivatives->values[128] = K0_12_rhoF;
-    derivatives->values[129] = K0_22_rhoF;
+    derivatives->values[0] = p->mR;
+    derivatives->values[1] = p->mB;
+    derivatives->values[2] = p->mH;
+    derivatives->values[3] = p->mF;
+    derivatives->values[4] = 1.0F;
+    derivatives->values[5] = wx_delta2_delta;
+    derivatives->values[6] = M_11_mH;
+    derivatives->values[7] = M_11_mB;
+    derivatives->values[8] = M_11_rR;
+    derivatives->values[9] = M_11_mR;
+    derivatives->values[10] = K0_11_mR;
+    derivatives->values[11] = M_11_zB;
+    derivatives->values[12] = M_11_rF;
+    derivatives->values[13] = K0_11_mF;
+    derivatives->values[14] = M_11_zH;
+    derivatives->values[15] = t78;
+    derivatives->values[16] = K0_11_xB;
+    derivatives->values[17] = K0_11_mB;
+    derivatives->values[18] = K0_11_xH;
+    derivatives->values[19] = K0_11_mH;
+    derivatives->values[20] = t87;
+    derivatives->values[21] = yaw_per_v_delta;
+    derivatives->values[22] = K0_11_rhoF;
+    derivatives->values[23] = K0_12_rhoF;
+    derivatives->values[24] = t98;
+    derivatives->values[25] = K0_22_rhoF;
+    derivatives->values[26] = yaw_by_delta;
+    derivatives->values[27] = t104;
+    derivatives->values[28] = t109;
+    derivatives->values[29] = wz_delta2_delta;
+    derivatives->values[30] = K2_12;
+    derivatives->values[31] = t119;
+    derivatives->values[32] = t121;
+    derivatives->values[33] = t125;
+    derivatives->values[34] = M_22_mB;
+    derivatives->values[35] = t127;
+    derivatives->values[36] = K0_11_rhoR;
+    derivatives->values[37] = K0_12_c;
+    derivatives->values[38] = K0_22_c;
+    derivatives->values[39] = t133;
+    derivatives->values[40] = M_12_mH;
+    derivatives->values[41] = M_22_mH;
+    derivatives->values[42] = M_12_rF;
+    derivatives->values[43] = t145;
+    derivatives->values[44] = M_12_w;
+    derivatives->values[45] = M_12_c;
+    derivatives->values[46] = M_12_zH;
+    derivatives->values[47] = t163;
+    derivatives->values[48] = t164;
+    derivatives->values[49] = M_22_xB;
+    derivatives->values[50] = t179;
+    derivatives->values[51] = t186;
+    derivatives->values[52] = C1_21_w;
+    derivatives->values[53] = t197;
+    derivatives->values[54] = t200;
+    derivatives->values[55] = M_22_c;
+    derivatives->values[56] = t209;
+    derivatives->values[57] = t210;
+    derivatives->values[58] = K2_22_xH;
+    derivatives->values[59] = t212;
+    derivatives->values[60] = t213;
+    derivatives->values[61] = C1_22_c;
+    derivatives->values[62] = K0_12_w;
+    derivatives->values[63] = C1_21_lam;
+    derivatives->values[64] = K2_22_h_spin_F;
+    derivatives->values[65] = K2_22_mF;
+    derivatives->values[66] = K2_22_IFyy;
+    derivatives->values[67] = K0_12_zH;
+    derivatives->values[68] = K0_22_w;
+    derivatives->values[69] = M_22_lam;
+    derivatives->values[70] = M_22_rF;
+    derivatives->values[71] = C1_22_w;
+    derivatives->values[72] = M_22_zH;
+    derivatives->values[73] = C1_12_rR;
+    derivatives->values[74] = K2_12_rR;
+    derivatives->values[75] = K2_12_IRyy;
+    derivatives->values[76] = C1_12_IRyy;
+    derivatives->values[77] = C1_21_rR;
+    derivatives->values[78] = K2_12_mR;
+    derivatives->values[79] = C1_12_mR;
+    derivatives->values[80] = C1_22_IRxx;
+    derivatives->values[81] = M_22_IRxx;
+    derivatives->values[82] = M_12_lam;
+    derivatives->values[83] = C1_22_lam;
+    derivatives->values[84] = K2_22_mB;
+    derivatives->values[85] = C1_22_mB;
+    derivatives->values[86] = t282;
+    derivatives->values[87] = t283;
+    derivatives->values[88] = K2_22_xB;
+    derivatives->values[89] = C1_22_xB;
+    derivatives->values[90] = t287;
+    derivatives->values[91] = t288;
+    derivatives->values[92] = t289;
+    derivatives->values[93] = t290;
+    derivatives->values[94] = t291;
+    derivatives->values[95] = t292;
+    derivatives->values[96] = K2_22_lam;
+    derivatives->values[97] = K0_12_lam;
+    derivatives->values[98] = t299;
+    derivatives->values[99] = t301;
+    derivatives->values[100] = t302;
+    derivatives->values[101] = K0_12_mH;
+    derivatives->values[102] = t306;
+    derivatives->values[103] = M_22_IHxz;
+    derivatives->values[104] = K0_22_mH;
+    derivatives->values[105] = C1_22_IHzz;
+    derivatives->values[106] = C1_22_xH;
+    derivatives->values[107] = K0_22_lam;
+    derivatives->values[108] = M_22_IHxx;
+    derivatives->values[109] = K0_22_zH;
+    derivatives->values[110] = t318;
+    derivatives->values[111] = t319;
+    derivatives->values[112] = t320;
+    derivatives->values[113] = M_22_IHzz;
+    derivatives->values[114] = M_22_IFxx;
+    derivatives->values[115] = C1_12_IFyy;
+    derivatives->values[116] = C1_21_rF;
+    derivatives->values[117] = K2_12_IFyy;
+    derivatives->values[118] = K2_12_rF;
+    derivatives->values[119] = C1_12_rF;
+    derivatives->values[120] = C1_22_rF;
+    derivatives->values[121] = M_11_mF;
+    derivatives->values[122] = M_22_mF;
+    derivatives->values[123] = M_12_mF;
+    derivatives->values[124] = K2_12_mF;
+    derivatives->values[125] = C1_12_mF;
+    derivatives->values[126] = C1_22_mF;
+    derivatives->values[127] = t339;
+    derivatives->values[128] = t340;
+    derivatives->values[129] = t342;
 }
 
 void whipple_tyres_f32_with_respect_to(const whipple_tyres_f32_derivatives_t *derivatives,

@@ -436,7 +436,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 122 additions, 201 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 329 operations.
+ * 114 additions, 194 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 316 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.
@@ -828,7 +828,7 @@ typedef struct {
 
 /**
  * The coefficient matrices and their derivatives, from one straight-line program:
- * 122 additions, 201 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 329 operations.
+ * 114 additions, 194 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 316 operations.
  *
  * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
  * @param[out] matrices The matrices.

@@ -81,7 +81,7 @@ pub use eigenvalues::{Eigenvectors, matrix_eigenvalues};
 pub use model::{
     Bound, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator, EvaluatorWithDerivatives, FormulaInfo,
     FormulaSubject, LengthError, Model, ModelInfo, MotionFormulas, Nonlinear, ParameterError, ParameterInfo, Partial,
-    Rate, RequirementInfo, SetInfo, WithDerivatives,
+    Rate, RequirementInfo, SetInfo, WithDerivatives, write_now,
 };
 pub use motion::{Linearizable, Motion, MotionError};
 /// The library of matrices, in the version that has the types of this crate.

@@ -261,88 +261,136 @@ pub struct WhippleChosenDerivatives<T = f64> {
 
 impl<T: Number> WhippleChosen<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 64 additions, 68 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 139 operations.
+    /// 59 additions, 67 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 132 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
+    ///
+    /// Where they are stored, [`Self::write_matrices_and_derivatives`] takes less time.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleChosenMatrices<T>, WhippleChosenDerivatives<T>) {
-        let t2 = self.zH * self.mH;
-        let t7 = self.rF * self.mF;
-        let t12 = self.zH * t2 + self.IFxx + self.rF * t7 + self.IHxx;
-        let t16 = self.zB * self.mB;
-        let t20 = self.rR * self.mR;
-        let ITxx = t12 + self.IBxx + self.zB * t16 + self.rR * t20 + self.IRxx;
-        let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t31 = self.w.like(1.0) / self.w;
-        let t32 = cos_lam * t31;
-        let t39 = self.mB * self.xB;
-        let t44 = t2 * self.xH + self.zB * t39 - t7 * self.w - self.IBxz - self.IHxz;
-        let t45 = t32 * t44;
-        let t48 = self.c + self.w - self.xH;
-        let t49 = self.mH * cos_lam;
-        let t50 = t48 * t49;
-        let t53 = self.mF * cos_lam;
-        let t54 = self.rF * t53;
-        let t57 = self.zH * t50 + cos_lam * self.IHxz - self.c * t54;
-        let t60 = t57 + t12 * sin_lam;
-        let M_12 = t60 - self.c * t45;
-        let t63 = self.IFxx + self.IHzz;
-        let t64 = cos_lam * t63;
-        let M_22_mu = self.c * t53;
-        let t66 = t7 * sin_lam;
-        let t67 = M_22_mu - t66;
-        let t70 = t50 + t2 * sin_lam;
-        let t75 = self.w * t67 + self.xH * t70 - t64 - self.IHxz * sin_lam;
-        let mu = self.c * t32;
-        let t78 = self.mF * self.w;
-        let t81 = self.mH * self.xH;
-        let t88 = mu
-            * (self.IRxx + t63 + self.xB * t39 + self.w * t78 + self.IBzz
-                + self.xH * t81);
-        let t89 = t75 - t88;
-        let t96 = self.c * (t31 * (t75 + t89) - M_22_mu) - t64 - t48 * t50;
-        let M_22 = sin_lam * (t57 + t60) - cos_lam * t96;
         let zero = self.w.like(0.0);
+        let mut matrices = WhippleChosenMatrices::from_entries([zero; 16]);
+        let mut derivatives = WhippleChosenDerivatives {
+            values: [zero; 8],
+        };
+        self.each_result(
+            #[inline(always)]
+            |position, value| matrices.set_entry(position, value),
+            #[inline(always)]
+            |position, value| derivatives.values[position] = value,
+        );
+        (matrices, derivatives)
+    }
+
+    /// Writes the coefficient matrices and their derivatives over others, each as soon as it is computed.
+    ///
+    /// They are those of [`Self::matrices_and_derivatives`], to the last bit. That function has more results than a
+    /// processor has registers, and moves them twice.
+    #[inline(always)]
+    pub fn write_matrices_and_derivatives(
+        &self,
+        matrices: &mut WhippleChosenMatrices<T>,
+        derivatives: &mut WhippleChosenDerivatives<T>,
+    ) {
+        *matrices = WhippleChosenMatrices::from_entries([self.w.like(0.0); 16]);
+        self.each_result(
+            #[inline(always)]
+            |position, value| {
+                matrices.set_entry(position, value);
+                carvallo::write_now();
+            },
+            #[inline(always)]
+            |position, value| {
+                derivatives.values[position] = value;
+                carvallo::write_now();
+            },
+        );
+    }
+
+    /// The program: gives each entry that differs, and each value of the derivatives, to a function with its position.
+    #[inline(always)]
+    fn each_result(&self, mut put_entry: impl FnMut(usize, T), mut put_derivative: impl FnMut(usize, T)) {
+        let (sin_lam, cos_lam) = self.lam.sin_cos();
+        let t26 = self.rF * self.mF;
+        let t27 = self.zH * self.mH;
+        let t32 = self.rF * t26 + self.IHxx + self.IFxx + self.zH * t27;
+        let t33 = self.zB * self.mB;
+        let t34 = self.rR * self.mR;
+        let t35 = self.w.like(1.0) / self.w;
+        let t37 = t27 * self.xH - self.IHxz;
+        let t38 = self.mF * self.w;
+        let t43 = self.IBxz + self.rF * t38 - t33 * self.xB - t37;
+        let t44 = t26 - t27;
+        let t45 = self.IFxx + self.IHzz;
+        let t47 = self.c + self.w - self.xH;
+        let t48 = self.mB * self.xB;
+        let t49 = self.mH * self.xH;
         let SF = self.IFyy / self.rF;
+        let K0_11 = t33 - t34 - t44;
+        put_entry(6, K0_11);
+        let ITxx = t32 + self.zB * t33 + self.rR * t34 + self.IRxx + self.IBxx;
+        put_entry(0, ITxx);
         let SR = self.IRyy / self.rR;
         let ST = SF + SR;
-        let K0_11 = t2 + t16 - t7 - t20;
-        let t110 = ST - K0_11;
-        let C1_12 = t32 * (self.c * t110 + self.w * SF - t44);
-        let t122 = t53 - t32 * (t39 + t78 + t81);
-        let t123 = self.c * t122;
-        let K0_12 = t70 + t123 - t66;
-        let K0_22 = sin_lam * K0_12;
-        let K2_12 = t32 * t110;
-        let K2_22 = t32 * (sin_lam * SF - K0_12);
-        let t134 = t45 + t54;
-        let t137 = t2 * cos_lam;
-        let M_12_w = self.c * t31 * t134 + t137;
-        let t139 = t70 + t70;
-        let t144 = mu * t78 + t31 * t89 - t67;
-        let t147 = mu * (self.xH * t49 - t144);
-        let M_22_w = cos_lam * t139 - t147 - t147;
-        let K0_12_w = t49 - t31 * t123;
-        let K0_22_w = sin_lam * K0_12_w;
-        let M_12_c = t137 - t134;
-        let t155 = t144 + mu * t81;
-        let M_22_c = cos_lam * (t139 - t155 - t155);
-        let K0_12_c = t49 + t122;
-        let K0_22_c = sin_lam * K0_12_c;
+        let t61 = t35 * t43;
+        let t62 = cos_lam * t35;
+        let t69 = cos_lam * (t37 + self.c * t44 - t27 * self.w) - t32 * sin_lam;
+        let t72 = self.IHxz * sin_lam + cos_lam * t45;
+        let t73 = self.mF * cos_lam;
+        let t74 = t26 * sin_lam;
+        let t75 = self.mH * cos_lam;
+        let t76 = cos_lam + cos_lam;
+        let M_12_c = cos_lam * (t61 - t44);
+        put_derivative(0, M_12_c);
+        let t79 = ST - K0_11;
+        let mu = self.c * t62;
+        let M_22_mu = self.c * t73;
+        let t82 = t74 - M_22_mu;
+        let t85 = t27 * sin_lam + t47 * t75;
+        let t89 = t73 - t62 * (t38 + t48 + t49);
+        let C1_12 = t62 * (t43 + self.c * t79 + self.w * SF);
+        put_entry(3, C1_12);
+        let K2_12 = t62 * t79;
+        put_entry(9, K2_12);
+        let M_12_w = t27 * cos_lam - mu * (t61 - t26);
+        put_derivative(1, M_12_w);
         let C1_21 = -(cos_lam * SF + mu * ST);
-        let C1_22 = -(t32 * (t89 + self.c * K0_12));
-        (
-            WhippleChosenMatrices::from_entries([
-                ITxx, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
-                K2_12, zero, K2_22,
-            ]),
-            WhippleChosenDerivatives {
-                values: [
-                    M_12_w, M_22_w, K0_12_w, K0_22_w, M_12_c, M_22_c, K0_12_c, K0_22_c,
-                ],
-            },
-        )
+        put_entry(4, C1_21);
+        let t107 = t72 + self.w * t82 - self.xH * t85;
+        let t109 = t85 - mu * t49;
+        let M_12 = mu * t43 - t69;
+        put_entry(1, M_12);
+        let t112 = self.c * t89;
+        let K0_12_c = t75 + t89;
+        put_derivative(2, K0_12_c);
+        let t122 = mu
+            * (self.IRxx + t45 + self.xB * t48 + self.xH * t49 + self.w * t38
+                + self.IBzz);
+        let t124 = t35 * (t107 + t122);
+        let K0_12 = t85 + t112 - t74;
+        put_entry(7, K0_12);
+        let K0_12_w = t75 - t35 * t112;
+        put_derivative(3, K0_12_w);
+        let K0_22_c = sin_lam * K0_12_c;
+        put_derivative(4, K0_22_c);
+        let K0_22 = sin_lam * K0_12;
+        put_entry(8, K0_22);
+        let K2_22 = t62 * (sin_lam * SF - K0_12);
+        put_entry(10, K2_22);
+        let K0_22_w = sin_lam * K0_12_w;
+        put_derivative(5, K0_22_w);
+        let t135 = t124 - t82;
+        let C1_22 = cos_lam * t124 - mu * K0_12;
+        put_entry(5, C1_22);
+        let t145 = cos_lam * (t72 + self.c * (t35 * t107 + t135) + t47 * t85);
+        let M_22 = t145 - sin_lam * t69;
+        put_entry(2, M_22);
+        let t149 = t135 - mu * t38;
+        let M_22_w = t76 * (t109 - self.c * t35 * t149);
+        put_derivative(6, M_22_w);
+        let M_22_c = t76 * (t109 + t149);
+        put_derivative(7, M_22_c);
     }
 }
 
@@ -515,6 +563,49 @@ impl<T: Number> WhippleChosenMatrices<T> {
             self.m[0][0], self.m[0][1], self.m[1][1], self.c1[0][1], self.c1[1][0], self.c1[1][1],
             self.k0[0][0], self.k0[0][1], self.k0[1][1], self.k2[0][1], self.k2[1][1],
         ]
+    }
+
+    /// Sets the entry at a position among those that differ, wherever it stands.
+    #[inline(always)]
+    fn set_entry(&mut self, position: usize, entry: T) {
+        match position {
+            0 => {
+                self.m[0][0] = entry;
+            }
+            1 => {
+                self.m[0][1] = entry;
+                self.m[1][0] = entry;
+            }
+            2 => {
+                self.m[1][1] = entry;
+            }
+            3 => {
+                self.c1[0][1] = entry;
+            }
+            4 => {
+                self.c1[1][0] = entry;
+            }
+            5 => {
+                self.c1[1][1] = entry;
+            }
+            6 => {
+                self.k0[0][0] = entry;
+            }
+            7 => {
+                self.k0[0][1] = entry;
+                self.k0[1][0] = entry;
+            }
+            8 => {
+                self.k0[1][1] = entry;
+            }
+            9 => {
+                self.k2[0][1] = entry;
+            }
+            10 => {
+                self.k2[1][1] = entry;
+            }
+            _ => {}
+        }
     }
 
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
@@ -807,11 +898,11 @@ impl<T: Scalar> WhippleChosenDerivatives<T> {
 impl WhippleChosenDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 12] = &[
-        Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1), Partial::new(MatrixName::K0, 0, 1, 0, 2),
-        Partial::new(MatrixName::K0, 1, 0, 0, 2), Partial::new(MatrixName::K0, 1, 1, 0, 3),
-        Partial::new(MatrixName::M, 0, 1, 1, 4), Partial::new(MatrixName::M, 1, 0, 1, 4),
-        Partial::new(MatrixName::M, 1, 1, 1, 5), Partial::new(MatrixName::K0, 0, 1, 1, 6),
-        Partial::new(MatrixName::K0, 1, 0, 1, 6), Partial::new(MatrixName::K0, 1, 1, 1, 7),
+        Partial::new(MatrixName::M, 0, 1, 0, 1), Partial::new(MatrixName::M, 1, 0, 0, 1),
+        Partial::new(MatrixName::M, 1, 1, 0, 6), Partial::new(MatrixName::K0, 0, 1, 0, 3),
+        Partial::new(MatrixName::K0, 1, 0, 0, 3), Partial::new(MatrixName::K0, 1, 1, 0, 5),
+        Partial::new(MatrixName::M, 0, 1, 1, 0), Partial::new(MatrixName::M, 1, 0, 1, 0),
+        Partial::new(MatrixName::M, 1, 1, 1, 7), Partial::new(MatrixName::K0, 0, 1, 1, 2),
+        Partial::new(MatrixName::K0, 1, 0, 1, 2), Partial::new(MatrixName::K0, 1, 1, 1, 4),
     ];
 }

@@ -350,263 +350,397 @@ pub struct BalanceAssistDerivatives<T = f64> {
 
 impl<T: Number> BalanceAssist<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 133 additions, 202 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 345 operations.
+    /// 114 additions, 190 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 313 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
+    ///
+    /// Where they are stored, [`Self::write_matrices_and_derivatives`] takes less time.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (BalanceAssistMatrices<T>, BalanceAssistDerivatives<T>) {
-        let M_11_mB = self.zB * self.zB;
-        let t10 = self.rF * self.mF;
-        let t14 = self.zH * self.mH;
-        let Jxx_delta = self.IFxx + self.IHxx + self.rF * t10 + self.zH * t14;
-        let M_11_mR = self.rR * self.rR;
-        let M_11 = self.IBxx + self.IRxx + self.mB * M_11_mB + Jxx_delta
-            + self.mR * M_11_mR;
-        let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t32 = t10 - t14;
-        let t36 = self.w - self.xH;
-        let t39 = self.IHxz + t14 * t36 - self.c * t32;
-        let t41 = t39 * cos_lam;
-        let hx_delta = Jxx_delta * sin_lam + t41;
-        let t44 = self.c + self.w;
-        let M_22_hz_delta = t32 * t44;
-        let t47 = self.mB * self.zB;
-        let t51 = t39 + self.IBxz + M_22_hz_delta - self.xB * t47;
-        let t52 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = cos_lam * t52;
-        let mu = self.c * yaw_per_v_delta;
-        let M_12 = hx_delta + t51 * mu;
-        let t59 = self.mF * self.c;
-        let t60 = t44 - self.xH;
-        let t61 = self.mH * t60;
-        let t62 = t59 + t61;
-        let t64 = sin_lam * t32 - cos_lam * t62;
-        let t65 = t44 * t64;
-        let t66 = sin_lam * t39;
-        let Jzz_delta = self.IFxx + self.IHzz + self.c * t59 + t60 * t61;
-        let t74 = t66 + cos_lam * Jzz_delta;
-        let t75 = self.mB * self.xB;
-        let mA = self.mF + self.mH;
-        let t80 = t62 - t44 * mA;
-        let t86 = self.IRxx + Jzz_delta + self.xB * t75 + self.IBzz - t44 * (t62 + t80);
-        let t87 = mu * t86;
-        let t89 = t65 + t74 + t87;
-        let M_12_Jxz_delta = cos_lam + mu;
-        let M_22 = sin_lam * hx_delta + mu * (t65 + t89) + t74 * M_12_Jxz_delta;
         let zero = self.w.like(0.0);
-        let t101 = self.w.like(1.0) / self.rF;
-        let SF = self.IFyy * t101;
-        let t104 = self.w.like(1.0) / self.rR;
-        let t105 = self.IRyy * t104;
-        let ST = SF + t105;
-        let t107 = self.mR * self.rR;
-        let K0_11 = t47 - (t32 + t107);
-        let t111 = t52 * (ST - K0_11);
-        let t113 = t51 * t52;
-        let t114 = self.c * t111 + t113;
-        let t115 = SF + t114;
-        let C1_12 = cos_lam * t115;
-        let t117 = cos_lam * SF;
-        let t118 = mu * ST;
-        let C1_21 = self.kappa - t117 - t118;
-        let t121 = mu * t75;
-        let t122 = mu * t80;
-        let t123 = t121 - t122;
-        let t124 = t64 + t123;
-        let t126 = t89 + self.c * t124;
-        let C1_22 = yaw_per_v_delta * t126;
-        let K2_12 = cos_lam * t111;
-        let t130 = sin_lam * SF;
-        let t131 = t124 + t130;
-        let K2_22 = yaw_per_v_delta * t131;
-        let t133 = t32 - t113;
-        let t135 = t14 * M_12_Jxz_delta;
-        let M_12_w = mu * t133 + t135;
-        let t137 = t52 * t89;
-        let t138 = t137 + t137;
-        let t140 = t60 * M_12_Jxz_delta;
-        let t141 = M_12_Jxz_delta * t140;
-        let t142 = t44 * mu;
-        let t143 = M_12_Jxz_delta + M_12_Jxz_delta;
-        let t144 = t142 * t143;
-        let t145 = t141 - t144;
-        let t146 = self.zH * sin_lam;
-        let t150 = self.mH * (t141 + t145 + t143 * t146);
-        let t151 = mu + mu;
-        let t152 = t64 - t122;
-        let P_delta_yaw_xB = t151 * t152;
-        let t154 = t150 + P_delta_yaw_xB;
-        let M_22_w = t154 - mu * t138;
-        let C1_12_w = yaw_per_v_delta * (t10 - t114);
-        let C1_21_w = t52 * t118;
-        let t161 = self.mF * mu - self.mH * cos_lam;
-        let t162 = t52 * t123;
-        let P_delta_lateral_w = t161 - t162;
-        let t165 = t142 - t140;
-        let K0_12_mH = t146 - t165;
-        let t167 = t165 - K0_12_mH;
-        let t168 = cos_lam * t44;
-        let t169 = t167 + t168;
-        let t172 = t122 + self.mH * t169 - t152;
-        let t174 = t52 * (t87 + t126);
-        let C1_22_w = yaw_per_v_delta * (self.c * P_delta_lateral_w - t172 - t174);
-        let t178 = sin_lam * P_delta_lateral_w;
-        let t179 = yaw_per_v_delta * t111;
-        let t180 = t52 * t131;
-        let K2_22_w = yaw_per_v_delta * (P_delta_lateral_w - t180);
-        let t183 = cos_lam * t133;
-        let M_22_Jzz_delta = M_12_Jxz_delta * M_12_Jxz_delta;
-        let t185 = self.c * M_22_Jzz_delta;
-        let t186 = t185 - t144;
-        let t190 = self.mF * M_12_Jxz_delta;
-        let t191 = self.rF * sin_lam;
-        let t193 = cos_lam * t137 - t190 * t191;
-        let M_22_c = t154 + self.mF * (t185 + t186) + t193 + t193;
-        let t197 = yaw_per_v_delta * ST;
-        let t198 = self.c * M_12_Jxz_delta;
-        let t200 = t142 + t191 - t198;
-        let t201 = t142 + t200;
-        let t205 = t75 - t80;
-        let t207 = t161 + yaw_per_v_delta * t205;
-        let t212 = t172 + self.mF * (t168 + t201) - t124 - yaw_per_v_delta * t86
-            - self.c * t207;
-        let t213 = yaw_per_v_delta * t212;
-        let K0_12_c = t190 - t207;
-        let t218 = t66 - Jxx_delta * cos_lam;
-        let t220 = sin_lam * self.c * t52;
-        let t222 = t218 + t51 * t220;
-        let t229 = t32 * cos_lam + sin_lam * t62;
-        let t232 = t41 - sin_lam * Jzz_delta;
-        let t233 = t44 * t229 + t232;
-        let M_22_lam = t151 * t233 + cos_lam * (hx_delta + t232)
-            - sin_lam * (t74 + t218 + self.c * t138);
-        let t239 = sin_lam * t115;
-        let C1_21_lam = t130 + ST * t220;
-        let t242 = t205 * t220;
-        let t243 = t229 - t242;
-        let C1_22_lam = yaw_per_v_delta * (t233 + self.c * t243) - sin_lam * t174;
-        let t251 = sin_lam * t243 + cos_lam * t124;
-        let t252 = sin_lam * t111;
-        let K2_22_lam = yaw_per_v_delta * (t117 + t243) - sin_lam * t180;
-        let M_11_rR = t107 + t107;
-        let K2_12_IRyy = yaw_per_v_delta * t104;
-        let K2_12_rR = self.mR * yaw_per_v_delta - t105 * K2_12_IRyy;
-        let C1_12_rR = self.c * K2_12_rR;
-        let C1_12_IRyy = mu * t104;
-        let C1_21_rR = t105 * C1_12_IRyy;
-        let K2_12_mR = self.rR * yaw_per_v_delta;
-        let C1_12_mR = self.c * K2_12_mR;
-        let C1_22_IRxx = yaw_per_v_delta * mu;
-        let M_22_IRxx = self.c * C1_22_IRxx;
-        let t270 = self.mB * self.c;
-        let t271 = self.zB * yaw_per_v_delta;
-        let t272 = t270 * t271;
-        let M_22_xB = t121 * t151;
-        let t274 = self.mB * yaw_per_v_delta;
-        let t275 = self.zB * t274;
-        let t276 = self.c + self.xB;
-        let t277 = self.c * t274;
-        let K2_22_xB = yaw_per_v_delta * t277;
-        let t280 = self.xB * mu;
-        let C1_22_xB = t276 * K2_22_xB + t274 * t280;
-        let C1_22_Jxz_delta = sin_lam * yaw_per_v_delta;
-        let t284 = t270 * C1_22_Jxz_delta;
-        let M_11_zB = t47 + t47;
-        let t286 = t274 * t276;
-        let t287 = self.zB * t280;
-        let M_22_mB = t280 * t280;
-        let t289 = t271 * t276;
-        let K2_22_mB = self.xB * C1_22_IRxx;
-        let C1_22_mB = t276 * K2_22_mB;
-        let t292 = sin_lam * t280;
-        let t293 = self.mH * yaw_per_v_delta;
-        let t294 = self.zH * t293;
-        let C1_22_xH = t293 * (t169 + t198);
-        let t297 = self.mH * M_12_Jxz_delta;
-        let t298 = sin_lam * t297;
-        let K2_22_xH = M_12_Jxz_delta * t293;
-        let M_11_zH = t14 + t14;
-        let t301 = t146 + K0_12_mH;
-        let M_12_zH = self.mH * t301;
-        let K0_12_zH = self.mH * sin_lam;
-        let t305 = (t165 - t301) * K0_12_zH;
-        let t306 = self.c + self.xH;
-        let t307 = t293 * t306;
-        let t308 = sin_lam * t307;
-        let K0_22_zH = sin_lam * K0_12_zH;
-        let t310 = yaw_per_v_delta * K0_12_zH;
-        let M_11_mH = self.zH * self.zH;
-        let M_12_mH = self.zH * K0_12_mH;
-        let t313 = t44 * yaw_per_v_delta;
-        let C1_22_mA = t142 * t313;
-        let M_22_mH = self.c * C1_22_mA + t60 * t145 - t146 * t167;
-        let t320 = self.zH * yaw_per_v_delta;
-        let t321 = t306 * t320;
-        let C1_22_mH = C1_22_mA
-            - yaw_per_v_delta * (t44 * t140 + t36 * t165 + t146 * t306);
-        let K0_22_mH = sin_lam * K0_12_mH;
-        let t330 = yaw_per_v_delta * K0_12_mH;
-        let M_22_Jxx_delta = sin_lam * sin_lam;
-        let C1_22_Jzz_delta = yaw_per_v_delta * M_12_Jxz_delta;
-        let M_22_Jxz_delta = sin_lam * t143;
-        let M_11_rF = t10 + t10;
-        let M_12_rF = self.mF * (t191 + t200);
-        let P_delta_lateral_rF = self.mF * sin_lam;
-        let t338 = t200 * P_delta_lateral_rF;
-        let M_22_rF = t338 + t338;
-        let t340 = self.mF * t313;
-        let t341 = t101 * SF;
-        let C1_21_rF = M_12_Jxz_delta * t341;
-        let C1_12_rF = t340 - C1_21_rF;
-        let C1_22_rF = sin_lam * t340;
-        let t345 = sin_lam * P_delta_lateral_rF;
-        let K2_12_rF = yaw_per_v_delta * (self.mF - t341);
-        let K2_22_rF = sin_lam * K2_12_rF;
-        let M_11_mF = self.rF * self.rF;
-        let M_12_mF = self.rF * t200;
-        let M_22_mF = self.c * (t186 + C1_22_mA) - t191 * (t198 - t201);
-        let C1_12_mF = self.rF * t313;
-        let C1_22_mF = t200 * t313;
-        let t358 = sin_lam * t200;
-        let K2_12_mF = self.rF * yaw_per_v_delta;
-        let K2_22_mF = yaw_per_v_delta * t200;
-        let M_22_IFxx = M_22_Jzz_delta + M_22_Jxx_delta;
-        let C1_12_IFyy = M_12_Jxz_delta * t101;
-        let K2_12_IFyy = yaw_per_v_delta * t101;
-        let K2_22_IFyy = t101 * C1_22_Jxz_delta;
-        let C0_21 = -(self.kappa * self.vo);
-        let K0_12 = -t124;
-        let K0_22 = -(sin_lam * t124);
-        let K0_12_w = t162 - t161;
-        let t369 = -(sin_lam * K0_12_c);
-        let K2_22_c = -(yaw_per_v_delta * K0_12_c);
-        let K0_12_lam = t242 - t229;
-        (
-            BalanceAssistMatrices::from_entries([
-                M_11, M_12, M_12, M_22, zero, zero, C0_21, zero, zero, C1_12, C1_21, C1_22, K0_11,
-                K0_12, K0_12, K0_22, zero, K2_12, zero, K2_22,
-            ]),
-            BalanceAssistDerivatives {
-                values: [
-                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_12_w, t178, t179, K2_22_w, t183,
-                    M_22_c, K2_12, t197, t213, K0_12_c, t369, K2_22_c, t222, M_22_lam, t239,
-                    C1_21_lam, C1_22_lam, K0_12_lam, t251, t252, K2_22_lam, M_11_rR, C1_12_rR,
-                    C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
-                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t272, M_22_xB,
-                    t275, C1_22_xB, t277, t284, K2_22_xB, M_11_zB, t121, t286, self.mB, t274,
-                    M_11_mB, t287, M_22_mB, t289, C1_22_mB, self.zB, t280, t292, t271, K2_22_mB, mu,
-                    yaw_per_v_delta, t135, t150, t294, C1_22_xH, t297, t298, K2_22_xH, M_11_zH,
-                    M_12_zH, t305, t307, t308, self.mH, K0_12_zH, K0_22_zH, t293, t310, M_11_mH,
-                    M_12_mH, M_22_mH, t321, C1_22_mH, self.zH, K0_12_mH, K0_22_mH, t320, t330,
-                    sin_lam, M_22_Jxx_delta, M_22_Jzz_delta, C1_22_Jzz_delta, M_12_Jxz_delta,
-                    M_22_Jxz_delta, C1_22_Jxz_delta, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF,
-                    C1_22_rF, self.mF, P_delta_lateral_rF, t345, K2_12_rF, K2_22_rF, M_11_mF,
-                    M_12_mF, M_22_mF, C1_12_mF, C1_22_mF, self.rF, t200, t358, K2_12_mF, K2_22_mF,
-                    M_22_IFxx, C1_12_IFyy, K2_12_IFyy, K2_22_IFyy, self.vo, self.kappa,
-                ],
+        let mut matrices = BalanceAssistMatrices::from_entries([zero; 20]);
+        let mut derivatives = BalanceAssistDerivatives {
+            values: [zero; 125],
+        };
+        self.each_result(
+            #[inline(always)]
+            |position, value| matrices.set_entry(position, value),
+            #[inline(always)]
+            |position, value| derivatives.values[position] = value,
+        );
+        (matrices, derivatives)
+    }
+
+    /// Writes the coefficient matrices and their derivatives over others, each as soon as it is computed.
+    ///
+    /// They are those of [`Self::matrices_and_derivatives`], to the last bit. That function has more results than a
+    /// processor has registers, and moves them twice.
+    #[inline(always)]
+    pub fn write_matrices_and_derivatives(
+        &self,
+        matrices: &mut BalanceAssistMatrices<T>,
+        derivatives: &mut BalanceAssistDerivatives<T>,
+    ) {
+        *matrices = BalanceAssistMatrices::from_entries([self.w.like(0.0); 20]);
+        self.each_result(
+            #[inline(always)]
+            |position, value| {
+                matrices.set_entry(position, value);
+                carvallo::write_now();
             },
-        )
+            #[inline(always)]
+            |position, value| {
+                derivatives.values[position] = value;
+                carvallo::write_now();
+            },
+        );
+    }
+
+    /// The program: gives each entry that differs, and each value of the derivatives, to a function with its position.
+    #[inline(always)]
+    fn each_result(&self, mut put_entry: impl FnMut(usize, T), mut put_derivative: impl FnMut(usize, T)) {
+        put_derivative(0, self.rR);
+        put_derivative(1, self.mR);
+        put_derivative(2, self.zB);
+        put_derivative(3, self.mB);
+        put_derivative(4, self.zH);
+        put_derivative(5, self.mH);
+        put_derivative(6, self.rF);
+        put_derivative(7, self.mF);
+        put_derivative(8, self.kappa);
+        put_derivative(9, self.vo);
+        put_derivative(10, self.w.like(1.0));
+        let (sin_lam, cos_lam) = self.lam.sin_cos();
+        put_derivative(11, sin_lam);
+        let M_11_mF = self.rF * self.rF;
+        put_derivative(12, M_11_mF);
+        let t30 = self.zH * self.mH;
+        let Jxx_delta = self.IFxx + self.mF * M_11_mF + self.IHxx + self.zH * t30;
+        let t36 = self.zB * self.mB;
+        let t37 = self.rR * self.mR;
+        let t38 = self.c + self.w;
+        let M_11_rR = t37 + t37;
+        put_derivative(13, M_11_rR);
+        let M_11_mR = self.rR * self.rR;
+        put_derivative(14, M_11_mR);
+        let M_11_zB = t36 + t36;
+        put_derivative(15, M_11_zB);
+        let M_11_mB = self.zB * self.zB;
+        put_derivative(16, M_11_mB);
+        let M_11_zH = t30 + t30;
+        put_derivative(17, M_11_zH);
+        let M_11_mH = self.zH * self.zH;
+        put_derivative(18, M_11_mH);
+        let C0_21 = -(self.kappa * self.vo);
+        put_entry(3, C0_21);
+        let t47 = t38 - self.xH;
+        let t48 = self.mH * t47;
+        let t49 = self.mF * self.c;
+        let t53 = self.zH * t48 + self.IHxz - self.rF * t49;
+        let t54 = self.w.like(1.0) / self.w;
+        let t55 = self.mF * self.rF;
+        let M_11_rF = t55 + t55;
+        put_derivative(19, M_11_rF);
+        let t57 = t55 - t30;
+        let M_11 = self.IRxx + self.IBxx + Jxx_delta + self.zB * t36 + self.rR * t37;
+        put_entry(0, M_11);
+        let K0_11 = t36 - (t37 + t57);
+        put_entry(7, K0_11);
+        let Jzz_delta = self.IFxx + self.IHzz + self.c * t49 + t47 * t48;
+        let t71 = self.c * t54;
+        let t72 = self.mB * self.xB;
+        let t73 = t48 + t49;
+        let t75 = t38 * (self.mF + self.mH);
+        let t77 = t48 - t72 - t75;
+        let t78 = t73 - t75;
+        let t83 = t53 + self.IBxz + t38 * t57 - t36 * self.xB;
+        let t90 = self.IRxx + Jzz_delta + self.xB * t72 + self.IBzz - t38 * (t73 + t78);
+        let K0_12_zH = self.mH * sin_lam;
+        put_derivative(20, K0_12_zH);
+        let t92 = t49 + t77;
+        let t93 = t53 * cos_lam;
+        let t94 = t53 * sin_lam;
+        let mu = cos_lam * t71;
+        put_derivative(21, mu);
+        let t98 = sin_lam * t57 - cos_lam * t73;
+        let t99 = t78 * mu;
+        let t100 = cos_lam * t57;
+        let t102 = t100 + sin_lam * t73;
+        let hx_delta = t93 + Jxx_delta * sin_lam;
+        let t106 = cos_lam * Jzz_delta + t94;
+        let t107 = t54 * t83;
+        let t108 = self.w.like(1.0) / self.rF;
+        let t109 = self.w.like(1.0) / self.rR;
+        let yaw_per_v_delta = cos_lam * t54;
+        put_derivative(22, yaw_per_v_delta);
+        let t111 = t36 * yaw_per_v_delta;
+        put_derivative(23, t111);
+        let t112 = self.mB * yaw_per_v_delta;
+        put_derivative(24, t112);
+        let t113 = self.zB * yaw_per_v_delta;
+        put_derivative(25, t113);
+        let t114 = t30 * yaw_per_v_delta;
+        put_derivative(26, t114);
+        let SF = self.IFyy * t108;
+        let t116 = cos_lam * t107;
+        let t121 = yaw_per_v_delta * (t93 + t38 * t102 - sin_lam * Jzz_delta);
+        let t122 = t90 * mu;
+        let t124 = t106 + t38 * t98;
+        let t125 = t98 - t99;
+        let M_12 = hx_delta + self.c * t116;
+        put_entry(1, M_12);
+        let M_12_c = t116 - t100;
+        put_derivative(27, M_12_c);
+        let t129 = self.IRyy * t109;
+        let K2_12_IRyy = t109 * yaw_per_v_delta;
+        put_derivative(28, K2_12_IRyy);
+        let ST = SF + t129;
+        let t132 = cos_lam * SF;
+        let t133 = self.xB * mu;
+        put_derivative(29, t133);
+        let t135 = t54 * (ST - K0_11);
+        let C1_21 = self.kappa - mu * ST - t132;
+        put_entry(5, C1_21);
+        let t139 = self.zB * t133;
+        put_derivative(30, t139);
+        let M_22_mB = t133 * t133;
+        put_derivative(31, M_22_mB);
+        let t141 = sin_lam * t133;
+        put_derivative(32, t141);
+        let t142 = t122 + t124;
+        let t143 = self.mB * t133;
+        put_derivative(33, t143);
+        let t144 = t125 + t143;
+        let t145 = mu * t143;
+        let M_22_xB = t145 + t145;
+        put_derivative(34, M_22_xB);
+        let t148 = t106 + t71 * t142;
+        let K0_12 = -t144;
+        put_entry(8, K0_12);
+        let K0_22 = -(sin_lam * t144);
+        put_entry(9, K0_22);
+        let t153 = t142 + self.c * t144;
+        let t155 = t107 + self.c * t135;
+        let t156 = t142 * yaw_per_v_delta;
+        let t157 = t156 + t156;
+        let t158 = sin_lam * t135;
+        put_derivative(35, t158);
+        let K2_12 = cos_lam * t135;
+        put_entry(10, K2_12);
+        put_derivative(36, K2_12);
+        let t160 = sin_lam * SF;
+        let t162 = t54 * (t144 + t160);
+        let M_12_Jxz_delta = cos_lam + mu;
+        put_derivative(37, M_12_Jxz_delta);
+        let t164 = t54 * K2_12;
+        put_derivative(38, t164);
+        let C1_22_Jzz_delta = yaw_per_v_delta * M_12_Jxz_delta;
+        put_derivative(39, C1_22_Jzz_delta);
+        let t166 = t30 * M_12_Jxz_delta;
+        put_derivative(40, t166);
+        let M_12_w = t166 - t71 * M_12_c;
+        put_derivative(41, M_12_w);
+        let M_22 = sin_lam * hx_delta + cos_lam * (t148 + t71 * t124);
+        put_entry(2, M_22);
+        let C1_12_w = yaw_per_v_delta * (t55 - t155);
+        put_derivative(42, C1_12_w);
+        let t180 = sin_lam * t148 - cos_lam * hx_delta - self.c * t121;
+        let t181 = SF + t155;
+        let C1_22 = yaw_per_v_delta * t153;
+        put_entry(6, C1_22);
+        let t184 = t54 * (t122 + t153);
+        let C1_12 = cos_lam * t181;
+        put_entry(4, C1_12);
+        let t186 = sin_lam * t181;
+        put_derivative(43, t186);
+        let K2_22 = cos_lam * t162;
+        put_entry(11, K2_22);
+        let t190 = cos_lam * (self.mF + t54 * t92);
+        let t191 = t38 * mu;
+        let K0_12_mH = self.zH * sin_lam + t47 * M_12_Jxz_delta - t191;
+        put_derivative(44, K0_12_mH);
+        let t196 = M_12_Jxz_delta + M_12_Jxz_delta;
+        let t197 = t180 + t180;
+        put_derivative(45, t197);
+        let M_22_Jxz_delta = sin_lam * t196;
+        put_derivative(46, M_22_Jxz_delta);
+        let t199 = ST * yaw_per_v_delta;
+        put_derivative(47, t199);
+        let C1_21_w = t71 * t199;
+        put_derivative(48, C1_21_w);
+        let t201 = t71 * t190;
+        let t202 = self.mH * M_12_Jxz_delta;
+        put_derivative(49, t202);
+        let t203 = sin_lam * t202;
+        put_derivative(50, t203);
+        let t204 = self.mH * cos_lam;
+        let K0_12_c = t190 + t204;
+        put_derivative(51, K0_12_c);
+        let K0_22_c = sin_lam * K0_12_c;
+        put_derivative(52, K0_22_c);
+        let t207 = yaw_per_v_delta * K0_12_c;
+        put_derivative(53, t207);
+        let K0_12_w = t204 - t201;
+        put_derivative(54, K0_12_w);
+        let M_12_mH = self.zH * K0_12_mH;
+        put_derivative(55, M_12_mH);
+        let M_22_mH = K0_12_mH * K0_12_mH;
+        put_derivative(56, M_22_mH);
+        let t211 = self.mH * K0_12_mH;
+        let t212 = self.rF * sin_lam;
+        let t213 = t191 + t212;
+        let K0_12_mF = self.c * M_12_Jxz_delta - t213;
+        put_derivative(57, K0_12_mF);
+        let K0_22_w = sin_lam * K0_12_w;
+        put_derivative(58, K0_22_w);
+        let t218 = yaw_per_v_delta * (t162 + K0_12_w);
+        put_derivative(59, t218);
+        let M_22_hz_delta = self.xH * t202 + self.c * t204 - t211;
+        let M_12_zH = t211 + t30 * sin_lam;
+        put_derivative(60, M_12_zH);
+        let t225 = t211 * t196;
+        put_derivative(61, t225);
+        let t226 = sin_lam * t71;
+        let M_12_lam = Jxx_delta * cos_lam - t94 - t83 * t226;
+        put_derivative(62, M_12_lam);
+        let C1_21_lam = t160 + ST * t226;
+        put_derivative(63, C1_21_lam);
+        let t234 = t102 + t92 * t226;
+        put_derivative(64, t234);
+        let K2_22_lam = yaw_per_v_delta * (t132 + t234) - sin_lam * t162;
+        put_derivative(65, K2_22_lam);
+        let C1_22_lam = t121 + mu * t234 - sin_lam * t184;
+        put_derivative(66, C1_22_lam);
+        let t245 = cos_lam * t144 + sin_lam * t234;
+        put_derivative(67, t245);
+        let M_12_rF = self.mF * (t212 - K0_12_mF);
+        put_derivative(68, M_12_rF);
+        let t250 = mu * (t125 + t125) + t225;
+        let t252 = t125 - t99 - M_22_hz_delta;
+        let t253 = self.rF * K0_12_mF;
+        put_derivative(69, t253);
+        let M_22_mF = K0_12_mF * K0_12_mF;
+        put_derivative(70, M_22_mF);
+        let t255 = t129 * K2_12_IRyy;
+        let C1_12_IRyy = self.c * K2_12_IRyy;
+        put_derivative(71, C1_12_IRyy);
+        let C1_21_rR = t129 * C1_12_IRyy;
+        put_derivative(72, C1_21_rR);
+        let t258 = self.mR * yaw_per_v_delta;
+        let M_22_w = t250 - t71 * t157;
+        put_derivative(73, M_22_w);
+        let M_22_c = t250 + t157 + self.mF * t196 * K0_12_mF;
+        put_derivative(74, M_22_c);
+        let t266 = self.c * (t255 - t258);
+        put_derivative(75, t266);
+        let K2_12_rR = t258 - t255;
+        put_derivative(76, K2_12_rR);
+        let K2_12_mR = self.rR * yaw_per_v_delta;
+        put_derivative(77, K2_12_mR);
+        let C1_22_c = yaw_per_v_delta
+            * (t144 + t252 + t90 * yaw_per_v_delta
+                - self.mF * (t213 + self.w * M_12_Jxz_delta) - mu * t77);
+        put_derivative(78, C1_22_c);
+        let C1_22_w = yaw_per_v_delta * (self.c * t201 + t252 - t184);
+        put_derivative(79, C1_22_w);
+        let C1_12_mR = self.c * K2_12_mR;
+        put_derivative(80, C1_12_mR);
+        let M_22_IRxx = mu * mu;
+        put_derivative(81, M_22_IRxx);
+        let C1_22_xH = yaw_per_v_delta * M_22_hz_delta + self.mH * M_22_IRxx;
+        put_derivative(82, C1_22_xH);
+        let C1_22_IRxx = mu * yaw_per_v_delta;
+        put_derivative(83, C1_22_IRxx);
+        let K2_22_xB = self.mB * C1_22_IRxx;
+        put_derivative(84, K2_22_xB);
+        let t290 = self.mB * mu;
+        put_derivative(85, t290);
+        let t291 = self.zB * t290;
+        put_derivative(86, t291);
+        let t292 = sin_lam * t290;
+        put_derivative(87, t292);
+        let t293 = self.xB * yaw_per_v_delta;
+        let K2_22_mB = mu * t293;
+        put_derivative(88, K2_22_mB);
+        let t295 = mu + t293;
+        let C1_22_xB = t290 * (t293 + t295);
+        put_derivative(89, C1_22_xB);
+        let C1_22_mB = t133 * t295;
+        put_derivative(90, C1_22_mB);
+        let t299 = self.mB * t295;
+        put_derivative(91, t299);
+        let t300 = self.zB * t295;
+        put_derivative(92, t300);
+        let t301 = self.mH * yaw_per_v_delta;
+        put_derivative(93, t301);
+        let K2_22_xH = M_12_Jxz_delta * t301;
+        put_derivative(94, K2_22_xH);
+        let K0_22_mH = sin_lam * K0_12_mH;
+        put_derivative(95, K0_22_mH);
+        let t304 = self.mH * K0_22_mH;
+        let M_22_zH = t304 + t304;
+        put_derivative(96, M_22_zH);
+        let t306 = yaw_per_v_delta * K0_12_mH;
+        put_derivative(97, t306);
+        let t307 = self.c + self.xH;
+        let t308 = t307 * t306;
+        put_derivative(98, t308);
+        let t309 = t301 * t307;
+        put_derivative(99, t309);
+        let t310 = sin_lam * t301;
+        put_derivative(100, t310);
+        let t311 = t307 * t310;
+        put_derivative(101, t311);
+        let M_22_Jxx_delta = sin_lam * sin_lam;
+        put_derivative(102, M_22_Jxx_delta);
+        let K0_22_zH = self.mH * M_22_Jxx_delta;
+        put_derivative(103, K0_22_zH);
+        let t314 = self.zH * yaw_per_v_delta;
+        put_derivative(104, t314);
+        let t315 = t307 * t314;
+        put_derivative(105, t315);
+        let M_22_Jzz_delta = M_12_Jxz_delta * M_12_Jxz_delta;
+        put_derivative(106, M_22_Jzz_delta);
+        let M_22_IFxx = M_22_Jxx_delta + M_22_Jzz_delta;
+        put_derivative(107, M_22_IFxx);
+        let C1_12_IFyy = t108 * M_12_Jxz_delta;
+        put_derivative(108, C1_12_IFyy);
+        let C1_21_rF = SF * C1_12_IFyy;
+        put_derivative(109, C1_21_rF);
+        let C1_22_Jxz_delta = sin_lam * yaw_per_v_delta;
+        put_derivative(110, C1_22_Jxz_delta);
+        let K2_22_IFyy = t108 * C1_22_Jxz_delta;
+        put_derivative(111, K2_22_IFyy);
+        let K2_12_IFyy = t108 * yaw_per_v_delta;
+        put_derivative(112, K2_12_IFyy);
+        let K0_22_mF = sin_lam * K0_12_mF;
+        put_derivative(113, K0_22_mF);
+        let t324 = self.mF * K0_22_mF;
+        let t325 = t324 + t324;
+        put_derivative(114, t325);
+        let t326 = yaw_per_v_delta * K0_12_mF;
+        put_derivative(115, t326);
+        let t327 = t38 * t326;
+        put_derivative(116, t327);
+        let t328 = self.mF * yaw_per_v_delta;
+        let K2_12_rF = t328 - SF * K2_12_IFyy;
+        put_derivative(117, K2_12_rF);
+        let t331 = t38 * t328;
+        let C1_12_rF = t331 - C1_21_rF;
+        put_derivative(118, C1_12_rF);
+        let C1_22_rF = sin_lam * t331;
+        put_derivative(119, C1_22_rF);
+        let P_delta_lateral_rF = self.mF * sin_lam;
+        put_derivative(120, P_delta_lateral_rF);
+        let t335 = sin_lam * P_delta_lateral_rF;
+        put_derivative(121, t335);
+        let K2_12_mF = self.rF * yaw_per_v_delta;
+        put_derivative(122, K2_12_mF);
+        let C1_12_mF = t38 * K2_12_mF;
+        put_derivative(123, C1_12_mF);
+        let t339 = -(sin_lam * K2_12_rF);
+        put_derivative(124, t339);
     }
 }
 
@@ -787,6 +921,52 @@ impl<T: Number> BalanceAssistMatrices<T> {
             self.c1[1][1], self.k0[0][0], self.k0[0][1], self.k0[1][1], self.k2[0][1],
             self.k2[1][1],
         ]
+    }
+
+    /// Sets the entry at a position among those that differ, wherever it stands.
+    #[inline(always)]
+    fn set_entry(&mut self, position: usize, entry: T) {
+        match position {
+            0 => {
+                self.m[0][0] = entry;
+            }
+            1 => {
+                self.m[0][1] = entry;
+                self.m[1][0] = entry;
+            }
+            2 => {
+                self.m[1][1] = entry;
+            }
+            3 => {
+                self.c0[1][0] = entry;
+            }
+            4 => {
+                self.c1[0][1] = entry;
+            }
+            5 => {
+                self.c1[1][0] = entry;
+            }
+            6 => {
+                self.c1[1][1] = entry;
+            }
+            7 => {
+                self.k0[0][0] = entry;
+            }
+            8 => {
+                self.k0[0][1] = entry;
+                self.k0[1][0] = entry;
+            }
+            9 => {
+                self.k0[1][1] = entry;
+            }
+            10 => {
+                self.k2[0][1] = entry;
+            }
+            11 => {
+                self.k2[1][1] = entry;
+            }
+            _ => {}
+        }
     }
 
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
@@ -1286,138 +1466,140 @@ impl<T: Scalar> Differentiable<2> for BalanceAssist<T> {
 }
 
 impl<T: Number> EvaluatorWithDerivatives<T, 2> for BalanceAssist<T> {
-    type Derivatives = [T; 125];
-
     #[inline(always)]
-    fn entries_and_derivatives(&self) -> ([T; 12], [T; 125]) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        (BalanceAssistMatrices::distinct_entries(&matrices), derivatives.values)
+    fn each_result(&self, put_entry: impl FnMut(usize, T), put_derivative: impl FnMut(usize, T)) {
+        self.each_result(put_entry, put_derivative);
     }
 }
 
 impl BalanceAssistDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 161] = &[
-        Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1), Partial::new(MatrixName::C1, 0, 1, 0, 2),
-        Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
-        Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
-        Partial::new(MatrixName::K0, 1, 1, 0, 6).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 0, 8),
-        Partial::new(MatrixName::M, 0, 1, 1, 9).negative(),
-        Partial::new(MatrixName::M, 1, 0, 1, 9).negative(),
-        Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
-        Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 13).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 1, 14),
-        Partial::new(MatrixName::K0, 1, 0, 1, 14),
-        Partial::new(MatrixName::K0, 1, 1, 1, 15).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 1, 16),
-        Partial::new(MatrixName::M, 0, 1, 2, 17).negative(),
-        Partial::new(MatrixName::M, 1, 0, 2, 17).negative(),
-        Partial::new(MatrixName::M, 1, 1, 2, 18),
-        Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
-        Partial::new(MatrixName::K0, 0, 1, 2, 22), Partial::new(MatrixName::K0, 1, 0, 2, 22),
-        Partial::new(MatrixName::K0, 1, 1, 2, 23).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 2, 24).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 2, 25), Partial::new(MatrixName::M, 0, 0, 4, 26),
-        Partial::new(MatrixName::C1, 0, 1, 4, 27), Partial::new(MatrixName::C1, 1, 0, 4, 28),
-        Partial::new(MatrixName::K0, 0, 0, 4, 29).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 4, 30),
-        Partial::new(MatrixName::M, 0, 0, 5, 31),
-        Partial::new(MatrixName::C1, 0, 1, 5, 32),
-        Partial::new(MatrixName::K0, 0, 0, 5, 33).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 5, 34), Partial::new(MatrixName::M, 0, 0, 6, 35),
-        Partial::new(MatrixName::M, 1, 1, 6, 36), Partial::new(MatrixName::C1, 1, 1, 6, 37),
-        Partial::new(MatrixName::C1, 0, 1, 7, 38),
-        Partial::new(MatrixName::C1, 1, 0, 7, 38).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 7, 39),
-        Partial::new(MatrixName::M, 0, 1, 8, 40).negative(),
-        Partial::new(MatrixName::M, 1, 0, 8, 40).negative(),
-        Partial::new(MatrixName::M, 1, 1, 8, 41),
-        Partial::new(MatrixName::C1, 0, 1, 8, 42).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 8, 43),
-        Partial::new(MatrixName::K0, 0, 1, 8, 44).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 8, 44).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 8, 45).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 8, 46), Partial::new(MatrixName::M, 0, 0, 9, 47),
-        Partial::new(MatrixName::M, 0, 1, 9, 48).negative(),
-        Partial::new(MatrixName::M, 1, 0, 9, 48).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 9, 49).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 9, 50),
-        Partial::new(MatrixName::K2, 0, 1, 9, 51).negative(),
-        Partial::new(MatrixName::M, 0, 0, 10, 52),
-        Partial::new(MatrixName::M, 0, 1, 10, 53).negative(),
-        Partial::new(MatrixName::M, 1, 0, 10, 53).negative(),
-        Partial::new(MatrixName::M, 1, 1, 10, 54),
-        Partial::new(MatrixName::C1, 0, 1, 10, 55).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 10, 56),
-        Partial::new(MatrixName::K0, 0, 0, 10, 57),
-        Partial::new(MatrixName::K0, 0, 1, 10, 58).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 10, 58).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 10, 59).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 10, 60).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 10, 61), Partial::new(MatrixName::M, 0, 0, 11, 35),
-        Partial::new(MatrixName::M, 1, 1, 13, 36), Partial::new(MatrixName::C1, 1, 1, 13, 37),
-        Partial::new(MatrixName::M, 0, 1, 14, 62), Partial::new(MatrixName::M, 1, 0, 14, 62),
-        Partial::new(MatrixName::C1, 0, 1, 14, 63),
-        Partial::new(MatrixName::M, 0, 1, 15, 64).negative(),
-        Partial::new(MatrixName::M, 1, 0, 15, 64).negative(),
-        Partial::new(MatrixName::M, 1, 1, 15, 65).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 15, 66).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 15, 67),
-        Partial::new(MatrixName::K0, 0, 1, 15, 68).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 15, 68).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 15, 69).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 15, 70), Partial::new(MatrixName::M, 0, 0, 16, 71),
-        Partial::new(MatrixName::M, 0, 1, 16, 72), Partial::new(MatrixName::M, 1, 0, 16, 72),
-        Partial::new(MatrixName::M, 1, 1, 16, 73).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 16, 74).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 16, 75).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 16, 76), Partial::new(MatrixName::K0, 0, 1, 16, 77),
-        Partial::new(MatrixName::K0, 1, 0, 16, 77), Partial::new(MatrixName::K0, 1, 1, 16, 78),
-        Partial::new(MatrixName::K2, 0, 1, 16, 79).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 16, 80).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 81), Partial::new(MatrixName::M, 0, 1, 17, 82),
-        Partial::new(MatrixName::M, 1, 0, 17, 82), Partial::new(MatrixName::M, 1, 1, 17, 83),
-        Partial::new(MatrixName::C1, 0, 1, 17, 84).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 17, 85), Partial::new(MatrixName::K0, 0, 0, 17, 86),
-        Partial::new(MatrixName::K0, 0, 1, 17, 87), Partial::new(MatrixName::K0, 1, 0, 17, 87),
-        Partial::new(MatrixName::K0, 1, 1, 17, 88),
-        Partial::new(MatrixName::K2, 0, 1, 17, 89).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 17, 90).negative(),
-        Partial::new(MatrixName::M, 0, 0, 18, 35), Partial::new(MatrixName::M, 0, 1, 18, 91),
-        Partial::new(MatrixName::M, 1, 0, 18, 91), Partial::new(MatrixName::M, 1, 1, 18, 92),
-        Partial::new(MatrixName::M, 1, 1, 20, 93), Partial::new(MatrixName::C1, 1, 1, 20, 94),
-        Partial::new(MatrixName::M, 0, 1, 21, 95), Partial::new(MatrixName::M, 1, 0, 21, 95),
-        Partial::new(MatrixName::M, 1, 1, 21, 96), Partial::new(MatrixName::C1, 0, 1, 21, 63),
-        Partial::new(MatrixName::C1, 1, 1, 21, 97), Partial::new(MatrixName::M, 0, 0, 22, 98),
-        Partial::new(MatrixName::M, 0, 1, 22, 99), Partial::new(MatrixName::M, 1, 0, 22, 99),
-        Partial::new(MatrixName::M, 1, 1, 22, 100), Partial::new(MatrixName::C1, 0, 1, 22, 101),
-        Partial::new(MatrixName::C1, 1, 0, 22, 102), Partial::new(MatrixName::C1, 1, 1, 22, 103),
-        Partial::new(MatrixName::K0, 0, 0, 22, 104).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 22, 105).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 22, 105).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 22, 106).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 107), Partial::new(MatrixName::K2, 1, 1, 22, 108),
-        Partial::new(MatrixName::M, 0, 0, 23, 109), Partial::new(MatrixName::M, 0, 1, 23, 110),
-        Partial::new(MatrixName::M, 1, 0, 23, 110), Partial::new(MatrixName::M, 1, 1, 23, 111),
-        Partial::new(MatrixName::C1, 0, 1, 23, 112), Partial::new(MatrixName::C1, 1, 1, 23, 113),
-        Partial::new(MatrixName::K0, 0, 0, 23, 114).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 23, 115).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 23, 115).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 23, 116).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 23, 117), Partial::new(MatrixName::K2, 1, 1, 23, 118),
-        Partial::new(MatrixName::M, 0, 0, 24, 35), Partial::new(MatrixName::M, 0, 1, 24, 91),
-        Partial::new(MatrixName::M, 1, 0, 24, 91), Partial::new(MatrixName::M, 1, 1, 24, 119),
-        Partial::new(MatrixName::C1, 1, 1, 24, 94), Partial::new(MatrixName::C1, 0, 1, 25, 120),
-        Partial::new(MatrixName::C1, 1, 0, 25, 120).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 25, 121),
-        Partial::new(MatrixName::K2, 1, 1, 25, 122),
-        Partial::new(MatrixName::C0, 1, 0, 26, 123).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 26, 35),
-        Partial::new(MatrixName::C0, 1, 0, 27, 124).negative(),
+        Partial::new(MatrixName::M, 0, 1, 0, 41), Partial::new(MatrixName::M, 1, 0, 0, 41),
+        Partial::new(MatrixName::M, 1, 1, 0, 73), Partial::new(MatrixName::C1, 0, 1, 0, 42),
+        Partial::new(MatrixName::C1, 1, 0, 0, 48), Partial::new(MatrixName::C1, 1, 1, 0, 79),
+        Partial::new(MatrixName::K0, 0, 1, 0, 54), Partial::new(MatrixName::K0, 1, 0, 0, 54),
+        Partial::new(MatrixName::K0, 1, 1, 0, 58),
+        Partial::new(MatrixName::K2, 0, 1, 0, 38).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 0, 59).negative(),
+        Partial::new(MatrixName::M, 0, 1, 1, 27), Partial::new(MatrixName::M, 1, 0, 1, 27),
+        Partial::new(MatrixName::M, 1, 1, 1, 74), Partial::new(MatrixName::C1, 0, 1, 1, 36),
+        Partial::new(MatrixName::C1, 1, 0, 1, 47).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 1, 78), Partial::new(MatrixName::K0, 0, 1, 1, 51),
+        Partial::new(MatrixName::K0, 1, 0, 1, 51), Partial::new(MatrixName::K0, 1, 1, 1, 52),
+        Partial::new(MatrixName::K2, 1, 1, 1, 53).negative(),
+        Partial::new(MatrixName::M, 0, 1, 2, 62),
+        Partial::new(MatrixName::M, 1, 0, 2, 62),
+        Partial::new(MatrixName::M, 1, 1, 2, 45).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 2, 43).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 2, 63),
+        Partial::new(MatrixName::C1, 1, 1, 2, 66),
+        Partial::new(MatrixName::K0, 0, 1, 2, 64).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 2, 64).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 2, 67).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 2, 35).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 2, 65),
+        Partial::new(MatrixName::M, 0, 0, 4, 13),
+        Partial::new(MatrixName::C1, 0, 1, 4, 75).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 4, 72),
+        Partial::new(MatrixName::K0, 0, 0, 4, 1).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 4, 76), Partial::new(MatrixName::M, 0, 0, 5, 14),
+        Partial::new(MatrixName::C1, 0, 1, 5, 80),
+        Partial::new(MatrixName::K0, 0, 0, 5, 0).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 5, 77), Partial::new(MatrixName::M, 0, 0, 6, 10),
+        Partial::new(MatrixName::M, 1, 1, 6, 81), Partial::new(MatrixName::C1, 1, 1, 6, 83),
+        Partial::new(MatrixName::C1, 0, 1, 7, 71),
+        Partial::new(MatrixName::C1, 1, 0, 7, 71).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 7, 28),
+        Partial::new(MatrixName::M, 0, 1, 8, 86).negative(),
+        Partial::new(MatrixName::M, 1, 0, 8, 86).negative(),
+        Partial::new(MatrixName::M, 1, 1, 8, 34),
+        Partial::new(MatrixName::C1, 0, 1, 8, 23).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 8, 89),
+        Partial::new(MatrixName::K0, 0, 1, 8, 85).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 8, 85).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 8, 87).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 8, 84), Partial::new(MatrixName::M, 0, 0, 9, 15),
+        Partial::new(MatrixName::M, 0, 1, 9, 33).negative(),
+        Partial::new(MatrixName::M, 1, 0, 9, 33).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 9, 91).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 9, 3),
+        Partial::new(MatrixName::K2, 0, 1, 9, 24).negative(),
+        Partial::new(MatrixName::M, 0, 0, 10, 16),
+        Partial::new(MatrixName::M, 0, 1, 10, 30).negative(),
+        Partial::new(MatrixName::M, 1, 0, 10, 30).negative(),
+        Partial::new(MatrixName::M, 1, 1, 10, 31),
+        Partial::new(MatrixName::C1, 0, 1, 10, 92).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 10, 90),
+        Partial::new(MatrixName::K0, 0, 0, 10, 2),
+        Partial::new(MatrixName::K0, 0, 1, 10, 29).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 10, 29).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 10, 32).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 10, 25).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 10, 88), Partial::new(MatrixName::M, 0, 0, 11, 10),
+        Partial::new(MatrixName::M, 1, 1, 13, 81), Partial::new(MatrixName::C1, 1, 1, 13, 83),
+        Partial::new(MatrixName::M, 0, 1, 14, 21), Partial::new(MatrixName::M, 1, 0, 14, 21),
+        Partial::new(MatrixName::C1, 0, 1, 14, 22),
+        Partial::new(MatrixName::M, 0, 1, 15, 40).negative(),
+        Partial::new(MatrixName::M, 1, 0, 15, 40).negative(),
+        Partial::new(MatrixName::M, 1, 1, 15, 61).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 15, 26).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 15, 82),
+        Partial::new(MatrixName::K0, 0, 1, 15, 49).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 15, 49).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 15, 50).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 15, 94), Partial::new(MatrixName::M, 0, 0, 16, 17),
+        Partial::new(MatrixName::M, 0, 1, 16, 60), Partial::new(MatrixName::M, 1, 0, 16, 60),
+        Partial::new(MatrixName::M, 1, 1, 16, 96),
+        Partial::new(MatrixName::C1, 0, 1, 16, 99).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 16, 101).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 16, 5), Partial::new(MatrixName::K0, 0, 1, 16, 20),
+        Partial::new(MatrixName::K0, 1, 0, 16, 20), Partial::new(MatrixName::K0, 1, 1, 16, 103),
+        Partial::new(MatrixName::K2, 0, 1, 16, 93).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 16, 100).negative(),
+        Partial::new(MatrixName::M, 0, 0, 17, 18), Partial::new(MatrixName::M, 0, 1, 17, 55),
+        Partial::new(MatrixName::M, 1, 0, 17, 55), Partial::new(MatrixName::M, 1, 1, 17, 56),
+        Partial::new(MatrixName::C1, 0, 1, 17, 105).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 98).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 17, 4), Partial::new(MatrixName::K0, 0, 1, 17, 44),
+        Partial::new(MatrixName::K0, 1, 0, 17, 44), Partial::new(MatrixName::K0, 1, 1, 17, 95),
+        Partial::new(MatrixName::K2, 0, 1, 17, 104).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 17, 97).negative(),
+        Partial::new(MatrixName::M, 0, 0, 18, 10), Partial::new(MatrixName::M, 0, 1, 18, 11),
+        Partial::new(MatrixName::M, 1, 0, 18, 11), Partial::new(MatrixName::M, 1, 1, 18, 102),
+        Partial::new(MatrixName::M, 1, 1, 20, 106), Partial::new(MatrixName::C1, 1, 1, 20, 39),
+        Partial::new(MatrixName::M, 0, 1, 21, 37), Partial::new(MatrixName::M, 1, 0, 21, 37),
+        Partial::new(MatrixName::M, 1, 1, 21, 46), Partial::new(MatrixName::C1, 0, 1, 21, 22),
+        Partial::new(MatrixName::C1, 1, 1, 21, 110), Partial::new(MatrixName::M, 0, 0, 22, 19),
+        Partial::new(MatrixName::M, 0, 1, 22, 68), Partial::new(MatrixName::M, 1, 0, 22, 68),
+        Partial::new(MatrixName::M, 1, 1, 22, 114).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 22, 118),
+        Partial::new(MatrixName::C1, 1, 0, 22, 109),
+        Partial::new(MatrixName::C1, 1, 1, 22, 119),
+        Partial::new(MatrixName::K0, 0, 0, 22, 7).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 22, 120).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 22, 120).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 22, 121).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 22, 117),
+        Partial::new(MatrixName::K2, 1, 1, 22, 124).negative(),
+        Partial::new(MatrixName::M, 0, 0, 23, 12),
+        Partial::new(MatrixName::M, 0, 1, 23, 69).negative(),
+        Partial::new(MatrixName::M, 1, 0, 23, 69).negative(),
+        Partial::new(MatrixName::M, 1, 1, 23, 70),
+        Partial::new(MatrixName::C1, 0, 1, 23, 123),
+        Partial::new(MatrixName::C1, 1, 1, 23, 116).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 23, 6).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 23, 57), Partial::new(MatrixName::K0, 1, 0, 23, 57),
+        Partial::new(MatrixName::K0, 1, 1, 23, 113), Partial::new(MatrixName::K2, 0, 1, 23, 122),
+        Partial::new(MatrixName::K2, 1, 1, 23, 115).negative(),
+        Partial::new(MatrixName::M, 0, 0, 24, 10), Partial::new(MatrixName::M, 0, 1, 24, 11),
+        Partial::new(MatrixName::M, 1, 0, 24, 11), Partial::new(MatrixName::M, 1, 1, 24, 107),
+        Partial::new(MatrixName::C1, 1, 1, 24, 39), Partial::new(MatrixName::C1, 0, 1, 25, 108),
+        Partial::new(MatrixName::C1, 1, 0, 25, 108).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 25, 112),
+        Partial::new(MatrixName::K2, 1, 1, 25, 111),
+        Partial::new(MatrixName::C0, 1, 0, 26, 9).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 26, 10),
+        Partial::new(MatrixName::C0, 1, 0, 27, 8).negative(),
     ];
 }

@@ -187,116 +187,224 @@ impl<T: Number> CantileveredPipe<T> {
     /// 1 addition, 81 multiplications, 3 divisions and 11 negations: 96 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
+    ///
+    /// Where they are stored, [`Self::write_matrices_and_derivatives`] takes less time.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (CantileveredPipeMatrices<T>, CantileveredPipeDerivatives<T>) {
-        let M_11_l = self.m + self.f;
-        let mass = self.l * M_11_l;
         let zero = self.l.like(0.0);
-        let C1_11 = self.f * self.l.like(4.0);
-        let C1_13 = self.f * self.l.like(7.568674603525367);
-        let C1_21 = self.f * self.l.like(1.5189220591449966);
-        let C1_24 = self.f * self.l.like(6.766752743711723);
-        let C1_31 = self.f * self.l.like(0.43132539647463314);
-        let C1_32 = self.f * self.l.like(4.4443729491027995);
-        let C1_41 = self.f * self.l.like(0.2396209592479588);
-        let C1_42 = self.f * self.l.like(1.2332472562882775);
-        let C1_43 = self.f * self.l.like(8.336799302190666);
-        let t33 = self.l * self.l;
-        let t35 = self.l.like(1.0) / (self.l * t33);
-        let stiffness = self.EI * t35;
-        let Kc_11 = stiffness * self.l.like(12.362363368326193);
-        let Kc_22 = stiffness * self.l.like(485.51881851337106);
-        let Kc_33 = stiffness * self.l.like(3806.546266391451);
-        let Kc_44 = stiffness * self.l.like(14617.27330511878);
-        let t45 = self.l.like(1.0) / self.l;
-        let flow = self.f * t45;
-        let K2_11 = flow * self.l.like(0.8582436200114997);
-        let K2_13 = flow * self.l.like(27.45314869883141);
-        let K2_21 = flow * self.l.like(1.8738533309718404);
-        let K2_24 = flow * self.l.like(30.40116729418553);
-        let K2_31 = flow * self.l.like(1.564506451563535);
-        let K2_32 = flow * self.l.like(3.229330799040317);
-        let K2_41 = flow * self.l.like(1.087366479542848);
-        let K2_42 = flow * self.l.like(5.540642250946188);
-        let K2_43 = flow * self.l.like(4.253605462830704);
-        let t82 = self.EI * self.l.like(3.0) / (t33 * t33);
-        let t83 = self.l.like(12.362363368326193) * t82;
-        let t84 = self.l.like(485.51881851337106) * t82;
-        let t85 = self.l.like(3806.546266391451) * t82;
-        let t86 = self.l.like(14617.27330511878) * t82;
-        let t87 = t45 * flow;
-        let t88 = self.l.like(0.8582436200114997) * t87;
-        let K2_12_l = self.l.like(11.743238371184557) * t87;
-        let t90 = self.l.like(27.45314869883141) * t87;
-        let K2_14_l = self.l.like(37.39025026585289) * t87;
-        let t92 = self.l.like(1.8738533309718404) * t87;
-        let K2_22_l = self.l.like(13.294285387122413) * t87;
-        let K2_23_l = self.l.like(9.04221974607116) * t87;
-        let t95 = self.l.like(30.40116729418553) * t87;
-        let t96 = self.l.like(1.564506451563535) * t87;
-        let t97 = self.l.like(3.229330799040317) * t87;
-        let K2_33_l = self.l.like(45.90422661633816) * t87;
-        let K2_34_l = self.l.like(8.33536903529716) * t87;
-        let t100 = self.l.like(1.087366479542848) * t87;
-        let t101 = self.l.like(5.540642250946188) * t87;
-        let t102 = self.l.like(4.253605462830704) * t87;
-        let K2_44_l = self.l.like(98.91821015122052) * t87;
-        let Kc_11_EI = t35 * self.l.like(12.362363368326193);
-        let Kc_22_EI = t35 * self.l.like(485.51881851337106);
-        let Kc_33_EI = t35 * self.l.like(3806.546266391451);
-        let Kc_44_EI = t35 * self.l.like(14617.27330511878);
-        let K2_11_f = t45 * self.l.like(0.8582436200114997);
-        let t109 = t45 * self.l.like(11.743238371184557);
-        let K2_13_f = t45 * self.l.like(27.45314869883141);
-        let t111 = t45 * self.l.like(37.39025026585289);
-        let K2_21_f = t45 * self.l.like(1.8738533309718404);
-        let t113 = t45 * self.l.like(13.294285387122413);
-        let t114 = t45 * self.l.like(9.04221974607116);
-        let K2_24_f = t45 * self.l.like(30.40116729418553);
-        let K2_31_f = t45 * self.l.like(1.564506451563535);
-        let K2_32_f = t45 * self.l.like(3.229330799040317);
-        let t118 = t45 * self.l.like(45.90422661633816);
-        let t119 = t45 * self.l.like(8.33536903529716);
-        let K2_41_f = t45 * self.l.like(1.087366479542848);
-        let K2_42_f = t45 * self.l.like(5.540642250946188);
-        let K2_43_f = t45 * self.l.like(4.253605462830704);
-        let t123 = t45 * self.l.like(98.91821015122052);
-        let C1_12 = -(self.f * self.l.like(9.518922059144996));
-        let C1_14 = -(self.f * self.l.like(8.23962095924796));
-        let C1_23 = -(self.f * self.l.like(12.4443729491028));
-        let C1_34 = -(self.f * self.l.like(16.336799302190666));
-        let K2_12 = -(flow * self.l.like(11.743238371184557));
-        let K2_14 = -(flow * self.l.like(37.39025026585289));
-        let K2_22 = -(flow * self.l.like(13.294285387122413));
-        let K2_23 = -(flow * self.l.like(9.04221974607116));
-        let K2_33 = -(flow * self.l.like(45.90422661633816));
-        let K2_34 = -(flow * self.l.like(8.33536903529716));
-        let K2_44 = -(flow * self.l.like(98.91821015122052));
-        (
-            CantileveredPipeMatrices::from_entries([
-                mass, zero, zero, zero, zero, mass, zero, zero, zero, zero, mass, zero, zero, zero,
-                zero, mass, C1_11, C1_12, C1_13, C1_14, C1_21, C1_11, C1_23, C1_24, C1_31, C1_32,
-                C1_11, C1_34, C1_41, C1_42, C1_43, C1_11, Kc_11, zero, zero, zero, zero, Kc_22,
-                zero, zero, zero, zero, Kc_33, zero, zero, zero, zero, Kc_44, K2_11, K2_12, K2_13,
-                K2_14, K2_21, K2_22, K2_23, K2_24, K2_31, K2_32, K2_33, K2_34, K2_41, K2_42, K2_43,
-                K2_44,
-            ]),
-            CantileveredPipeDerivatives {
-                values: [
-                    M_11_l, t83, t84, t85, t86, t88, K2_12_l, t90, K2_14_l, t92, K2_22_l, K2_23_l,
-                    t95, t96, t97, K2_33_l, K2_34_l, t100, t101, t102, K2_44_l, Kc_11_EI, Kc_22_EI,
-                    Kc_33_EI, Kc_44_EI, self.l, self.l.like(4.0), self.l.like(-9.518922059144996),
-                    self.l.like(7.568674603525367), self.l.like(-8.23962095924796),
-                    self.l.like(1.5189220591449966), self.l.like(-12.4443729491028),
-                    self.l.like(6.766752743711723), self.l.like(0.43132539647463314),
-                    self.l.like(4.4443729491027995), self.l.like(-16.336799302190666),
-                    self.l.like(0.2396209592479588), self.l.like(1.2332472562882775),
-                    self.l.like(8.336799302190666), K2_11_f, t109, K2_13_f, t111, K2_21_f, t113,
-                    t114, K2_24_f, K2_31_f, K2_32_f, t118, t119, K2_41_f, K2_42_f, K2_43_f, t123,
-                ],
+        let mut matrices = CantileveredPipeMatrices::from_entries([zero; 64]);
+        let mut derivatives = CantileveredPipeDerivatives {
+            values: [zero; 55],
+        };
+        self.each_result(
+            #[inline(always)]
+            |position, value| matrices.set_entry(position, value),
+            #[inline(always)]
+            |position, value| derivatives.values[position] = value,
+        );
+        (matrices, derivatives)
+    }
+
+    /// Writes the coefficient matrices and their derivatives over others, each as soon as it is computed.
+    ///
+    /// They are those of [`Self::matrices_and_derivatives`], to the last bit. That function has more results than a
+    /// processor has registers, and moves them twice.
+    #[inline(always)]
+    pub fn write_matrices_and_derivatives(
+        &self,
+        matrices: &mut CantileveredPipeMatrices<T>,
+        derivatives: &mut CantileveredPipeDerivatives<T>,
+    ) {
+        *matrices = CantileveredPipeMatrices::from_entries([self.l.like(0.0); 64]);
+        self.each_result(
+            #[inline(always)]
+            |position, value| {
+                matrices.set_entry(position, value);
+                carvallo::write_now();
             },
-        )
+            #[inline(always)]
+            |position, value| {
+                derivatives.values[position] = value;
+                carvallo::write_now();
+            },
+        );
+    }
+
+    /// The program: gives each entry that differs, and each value of the derivatives, to a function with its position.
+    #[inline(always)]
+    fn each_result(&self, mut put_entry: impl FnMut(usize, T), mut put_derivative: impl FnMut(usize, T)) {
+        put_derivative(0, self.l);
+        put_derivative(1, self.l.like(4.0));
+        put_derivative(2, self.l.like(7.568674603525367));
+        put_derivative(3, self.l.like(1.5189220591449966));
+        put_derivative(4, self.l.like(6.766752743711723));
+        put_derivative(5, self.l.like(0.43132539647463314));
+        put_derivative(6, self.l.like(4.4443729491027995));
+        put_derivative(7, self.l.like(0.2396209592479588));
+        put_derivative(8, self.l.like(1.2332472562882775));
+        put_derivative(9, self.l.like(8.336799302190666));
+        put_derivative(10, self.l.like(-9.518922059144996));
+        put_derivative(11, self.l.like(-8.23962095924796));
+        put_derivative(12, self.l.like(-12.4443729491028));
+        put_derivative(13, self.l.like(-16.336799302190666));
+        let M_11_l = self.m + self.f;
+        put_derivative(14, M_11_l);
+        let mass = self.l * M_11_l;
+        put_entry(0, mass);
+        let C1_11 = self.f * self.l.like(4.0);
+        put_entry(1, C1_11);
+        let C1_13 = self.f * self.l.like(7.568674603525367);
+        put_entry(3, C1_13);
+        let C1_21 = self.f * self.l.like(1.5189220591449966);
+        put_entry(5, C1_21);
+        let C1_24 = self.f * self.l.like(6.766752743711723);
+        put_entry(7, C1_24);
+        let C1_31 = self.f * self.l.like(0.43132539647463314);
+        put_entry(8, C1_31);
+        let C1_32 = self.f * self.l.like(4.4443729491027995);
+        put_entry(9, C1_32);
+        let C1_41 = self.f * self.l.like(0.2396209592479588);
+        put_entry(11, C1_41);
+        let C1_42 = self.f * self.l.like(1.2332472562882775);
+        put_entry(12, C1_42);
+        let C1_43 = self.f * self.l.like(8.336799302190666);
+        put_entry(13, C1_43);
+        let t54 = self.l * self.l;
+        let t56 = self.l.like(1.0) / (self.l * t54);
+        let t57 = self.l.like(1.0) / self.l;
+        let t60 = self.EI * self.l.like(3.0) / (t54 * t54);
+        let C1_12 = -(self.f * self.l.like(9.518922059144996));
+        put_entry(2, C1_12);
+        let flow = self.f * t57;
+        let K2_11_f = t57 * self.l.like(0.8582436200114997);
+        put_derivative(15, K2_11_f);
+        let t65 = t57 * self.l.like(11.743238371184557);
+        put_derivative(16, t65);
+        let K2_13_f = t57 * self.l.like(27.45314869883141);
+        put_derivative(17, K2_13_f);
+        let t67 = t57 * self.l.like(37.39025026585289);
+        put_derivative(18, t67);
+        let K2_21_f = t57 * self.l.like(1.8738533309718404);
+        put_derivative(19, K2_21_f);
+        let t69 = t57 * self.l.like(13.294285387122413);
+        put_derivative(20, t69);
+        let t70 = t57 * self.l.like(9.04221974607116);
+        put_derivative(21, t70);
+        let K2_24_f = t57 * self.l.like(30.40116729418553);
+        put_derivative(22, K2_24_f);
+        let K2_11 = flow * self.l.like(0.8582436200114997);
+        put_entry(18, K2_11);
+        let K2_13 = flow * self.l.like(27.45314869883141);
+        put_entry(20, K2_13);
+        let K2_21 = flow * self.l.like(1.8738533309718404);
+        put_entry(22, K2_21);
+        let K2_24 = flow * self.l.like(30.40116729418553);
+        put_entry(25, K2_24);
+        let K2_31 = flow * self.l.like(1.564506451563535);
+        put_entry(26, K2_31);
+        let K2_32 = flow * self.l.like(3.229330799040317);
+        put_entry(27, K2_32);
+        let K2_41 = flow * self.l.like(1.087366479542848);
+        put_entry(30, K2_41);
+        let stiffness = self.EI * t56;
+        let K2_42 = flow * self.l.like(5.540642250946188);
+        put_entry(31, K2_42);
+        let K2_43 = flow * self.l.like(4.253605462830704);
+        put_entry(32, K2_43);
+        let t82 = self.l.like(12.362363368326193) * t60;
+        put_derivative(23, t82);
+        let t83 = self.l.like(485.51881851337106) * t60;
+        put_derivative(24, t83);
+        let t84 = self.l.like(3806.546266391451) * t60;
+        put_derivative(25, t84);
+        let t85 = self.l.like(14617.27330511878) * t60;
+        put_derivative(26, t85);
+        let t86 = t57 * flow;
+        let t87 = self.l.like(0.8582436200114997) * t86;
+        put_derivative(27, t87);
+        let K2_12_l = self.l.like(11.743238371184557) * t86;
+        put_derivative(28, K2_12_l);
+        let Kc_11 = stiffness * self.l.like(12.362363368326193);
+        put_entry(14, Kc_11);
+        let Kc_22 = stiffness * self.l.like(485.51881851337106);
+        put_entry(15, Kc_22);
+        let Kc_33 = stiffness * self.l.like(3806.546266391451);
+        put_entry(16, Kc_33);
+        let Kc_44 = stiffness * self.l.like(14617.27330511878);
+        put_entry(17, Kc_44);
+        let t93 = self.l.like(27.45314869883141) * t86;
+        put_derivative(29, t93);
+        let K2_14_l = self.l.like(37.39025026585289) * t86;
+        put_derivative(30, K2_14_l);
+        let t95 = self.l.like(1.8738533309718404) * t86;
+        put_derivative(31, t95);
+        let K2_22_l = self.l.like(13.294285387122413) * t86;
+        put_derivative(32, K2_22_l);
+        let K2_23_l = self.l.like(9.04221974607116) * t86;
+        put_derivative(33, K2_23_l);
+        let t98 = self.l.like(30.40116729418553) * t86;
+        put_derivative(34, t98);
+        let t99 = self.l.like(1.564506451563535) * t86;
+        put_derivative(35, t99);
+        let t100 = self.l.like(3.229330799040317) * t86;
+        put_derivative(36, t100);
+        let K2_33_l = self.l.like(45.90422661633816) * t86;
+        put_derivative(37, K2_33_l);
+        let K2_34_l = self.l.like(8.33536903529716) * t86;
+        put_derivative(38, K2_34_l);
+        let t103 = self.l.like(1.087366479542848) * t86;
+        put_derivative(39, t103);
+        let t104 = self.l.like(5.540642250946188) * t86;
+        put_derivative(40, t104);
+        let t105 = self.l.like(4.253605462830704) * t86;
+        put_derivative(41, t105);
+        let K2_44_l = self.l.like(98.91821015122052) * t86;
+        put_derivative(42, K2_44_l);
+        let Kc_11_EI = t56 * self.l.like(12.362363368326193);
+        put_derivative(43, Kc_11_EI);
+        let Kc_22_EI = t56 * self.l.like(485.51881851337106);
+        put_derivative(44, Kc_22_EI);
+        let Kc_33_EI = t56 * self.l.like(3806.546266391451);
+        put_derivative(45, Kc_33_EI);
+        let Kc_44_EI = t56 * self.l.like(14617.27330511878);
+        put_derivative(46, Kc_44_EI);
+        let K2_31_f = t57 * self.l.like(1.564506451563535);
+        put_derivative(47, K2_31_f);
+        let K2_32_f = t57 * self.l.like(3.229330799040317);
+        put_derivative(48, K2_32_f);
+        let t113 = t57 * self.l.like(45.90422661633816);
+        put_derivative(49, t113);
+        let t114 = t57 * self.l.like(8.33536903529716);
+        put_derivative(50, t114);
+        let K2_41_f = t57 * self.l.like(1.087366479542848);
+        put_derivative(51, K2_41_f);
+        let K2_42_f = t57 * self.l.like(5.540642250946188);
+        put_derivative(52, K2_42_f);
+        let K2_43_f = t57 * self.l.like(4.253605462830704);
+        put_derivative(53, K2_43_f);
+        let t118 = t57 * self.l.like(98.91821015122052);
+        put_derivative(54, t118);
+        let C1_14 = -(self.f * self.l.like(8.23962095924796));
+        put_entry(4, C1_14);
+        let C1_23 = -(self.f * self.l.like(12.4443729491028));
+        put_entry(6, C1_23);
+        let C1_34 = -(self.f * self.l.like(16.336799302190666));
+        put_entry(10, C1_34);
+        let K2_12 = -(flow * self.l.like(11.743238371184557));
+        put_entry(19, K2_12);
+        let K2_14 = -(flow * self.l.like(37.39025026585289));
+        put_entry(21, K2_14);
+        let K2_22 = -(flow * self.l.like(13.294285387122413));
+        put_entry(23, K2_22);
+        let K2_23 = -(flow * self.l.like(9.04221974607116));
+        put_entry(24, K2_23);
+        let K2_33 = -(flow * self.l.like(45.90422661633816));
+        put_entry(28, K2_33);
+        let K2_34 = -(flow * self.l.like(8.33536903529716));
+        put_entry(29, K2_34);
+        let K2_44 = -(flow * self.l.like(98.91821015122052));
+        put_entry(33, K2_44);
     }
 }
 
@@ -413,6 +521,122 @@ impl<T: Number> CantileveredPipeMatrices<T> {
             self.k2[2][0], self.k2[2][1], self.k2[2][2], self.k2[2][3], self.k2[3][0],
             self.k2[3][1], self.k2[3][2], self.k2[3][3],
         ]
+    }
+
+    /// Sets the entry at a position among those that differ, wherever it stands.
+    #[inline(always)]
+    fn set_entry(&mut self, position: usize, entry: T) {
+        match position {
+            0 => {
+                self.m[0][0] = entry;
+                self.m[1][1] = entry;
+                self.m[2][2] = entry;
+                self.m[3][3] = entry;
+            }
+            1 => {
+                self.c1[0][0] = entry;
+                self.c1[1][1] = entry;
+                self.c1[2][2] = entry;
+                self.c1[3][3] = entry;
+            }
+            2 => {
+                self.c1[0][1] = entry;
+            }
+            3 => {
+                self.c1[0][2] = entry;
+            }
+            4 => {
+                self.c1[0][3] = entry;
+            }
+            5 => {
+                self.c1[1][0] = entry;
+            }
+            6 => {
+                self.c1[1][2] = entry;
+            }
+            7 => {
+                self.c1[1][3] = entry;
+            }
+            8 => {
+                self.c1[2][0] = entry;
+            }
+            9 => {
+                self.c1[2][1] = entry;
+            }
+            10 => {
+                self.c1[2][3] = entry;
+            }
+            11 => {
+                self.c1[3][0] = entry;
+            }
+            12 => {
+                self.c1[3][1] = entry;
+            }
+            13 => {
+                self.c1[3][2] = entry;
+            }
+            14 => {
+                self.kc[0][0] = entry;
+            }
+            15 => {
+                self.kc[1][1] = entry;
+            }
+            16 => {
+                self.kc[2][2] = entry;
+            }
+            17 => {
+                self.kc[3][3] = entry;
+            }
+            18 => {
+                self.k2[0][0] = entry;
+            }
+            19 => {
+                self.k2[0][1] = entry;
+            }
+            20 => {
+                self.k2[0][2] = entry;
+            }
+            21 => {
+                self.k2[0][3] = entry;
+            }
+            22 => {
+                self.k2[1][0] = entry;
+            }
+            23 => {
+                self.k2[1][1] = entry;
+            }
+            24 => {
+                self.k2[1][2] = entry;
+            }
+            25 => {
+                self.k2[1][3] = entry;
+            }
+            26 => {
+                self.k2[2][0] = entry;
+            }
+            27 => {
+                self.k2[2][1] = entry;
+            }
+            28 => {
+                self.k2[2][2] = entry;
+            }
+            29 => {
+                self.k2[2][3] = entry;
+            }
+            30 => {
+                self.k2[3][0] = entry;
+            }
+            31 => {
+                self.k2[3][1] = entry;
+            }
+            32 => {
+                self.k2[3][2] = entry;
+            }
+            33 => {
+                self.k2[3][3] = entry;
+            }
+            _ => {}
+        }
     }
 
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
@@ -710,60 +934,58 @@ impl<T: Scalar> Differentiable<4> for CantileveredPipe<T> {
 }
 
 impl<T: Number> EvaluatorWithDerivatives<T, 4> for CantileveredPipe<T> {
-    type Derivatives = [T; 55];
-
     #[inline(always)]
-    fn entries_and_derivatives(&self) -> ([T; 34], [T; 55]) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        (CantileveredPipeMatrices::distinct_entries(&matrices), derivatives.values)
+    fn each_result(&self, put_entry: impl FnMut(usize, T), put_derivative: impl FnMut(usize, T)) {
+        self.each_result(put_entry, put_derivative);
     }
 }
 
 impl CantileveredPipeDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 68] = &[
-        Partial::new(MatrixName::M, 0, 0, 0, 0), Partial::new(MatrixName::M, 1, 1, 0, 0),
-        Partial::new(MatrixName::M, 2, 2, 0, 0), Partial::new(MatrixName::M, 3, 3, 0, 0),
-        Partial::new(MatrixName::Kc, 0, 0, 0, 1).negative(),
-        Partial::new(MatrixName::Kc, 1, 1, 0, 2).negative(),
-        Partial::new(MatrixName::Kc, 2, 2, 0, 3).negative(),
-        Partial::new(MatrixName::Kc, 3, 3, 0, 4).negative(),
-        Partial::new(MatrixName::K2, 0, 0, 0, 5).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 0, 6),
-        Partial::new(MatrixName::K2, 0, 2, 0, 7).negative(),
-        Partial::new(MatrixName::K2, 0, 3, 0, 8),
-        Partial::new(MatrixName::K2, 1, 0, 0, 9).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 0, 10), Partial::new(MatrixName::K2, 1, 2, 0, 11),
-        Partial::new(MatrixName::K2, 1, 3, 0, 12).negative(),
-        Partial::new(MatrixName::K2, 2, 0, 0, 13).negative(),
-        Partial::new(MatrixName::K2, 2, 1, 0, 14).negative(),
-        Partial::new(MatrixName::K2, 2, 2, 0, 15),
-        Partial::new(MatrixName::K2, 2, 3, 0, 16),
-        Partial::new(MatrixName::K2, 3, 0, 0, 17).negative(),
-        Partial::new(MatrixName::K2, 3, 1, 0, 18).negative(),
-        Partial::new(MatrixName::K2, 3, 2, 0, 19).negative(),
-        Partial::new(MatrixName::K2, 3, 3, 0, 20), Partial::new(MatrixName::Kc, 0, 0, 1, 21),
-        Partial::new(MatrixName::Kc, 1, 1, 1, 22), Partial::new(MatrixName::Kc, 2, 2, 1, 23),
-        Partial::new(MatrixName::Kc, 3, 3, 1, 24), Partial::new(MatrixName::M, 0, 0, 2, 25),
-        Partial::new(MatrixName::M, 1, 1, 2, 25), Partial::new(MatrixName::M, 2, 2, 2, 25),
-        Partial::new(MatrixName::M, 3, 3, 2, 25), Partial::new(MatrixName::M, 0, 0, 3, 25),
-        Partial::new(MatrixName::M, 1, 1, 3, 25), Partial::new(MatrixName::M, 2, 2, 3, 25),
-        Partial::new(MatrixName::M, 3, 3, 3, 25), Partial::new(MatrixName::C1, 0, 0, 3, 26),
-        Partial::new(MatrixName::C1, 0, 1, 3, 27), Partial::new(MatrixName::C1, 0, 2, 3, 28),
-        Partial::new(MatrixName::C1, 0, 3, 3, 29), Partial::new(MatrixName::C1, 1, 0, 3, 30),
-        Partial::new(MatrixName::C1, 1, 1, 3, 26), Partial::new(MatrixName::C1, 1, 2, 3, 31),
-        Partial::new(MatrixName::C1, 1, 3, 3, 32), Partial::new(MatrixName::C1, 2, 0, 3, 33),
-        Partial::new(MatrixName::C1, 2, 1, 3, 34), Partial::new(MatrixName::C1, 2, 2, 3, 26),
-        Partial::new(MatrixName::C1, 2, 3, 3, 35), Partial::new(MatrixName::C1, 3, 0, 3, 36),
-        Partial::new(MatrixName::C1, 3, 1, 3, 37), Partial::new(MatrixName::C1, 3, 2, 3, 38),
-        Partial::new(MatrixName::C1, 3, 3, 3, 26), Partial::new(MatrixName::K2, 0, 0, 3, 39),
-        Partial::new(MatrixName::K2, 0, 1, 3, 40).negative(),
-        Partial::new(MatrixName::K2, 0, 2, 3, 41),
-        Partial::new(MatrixName::K2, 0, 3, 3, 42).negative(),
-        Partial::new(MatrixName::K2, 1, 0, 3, 43),
-        Partial::new(MatrixName::K2, 1, 1, 3, 44).negative(),
-        Partial::new(MatrixName::K2, 1, 2, 3, 45).negative(),
-        Partial::new(MatrixName::K2, 1, 3, 3, 46),
+        Partial::new(MatrixName::M, 0, 0, 0, 14), Partial::new(MatrixName::M, 1, 1, 0, 14),
+        Partial::new(MatrixName::M, 2, 2, 0, 14), Partial::new(MatrixName::M, 3, 3, 0, 14),
+        Partial::new(MatrixName::Kc, 0, 0, 0, 23).negative(),
+        Partial::new(MatrixName::Kc, 1, 1, 0, 24).negative(),
+        Partial::new(MatrixName::Kc, 2, 2, 0, 25).negative(),
+        Partial::new(MatrixName::Kc, 3, 3, 0, 26).negative(),
+        Partial::new(MatrixName::K2, 0, 0, 0, 27).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 0, 28),
+        Partial::new(MatrixName::K2, 0, 2, 0, 29).negative(),
+        Partial::new(MatrixName::K2, 0, 3, 0, 30),
+        Partial::new(MatrixName::K2, 1, 0, 0, 31).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 0, 32),
+        Partial::new(MatrixName::K2, 1, 2, 0, 33),
+        Partial::new(MatrixName::K2, 1, 3, 0, 34).negative(),
+        Partial::new(MatrixName::K2, 2, 0, 0, 35).negative(),
+        Partial::new(MatrixName::K2, 2, 1, 0, 36).negative(),
+        Partial::new(MatrixName::K2, 2, 2, 0, 37),
+        Partial::new(MatrixName::K2, 2, 3, 0, 38),
+        Partial::new(MatrixName::K2, 3, 0, 0, 39).negative(),
+        Partial::new(MatrixName::K2, 3, 1, 0, 40).negative(),
+        Partial::new(MatrixName::K2, 3, 2, 0, 41).negative(),
+        Partial::new(MatrixName::K2, 3, 3, 0, 42), Partial::new(MatrixName::Kc, 0, 0, 1, 43),
+        Partial::new(MatrixName::Kc, 1, 1, 1, 44), Partial::new(MatrixName::Kc, 2, 2, 1, 45),
+        Partial::new(MatrixName::Kc, 3, 3, 1, 46), Partial::new(MatrixName::M, 0, 0, 2, 0),
+        Partial::new(MatrixName::M, 1, 1, 2, 0), Partial::new(MatrixName::M, 2, 2, 2, 0),
+        Partial::new(MatrixName::M, 3, 3, 2, 0), Partial::new(MatrixName::M, 0, 0, 3, 0),
+        Partial::new(MatrixName::M, 1, 1, 3, 0), Partial::new(MatrixName::M, 2, 2, 3, 0),
+        Partial::new(MatrixName::M, 3, 3, 3, 0), Partial::new(MatrixName::C1, 0, 0, 3, 1),
+        Partial::new(MatrixName::C1, 0, 1, 3, 10), Partial::new(MatrixName::C1, 0, 2, 3, 2),
+        Partial::new(MatrixName::C1, 0, 3, 3, 11), Partial::new(MatrixName::C1, 1, 0, 3, 3),
+        Partial::new(MatrixName::C1, 1, 1, 3, 1), Partial::new(MatrixName::C1, 1, 2, 3, 12),
+        Partial::new(MatrixName::C1, 1, 3, 3, 4), Partial::new(MatrixName::C1, 2, 0, 3, 5),
+        Partial::new(MatrixName::C1, 2, 1, 3, 6), Partial::new(MatrixName::C1, 2, 2, 3, 1),
+        Partial::new(MatrixName::C1, 2, 3, 3, 13), Partial::new(MatrixName::C1, 3, 0, 3, 7),
+        Partial::new(MatrixName::C1, 3, 1, 3, 8), Partial::new(MatrixName::C1, 3, 2, 3, 9),
+        Partial::new(MatrixName::C1, 3, 3, 3, 1), Partial::new(MatrixName::K2, 0, 0, 3, 15),
+        Partial::new(MatrixName::K2, 0, 1, 3, 16).negative(),
+        Partial::new(MatrixName::K2, 0, 2, 3, 17),
+        Partial::new(MatrixName::K2, 0, 3, 3, 18).negative(),
+        Partial::new(MatrixName::K2, 1, 0, 3, 19),
+        Partial::new(MatrixName::K2, 1, 1, 3, 20).negative(),
+        Partial::new(MatrixName::K2, 1, 2, 3, 21).negative(),
+        Partial::new(MatrixName::K2, 1, 3, 3, 22),
         Partial::new(MatrixName::K2, 2, 0, 3, 47),
         Partial::new(MatrixName::K2, 2, 1, 3, 48),
         Partial::new(MatrixName::K2, 2, 2, 3, 49).negative(),

@@ -117,31 +117,72 @@ impl<T: Number> Car<T> {
     /// 5 additions and 6 multiplications: 11 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
+    ///
+    /// Where they are stored, [`Self::write_matrices_and_derivatives`] takes less time.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (CarMatrices<T>, CarDerivatives<T>) {
         let zero = self.m.like(0.0);
-        let Cm1_11 = self.Cf + self.Cr;
-        let t7 = self.Cr * self.b;
-        let t9 = self.Cf * self.a;
-        let Cm1_12 = t9 - t7;
-        let Cm1_22_Cf = self.a * self.a;
-        let Cm1_22_Cr = self.b * self.b;
-        let Cm1_22 = self.Cf * Cm1_22_Cf + self.Cr * Cm1_22_Cr;
-        let Cm1_22_a = t9 + t9;
-        let Cm1_22_b = t7 + t7;
-        (
-            CarMatrices::from_entries([
-                self.m, zero, zero, self.I, Cm1_11, Cm1_12, Cm1_12, Cm1_22, zero, self.m, zero,
-                zero,
-            ]),
-            CarDerivatives {
-                values: [
-                    self.m.like(1.0), self.Cf, Cm1_22_a, self.Cr, Cm1_22_b, self.a, Cm1_22_Cf,
-                    self.b, Cm1_22_Cr,
-                ],
+        let mut matrices = CarMatrices::from_entries([zero; 12]);
+        let mut derivatives = CarDerivatives {
+            values: [zero; 9],
+        };
+        self.each_result(
+            #[inline(always)]
+            |position, value| matrices.set_entry(position, value),
+            #[inline(always)]
+            |position, value| derivatives.values[position] = value,
+        );
+        (matrices, derivatives)
+    }
+
+    /// Writes the coefficient matrices and their derivatives over others, each as soon as it is computed.
+    ///
+    /// They are those of [`Self::matrices_and_derivatives`], to the last bit. That function has more results than a
+    /// processor has registers, and moves them twice.
+    #[inline(always)]
+    pub fn write_matrices_and_derivatives(&self, matrices: &mut CarMatrices<T>, derivatives: &mut CarDerivatives<T>) {
+        *matrices = CarMatrices::from_entries([self.m.like(0.0); 12]);
+        self.each_result(
+            #[inline(always)]
+            |position, value| {
+                matrices.set_entry(position, value);
+                carvallo::write_now();
             },
-        )
+            #[inline(always)]
+            |position, value| {
+                derivatives.values[position] = value;
+                carvallo::write_now();
+            },
+        );
+    }
+
+    /// The program: gives each entry that differs, and each value of the derivatives, to a function with its position.
+    #[inline(always)]
+    fn each_result(&self, mut put_entry: impl FnMut(usize, T), mut put_derivative: impl FnMut(usize, T)) {
+        put_entry(0, self.m);
+        put_entry(1, self.I);
+        put_derivative(0, self.a);
+        put_derivative(1, self.b);
+        put_derivative(2, self.Cf);
+        put_derivative(3, self.Cr);
+        put_derivative(4, self.m.like(1.0));
+        let Cm1_11 = self.Cf + self.Cr;
+        put_entry(2, Cm1_11);
+        let t9 = self.Cr * self.b;
+        let t10 = self.Cf * self.a;
+        let Cm1_12 = t10 - t9;
+        put_entry(3, Cm1_12);
+        let Cm1_22_Cf = self.a * self.a;
+        put_derivative(5, Cm1_22_Cf);
+        let Cm1_22_Cr = self.b * self.b;
+        put_derivative(6, Cm1_22_Cr);
+        let Cm1_22 = self.Cf * Cm1_22_Cf + self.Cr * Cm1_22_Cr;
+        put_entry(4, Cm1_22);
+        let Cm1_22_a = t10 + t10;
+        put_derivative(7, Cm1_22_a);
+        let Cm1_22_b = t9 + t9;
+        put_derivative(8, Cm1_22_b);
     }
 }
 
@@ -239,6 +280,31 @@ impl<T: Number> CarMatrices<T> {
     #[inline(always)]
     fn distinct_entries(&self) -> [T; 5] {
         [self.m[0][0], self.m[1][1], self.cm1[0][0], self.cm1[0][1], self.cm1[1][1]]
+    }
+
+    /// Sets the entry at a position among those that differ, wherever it stands.
+    #[inline(always)]
+    fn set_entry(&mut self, position: usize, entry: T) {
+        match position {
+            0 => {
+                self.m[0][0] = entry;
+                self.c1[0][1] = entry;
+            }
+            1 => {
+                self.m[1][1] = entry;
+            }
+            2 => {
+                self.cm1[0][0] = entry;
+            }
+            3 => {
+                self.cm1[0][1] = entry;
+                self.cm1[1][0] = entry;
+            }
+            4 => {
+                self.cm1[1][1] = entry;
+            }
+            _ => {}
+        }
     }
 
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
@@ -475,28 +541,25 @@ impl<T: Scalar> Differentiable<2> for Car<T> {
 }
 
 impl<T: Number> EvaluatorWithDerivatives<T, 2> for Car<T> {
-    type Derivatives = [T; 9];
-
     #[inline(always)]
-    fn entries_and_derivatives(&self) -> ([T; 5], [T; 9]) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        (CarMatrices::distinct_entries(&matrices), derivatives.values)
+    fn each_result(&self, put_entry: impl FnMut(usize, T), put_derivative: impl FnMut(usize, T)) {
+        self.each_result(put_entry, put_derivative);
     }
 }
 
 impl CarDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 17] = &[
-        Partial::new(MatrixName::M, 0, 0, 0, 0), Partial::new(MatrixName::C1, 0, 1, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 1, 0), Partial::new(MatrixName::Cm1, 0, 1, 2, 1),
-        Partial::new(MatrixName::Cm1, 1, 0, 2, 1), Partial::new(MatrixName::Cm1, 1, 1, 2, 2),
+        Partial::new(MatrixName::M, 0, 0, 0, 4), Partial::new(MatrixName::C1, 0, 1, 0, 4),
+        Partial::new(MatrixName::M, 1, 1, 1, 4), Partial::new(MatrixName::Cm1, 0, 1, 2, 2),
+        Partial::new(MatrixName::Cm1, 1, 0, 2, 2), Partial::new(MatrixName::Cm1, 1, 1, 2, 7),
         Partial::new(MatrixName::Cm1, 0, 1, 3, 3).negative(),
         Partial::new(MatrixName::Cm1, 1, 0, 3, 3).negative(),
-        Partial::new(MatrixName::Cm1, 1, 1, 3, 4), Partial::new(MatrixName::Cm1, 0, 0, 4, 0),
-        Partial::new(MatrixName::Cm1, 0, 1, 4, 5), Partial::new(MatrixName::Cm1, 1, 0, 4, 5),
-        Partial::new(MatrixName::Cm1, 1, 1, 4, 6), Partial::new(MatrixName::Cm1, 0, 0, 5, 0),
-        Partial::new(MatrixName::Cm1, 0, 1, 5, 7).negative(),
-        Partial::new(MatrixName::Cm1, 1, 0, 5, 7).negative(),
-        Partial::new(MatrixName::Cm1, 1, 1, 5, 8),
+        Partial::new(MatrixName::Cm1, 1, 1, 3, 8), Partial::new(MatrixName::Cm1, 0, 0, 4, 4),
+        Partial::new(MatrixName::Cm1, 0, 1, 4, 0), Partial::new(MatrixName::Cm1, 1, 0, 4, 0),
+        Partial::new(MatrixName::Cm1, 1, 1, 4, 5), Partial::new(MatrixName::Cm1, 0, 0, 5, 4),
+        Partial::new(MatrixName::Cm1, 0, 1, 5, 1).negative(),
+        Partial::new(MatrixName::Cm1, 1, 0, 5, 1).negative(),
+        Partial::new(MatrixName::Cm1, 1, 1, 5, 6),
     ];
 }

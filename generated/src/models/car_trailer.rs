@@ -268,63 +268,136 @@ impl<T: Number> CarTrailer<T> {
     /// 21 additions, 22 multiplications and 4 negations: 47 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
+    ///
+    /// Where they are stored, [`Self::write_matrices_and_derivatives`] takes less time.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (CarTrailerMatrices<T>, CarTrailerDerivatives<T>) {
-        let m_all = self.m + self.mT;
-        let t5 = self.e + self.h;
-        let t6 = self.mT * t5;
-        let M_23_h = self.mT * self.e;
-        let M_23_e = t6 + M_23_h;
-        let Jyy_q = self.e * M_23_h + self.IT;
-        let Jzz_all = self.h * M_23_e + self.I + Jyy_q;
-        let M_23_mT = self.e * t5;
-        let M_psi_q = self.IT + self.mT * M_23_mT;
-        let Cm1_11 = self.Cf + self.Cr + self.CT;
-        let t25 = self.Cr * self.b;
-        let Kc_23_CT = self.h + self.l;
-        let Kc_23 = self.CT * Kc_23_CT;
-        let t30 = self.Cf * self.a;
-        let Cm1_12 = t30 - t25 - Kc_23;
-        let Kc_33 = self.CT * self.l;
-        let Cm1_22 = self.b * t25 + Kc_23_CT * Kc_23 + self.a * t30;
-        let Cm1_23_CT = self.l * Kc_23_CT;
-        let Cm1_23 = self.CT * Cm1_23_CT;
-        let Cm1_33_CT = self.l * self.l;
-        let Cm1_33 = self.CT * Cm1_33_CT;
         let zero = self.m.like(0.0);
-        let Cm1_22_a = t30 + t30;
-        let Cm1_22_b = t25 + t25;
-        let M_22_h = t6 + t6;
-        let Cm1_22_h = Kc_23 + Kc_23;
-        let M_22_mT = t5 * t5;
-        let Jyy_q_mT = self.e * self.e;
-        let Jyy_q_e = M_23_h + M_23_h;
-        let Cm1_23_l = Kc_23 + Kc_33;
-        let Cm1_33_l = Kc_33 + Kc_33;
-        let Cm1_22_Cf = self.a * self.a;
-        let Cm1_22_Cr = self.b * self.b;
-        let Cm1_22_CT = Kc_23_CT * Kc_23_CT;
-        let M_12 = -t6;
-        let M_13 = -M_23_h;
-        let Cm1_13 = -Kc_33;
-        let Kc_13 = -self.CT;
-        (
-            CarTrailerMatrices::from_entries([
-                m_all, M_12, M_13, M_12, Jzz_all, M_psi_q, M_13, M_psi_q, Jyy_q, Cm1_11, Cm1_12,
-                Cm1_13, Cm1_12, Cm1_22, Cm1_23, Cm1_13, Cm1_23, Cm1_33, zero, zero, zero, zero,
-                zero, zero, zero, zero, self.d, zero, m_all, zero, zero, M_12, zero, zero, M_13,
-                zero, zero, zero, Kc_13, zero, zero, Kc_23, zero, zero, Kc_33,
-            ]),
-            CarTrailerDerivatives {
-                values: [
-                    self.m.like(1.0), self.Cf, Cm1_22_a, self.Cr, Cm1_22_b, self.mT, M_22_h, M_23_h,
-                    self.CT, Cm1_22_h, Kc_33, t5, self.e, M_22_mT, M_23_mT, Jyy_q_mT, M_23_e,
-                    Jyy_q_e, Cm1_23_l, Cm1_33_l, self.a, Cm1_22_Cf, self.b, Cm1_22_Cr, Kc_23_CT,
-                    self.l, Cm1_22_CT, Cm1_23_CT, Cm1_33_CT, self.m.like(-1.0),
-                ],
+        let mut matrices = CarTrailerMatrices::from_entries([zero; 45]);
+        let mut derivatives = CarTrailerDerivatives {
+            values: [zero; 30],
+        };
+        self.each_result(
+            #[inline(always)]
+            |position, value| matrices.set_entry(position, value),
+            #[inline(always)]
+            |position, value| derivatives.values[position] = value,
+        );
+        (matrices, derivatives)
+    }
+
+    /// Writes the coefficient matrices and their derivatives over others, each as soon as it is computed.
+    ///
+    /// They are those of [`Self::matrices_and_derivatives`], to the last bit. That function has more results than a
+    /// processor has registers, and moves them twice.
+    #[inline(always)]
+    pub fn write_matrices_and_derivatives(
+        &self,
+        matrices: &mut CarTrailerMatrices<T>,
+        derivatives: &mut CarTrailerDerivatives<T>,
+    ) {
+        *matrices = CarTrailerMatrices::from_entries([self.m.like(0.0); 45]);
+        self.each_result(
+            #[inline(always)]
+            |position, value| {
+                matrices.set_entry(position, value);
+                carvallo::write_now();
             },
-        )
+            #[inline(always)]
+            |position, value| {
+                derivatives.values[position] = value;
+                carvallo::write_now();
+            },
+        );
+    }
+
+    /// The program: gives each entry that differs, and each value of the derivatives, to a function with its position.
+    #[inline(always)]
+    fn each_result(&self, mut put_entry: impl FnMut(usize, T), mut put_derivative: impl FnMut(usize, T)) {
+        put_entry(12, self.d);
+        put_derivative(0, self.a);
+        put_derivative(1, self.b);
+        put_derivative(2, self.mT);
+        put_derivative(3, self.e);
+        put_derivative(4, self.l);
+        put_derivative(5, self.Cf);
+        put_derivative(6, self.Cr);
+        put_derivative(7, self.CT);
+        put_derivative(8, self.m.like(1.0));
+        put_derivative(9, self.m.like(-1.0));
+        let m_all = self.m + self.mT;
+        put_entry(0, m_all);
+        let t17 = self.e + self.h;
+        put_derivative(10, t17);
+        let t18 = self.mT * t17;
+        let M_23_h = self.mT * self.e;
+        put_derivative(11, M_23_h);
+        let M_23_e = t18 + M_23_h;
+        put_derivative(12, M_23_e);
+        let Jyy_q = self.e * M_23_h + self.IT;
+        put_entry(5, Jyy_q);
+        let M_23_mT = self.e * t17;
+        put_derivative(13, M_23_mT);
+        let M_psi_q = self.IT + self.mT * M_23_mT;
+        put_entry(4, M_psi_q);
+        let Cm1_11 = self.Cf + self.Cr + self.CT;
+        put_entry(6, Cm1_11);
+        let Jzz_all = self.h * M_23_e + self.I + Jyy_q;
+        put_entry(3, Jzz_all);
+        let t31 = self.Cr * self.b;
+        let Kc_23_CT = self.h + self.l;
+        put_derivative(14, Kc_23_CT);
+        let Kc_23 = self.CT * Kc_23_CT;
+        put_entry(14, Kc_23);
+        let M_22_mT = t17 * t17;
+        put_derivative(15, M_22_mT);
+        let t35 = self.Cf * self.a;
+        let Cm1_12 = t35 - t31 - Kc_23;
+        put_entry(7, Cm1_12);
+        let Cm1_22 = self.b * t31 + Kc_23_CT * Kc_23 + self.a * t35;
+        put_entry(9, Cm1_22);
+        let Cm1_22_a = t35 + t35;
+        put_derivative(16, Cm1_22_a);
+        let Kc_33 = self.CT * self.l;
+        put_entry(15, Kc_33);
+        put_derivative(17, Kc_33);
+        let Cm1_22_b = t31 + t31;
+        put_derivative(18, Cm1_22_b);
+        let Cm1_23_CT = self.l * Kc_23_CT;
+        put_derivative(19, Cm1_23_CT);
+        let Cm1_23 = self.CT * Cm1_23_CT;
+        put_entry(10, Cm1_23);
+        let Cm1_33_CT = self.l * self.l;
+        put_derivative(20, Cm1_33_CT);
+        let Cm1_33 = self.CT * Cm1_33_CT;
+        put_entry(11, Cm1_33);
+        let M_22_h = t18 + t18;
+        put_derivative(21, M_22_h);
+        let Cm1_22_h = Kc_23 + Kc_23;
+        put_derivative(22, Cm1_22_h);
+        let Jyy_q_mT = self.e * self.e;
+        put_derivative(23, Jyy_q_mT);
+        let Jyy_q_e = M_23_h + M_23_h;
+        put_derivative(24, Jyy_q_e);
+        let Cm1_23_l = Kc_23 + Kc_33;
+        put_derivative(25, Cm1_23_l);
+        let Cm1_33_l = Kc_33 + Kc_33;
+        put_derivative(26, Cm1_33_l);
+        let Cm1_22_Cf = self.a * self.a;
+        put_derivative(27, Cm1_22_Cf);
+        let Cm1_22_Cr = self.b * self.b;
+        put_derivative(28, Cm1_22_Cr);
+        let Cm1_22_CT = Kc_23_CT * Kc_23_CT;
+        put_derivative(29, Cm1_22_CT);
+        let M_12 = -t18;
+        put_entry(1, M_12);
+        let M_13 = -M_23_h;
+        put_entry(2, M_13);
+        let Cm1_13 = -Kc_33;
+        put_entry(8, Cm1_13);
+        let Kc_13 = -self.CT;
+        put_entry(13, Kc_13);
     }
 }
 
@@ -455,6 +528,71 @@ impl<T: Number> CarTrailerMatrices<T> {
             self.cm1[0][0], self.cm1[0][1], self.cm1[0][2], self.cm1[1][1], self.cm1[1][2],
             self.cm1[2][2], self.c0[2][2], self.kc[0][2], self.kc[1][2], self.kc[2][2],
         ]
+    }
+
+    /// Sets the entry at a position among those that differ, wherever it stands.
+    #[inline(always)]
+    fn set_entry(&mut self, position: usize, entry: T) {
+        match position {
+            0 => {
+                self.m[0][0] = entry;
+                self.c1[0][1] = entry;
+            }
+            1 => {
+                self.m[0][1] = entry;
+                self.m[1][0] = entry;
+                self.c1[1][1] = entry;
+            }
+            2 => {
+                self.m[0][2] = entry;
+                self.m[2][0] = entry;
+                self.c1[2][1] = entry;
+            }
+            3 => {
+                self.m[1][1] = entry;
+            }
+            4 => {
+                self.m[1][2] = entry;
+                self.m[2][1] = entry;
+            }
+            5 => {
+                self.m[2][2] = entry;
+            }
+            6 => {
+                self.cm1[0][0] = entry;
+            }
+            7 => {
+                self.cm1[0][1] = entry;
+                self.cm1[1][0] = entry;
+            }
+            8 => {
+                self.cm1[0][2] = entry;
+                self.cm1[2][0] = entry;
+            }
+            9 => {
+                self.cm1[1][1] = entry;
+            }
+            10 => {
+                self.cm1[1][2] = entry;
+                self.cm1[2][1] = entry;
+            }
+            11 => {
+                self.cm1[2][2] = entry;
+            }
+            12 => {
+                self.c0[2][2] = entry;
+            }
+            13 => {
+                self.kc[0][2] = entry;
+            }
+            14 => {
+                self.kc[1][2] = entry;
+            }
+            15 => {
+                self.kc[2][2] = entry;
+            }
+            _ => {}
+        }
     }
 
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
@@ -829,75 +967,73 @@ impl<T: Scalar> Differentiable<3> for CarTrailer<T> {
 }
 
 impl<T: Number> EvaluatorWithDerivatives<T, 3> for CarTrailer<T> {
-    type Derivatives = [T; 30];
-
     #[inline(always)]
-    fn entries_and_derivatives(&self) -> ([T; 16], [T; 30]) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        (CarTrailerMatrices::distinct_entries(&matrices), derivatives.values)
+    fn each_result(&self, put_entry: impl FnMut(usize, T), put_derivative: impl FnMut(usize, T)) {
+        self.each_result(put_entry, put_derivative);
     }
 }
 
 impl CarTrailerDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 78] = &[
-        Partial::new(MatrixName::M, 0, 0, 0, 0), Partial::new(MatrixName::C1, 0, 1, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 1, 0), Partial::new(MatrixName::Cm1, 0, 1, 2, 1),
-        Partial::new(MatrixName::Cm1, 1, 0, 2, 1), Partial::new(MatrixName::Cm1, 1, 1, 2, 2),
-        Partial::new(MatrixName::Cm1, 0, 1, 3, 3).negative(),
-        Partial::new(MatrixName::Cm1, 1, 0, 3, 3).negative(),
-        Partial::new(MatrixName::Cm1, 1, 1, 3, 4),
-        Partial::new(MatrixName::M, 0, 1, 4, 5).negative(),
-        Partial::new(MatrixName::M, 1, 0, 4, 5).negative(), Partial::new(MatrixName::M, 1, 1, 4, 6),
-        Partial::new(MatrixName::M, 1, 2, 4, 7), Partial::new(MatrixName::M, 2, 1, 4, 7),
-        Partial::new(MatrixName::Cm1, 0, 1, 4, 8).negative(),
-        Partial::new(MatrixName::Cm1, 1, 0, 4, 8).negative(),
-        Partial::new(MatrixName::Cm1, 1, 1, 4, 9), Partial::new(MatrixName::Cm1, 1, 2, 4, 10),
-        Partial::new(MatrixName::Cm1, 2, 1, 4, 10),
-        Partial::new(MatrixName::C1, 1, 1, 4, 5).negative(),
-        Partial::new(MatrixName::Kc, 1, 2, 4, 8), Partial::new(MatrixName::M, 0, 0, 5, 0),
-        Partial::new(MatrixName::M, 0, 1, 5, 11).negative(),
-        Partial::new(MatrixName::M, 0, 2, 5, 12).negative(),
-        Partial::new(MatrixName::M, 1, 0, 5, 11).negative(),
-        Partial::new(MatrixName::M, 1, 1, 5, 13), Partial::new(MatrixName::M, 1, 2, 5, 14),
-        Partial::new(MatrixName::M, 2, 0, 5, 12).negative(),
-        Partial::new(MatrixName::M, 2, 1, 5, 14), Partial::new(MatrixName::M, 2, 2, 5, 15),
-        Partial::new(MatrixName::C1, 0, 1, 5, 0),
-        Partial::new(MatrixName::C1, 1, 1, 5, 11).negative(),
-        Partial::new(MatrixName::C1, 2, 1, 5, 12).negative(),
-        Partial::new(MatrixName::M, 1, 1, 6, 0), Partial::new(MatrixName::M, 1, 2, 6, 0),
-        Partial::new(MatrixName::M, 2, 1, 6, 0), Partial::new(MatrixName::M, 2, 2, 6, 0),
-        Partial::new(MatrixName::M, 0, 1, 7, 5).negative(),
-        Partial::new(MatrixName::M, 0, 2, 7, 5).negative(),
-        Partial::new(MatrixName::M, 1, 0, 7, 5).negative(), Partial::new(MatrixName::M, 1, 1, 7, 6),
-        Partial::new(MatrixName::M, 1, 2, 7, 16),
-        Partial::new(MatrixName::M, 2, 0, 7, 5).negative(),
-        Partial::new(MatrixName::M, 2, 1, 7, 16), Partial::new(MatrixName::M, 2, 2, 7, 17),
-        Partial::new(MatrixName::C1, 1, 1, 7, 5).negative(),
-        Partial::new(MatrixName::C1, 2, 1, 7, 5).negative(),
-        Partial::new(MatrixName::Cm1, 0, 1, 8, 8).negative(),
-        Partial::new(MatrixName::Cm1, 0, 2, 8, 8).negative(),
-        Partial::new(MatrixName::Cm1, 1, 0, 8, 8).negative(),
-        Partial::new(MatrixName::Cm1, 1, 1, 8, 9),
-        Partial::new(MatrixName::Cm1, 1, 2, 8, 18),
-        Partial::new(MatrixName::Cm1, 2, 0, 8, 8).negative(),
-        Partial::new(MatrixName::Cm1, 2, 1, 8, 18), Partial::new(MatrixName::Cm1, 2, 2, 8, 19),
-        Partial::new(MatrixName::Kc, 1, 2, 8, 8), Partial::new(MatrixName::Kc, 2, 2, 8, 8),
-        Partial::new(MatrixName::Cm1, 0, 0, 9, 0), Partial::new(MatrixName::Cm1, 0, 1, 9, 20),
-        Partial::new(MatrixName::Cm1, 1, 0, 9, 20), Partial::new(MatrixName::Cm1, 1, 1, 9, 21),
-        Partial::new(MatrixName::Cm1, 0, 0, 10, 0),
-        Partial::new(MatrixName::Cm1, 0, 1, 10, 22).negative(),
-        Partial::new(MatrixName::Cm1, 1, 0, 10, 22).negative(),
-        Partial::new(MatrixName::Cm1, 1, 1, 10, 23),
-        Partial::new(MatrixName::Cm1, 0, 0, 11, 0),
-        Partial::new(MatrixName::Cm1, 0, 1, 11, 24).negative(),
-        Partial::new(MatrixName::Cm1, 0, 2, 11, 25).negative(),
-        Partial::new(MatrixName::Cm1, 1, 0, 11, 24).negative(),
-        Partial::new(MatrixName::Cm1, 1, 1, 11, 26),
-        Partial::new(MatrixName::Cm1, 1, 2, 11, 27),
-        Partial::new(MatrixName::Cm1, 2, 0, 11, 25).negative(),
-        Partial::new(MatrixName::Cm1, 2, 1, 11, 27), Partial::new(MatrixName::Cm1, 2, 2, 11, 28),
-        Partial::new(MatrixName::Kc, 0, 2, 11, 29), Partial::new(MatrixName::Kc, 1, 2, 11, 24),
-        Partial::new(MatrixName::Kc, 2, 2, 11, 25), Partial::new(MatrixName::C0, 2, 2, 12, 0),
+        Partial::new(MatrixName::M, 0, 0, 0, 8), Partial::new(MatrixName::C1, 0, 1, 0, 8),
+        Partial::new(MatrixName::M, 1, 1, 1, 8), Partial::new(MatrixName::Cm1, 0, 1, 2, 5),
+        Partial::new(MatrixName::Cm1, 1, 0, 2, 5), Partial::new(MatrixName::Cm1, 1, 1, 2, 16),
+        Partial::new(MatrixName::Cm1, 0, 1, 3, 6).negative(),
+        Partial::new(MatrixName::Cm1, 1, 0, 3, 6).negative(),
+        Partial::new(MatrixName::Cm1, 1, 1, 3, 18),
+        Partial::new(MatrixName::M, 0, 1, 4, 2).negative(),
+        Partial::new(MatrixName::M, 1, 0, 4, 2).negative(),
+        Partial::new(MatrixName::M, 1, 1, 4, 21), Partial::new(MatrixName::M, 1, 2, 4, 11),
+        Partial::new(MatrixName::M, 2, 1, 4, 11),
+        Partial::new(MatrixName::Cm1, 0, 1, 4, 7).negative(),
+        Partial::new(MatrixName::Cm1, 1, 0, 4, 7).negative(),
+        Partial::new(MatrixName::Cm1, 1, 1, 4, 22), Partial::new(MatrixName::Cm1, 1, 2, 4, 17),
+        Partial::new(MatrixName::Cm1, 2, 1, 4, 17),
+        Partial::new(MatrixName::C1, 1, 1, 4, 2).negative(),
+        Partial::new(MatrixName::Kc, 1, 2, 4, 7), Partial::new(MatrixName::M, 0, 0, 5, 8),
+        Partial::new(MatrixName::M, 0, 1, 5, 10).negative(),
+        Partial::new(MatrixName::M, 0, 2, 5, 3).negative(),
+        Partial::new(MatrixName::M, 1, 0, 5, 10).negative(),
+        Partial::new(MatrixName::M, 1, 1, 5, 15), Partial::new(MatrixName::M, 1, 2, 5, 13),
+        Partial::new(MatrixName::M, 2, 0, 5, 3).negative(),
+        Partial::new(MatrixName::M, 2, 1, 5, 13), Partial::new(MatrixName::M, 2, 2, 5, 23),
+        Partial::new(MatrixName::C1, 0, 1, 5, 8),
+        Partial::new(MatrixName::C1, 1, 1, 5, 10).negative(),
+        Partial::new(MatrixName::C1, 2, 1, 5, 3).negative(),
+        Partial::new(MatrixName::M, 1, 1, 6, 8), Partial::new(MatrixName::M, 1, 2, 6, 8),
+        Partial::new(MatrixName::M, 2, 1, 6, 8), Partial::new(MatrixName::M, 2, 2, 6, 8),
+        Partial::new(MatrixName::M, 0, 1, 7, 2).negative(),
+        Partial::new(MatrixName::M, 0, 2, 7, 2).negative(),
+        Partial::new(MatrixName::M, 1, 0, 7, 2).negative(),
+        Partial::new(MatrixName::M, 1, 1, 7, 21), Partial::new(MatrixName::M, 1, 2, 7, 12),
+        Partial::new(MatrixName::M, 2, 0, 7, 2).negative(),
+        Partial::new(MatrixName::M, 2, 1, 7, 12), Partial::new(MatrixName::M, 2, 2, 7, 24),
+        Partial::new(MatrixName::C1, 1, 1, 7, 2).negative(),
+        Partial::new(MatrixName::C1, 2, 1, 7, 2).negative(),
+        Partial::new(MatrixName::Cm1, 0, 1, 8, 7).negative(),
+        Partial::new(MatrixName::Cm1, 0, 2, 8, 7).negative(),
+        Partial::new(MatrixName::Cm1, 1, 0, 8, 7).negative(),
+        Partial::new(MatrixName::Cm1, 1, 1, 8, 22),
+        Partial::new(MatrixName::Cm1, 1, 2, 8, 25),
+        Partial::new(MatrixName::Cm1, 2, 0, 8, 7).negative(),
+        Partial::new(MatrixName::Cm1, 2, 1, 8, 25), Partial::new(MatrixName::Cm1, 2, 2, 8, 26),
+        Partial::new(MatrixName::Kc, 1, 2, 8, 7), Partial::new(MatrixName::Kc, 2, 2, 8, 7),
+        Partial::new(MatrixName::Cm1, 0, 0, 9, 8), Partial::new(MatrixName::Cm1, 0, 1, 9, 0),
+        Partial::new(MatrixName::Cm1, 1, 0, 9, 0), Partial::new(MatrixName::Cm1, 1, 1, 9, 27),
+        Partial::new(MatrixName::Cm1, 0, 0, 10, 8),
+        Partial::new(MatrixName::Cm1, 0, 1, 10, 1).negative(),
+        Partial::new(MatrixName::Cm1, 1, 0, 10, 1).negative(),
+        Partial::new(MatrixName::Cm1, 1, 1, 10, 28),
+        Partial::new(MatrixName::Cm1, 0, 0, 11, 8),
+        Partial::new(MatrixName::Cm1, 0, 1, 11, 14).negative(),
+        Partial::new(MatrixName::Cm1, 0, 2, 11, 4).negative(),
+        Partial::new(MatrixName::Cm1, 1, 0, 11, 14).negative(),
+        Partial::new(MatrixName::Cm1, 1, 1, 11, 29),
+        Partial::new(MatrixName::Cm1, 1, 2, 11, 19),
+        Partial::new(MatrixName::Cm1, 2, 0, 11, 4).negative(),
+        Partial::new(MatrixName::Cm1, 2, 1, 11, 19), Partial::new(MatrixName::Cm1, 2, 2, 11, 20),
+        Partial::new(MatrixName::Kc, 0, 2, 11, 9), Partial::new(MatrixName::Kc, 1, 2, 11, 14),
+        Partial::new(MatrixName::Kc, 2, 2, 11, 4), Partial::new(MatrixName::C0, 2, 2, 12, 8),
     ];
 }

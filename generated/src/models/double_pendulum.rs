@@ -516,39 +516,90 @@ impl<T: Number> DoublePendulum<T> {
     /// 11 additions, 11 multiplications and 2 negations: 24 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
+    ///
+    /// Where they are stored, [`Self::write_matrices_and_derivatives`] takes less time.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (DoublePendulumMatrices<T>, DoublePendulumDerivatives<T>) {
-        let t2 = self.a1 * self.m1;
-        let t8 = self.l1 + self.a2;
-        let t10 = t8 * self.m2;
-        let Jxx_theta1 = self.a1 * t2 + self.I1 + self.I2 + t8 * t10;
-        let M_12_l1 = self.a2 * self.m2;
-        let Jxx_theta2 = self.I2 + self.a2 * M_12_l1;
-        let M_theta1_theta2 = Jxx_theta2 + self.l1 * M_12_l1;
-        let M_11_l1 = t10 + t10;
-        let M_11_a1 = t2 + t2;
-        let M_11_m1 = self.a1 * self.a1;
-        let M_12_a2 = t10 + M_12_l1;
-        let Jxx_theta2_a2 = M_12_l1 + M_12_l1;
-        let M_11_m2 = t8 * t8;
-        let M_12_m2 = self.a2 * t8;
-        let Jxx_theta2_m2 = self.a2 * self.a2;
-        let K0_11 = -(t2 + t10);
-        let K0_12 = -M_12_l1;
-        (
-            DoublePendulumMatrices::from_entries([
-                Jxx_theta1, M_theta1_theta2, M_theta1_theta2, Jxx_theta2, K0_11, K0_12, K0_12,
-                K0_12,
-            ]),
-            DoublePendulumDerivatives {
-                values: [
-                    M_11_l1, M_12_l1, self.m2, M_11_a1, self.m1, M_11_m1, self.a1,
-                    self.l1.like(1.0), M_12_a2, Jxx_theta2_a2, M_11_m2, M_12_m2, Jxx_theta2_m2, t8,
-                    self.a2,
-                ],
+        let zero = self.l1.like(0.0);
+        let mut matrices = DoublePendulumMatrices::from_entries([zero; 8]);
+        let mut derivatives = DoublePendulumDerivatives {
+            values: [zero; 15],
+        };
+        self.each_result(
+            #[inline(always)]
+            |position, value| matrices.set_entry(position, value),
+            #[inline(always)]
+            |position, value| derivatives.values[position] = value,
+        );
+        (matrices, derivatives)
+    }
+
+    /// Writes the coefficient matrices and their derivatives over others, each as soon as it is computed.
+    ///
+    /// They are those of [`Self::matrices_and_derivatives`], to the last bit. That function has more results than a
+    /// processor has registers, and moves them twice.
+    #[inline(always)]
+    pub fn write_matrices_and_derivatives(
+        &self,
+        matrices: &mut DoublePendulumMatrices<T>,
+        derivatives: &mut DoublePendulumDerivatives<T>,
+    ) {
+        *matrices = DoublePendulumMatrices::from_entries([self.l1.like(0.0); 8]);
+        self.each_result(
+            #[inline(always)]
+            |position, value| {
+                matrices.set_entry(position, value);
+                carvallo::write_now();
             },
-        )
+            #[inline(always)]
+            |position, value| {
+                derivatives.values[position] = value;
+                carvallo::write_now();
+            },
+        );
+    }
+
+    /// The program: gives each entry that differs, and each value of the derivatives, to a function with its position.
+    #[inline(always)]
+    fn each_result(&self, mut put_entry: impl FnMut(usize, T), mut put_derivative: impl FnMut(usize, T)) {
+        put_derivative(0, self.a1);
+        put_derivative(1, self.m1);
+        put_derivative(2, self.a2);
+        put_derivative(3, self.m2);
+        put_derivative(4, self.l1.like(1.0));
+        let t8 = self.a1 * self.m1;
+        let t9 = self.l1 + self.a2;
+        put_derivative(5, t9);
+        let t10 = t9 * self.m2;
+        let Jxx_theta1 = self.a1 * t8 + self.I1 + self.I2 + t9 * t10;
+        put_entry(0, Jxx_theta1);
+        let M_12_l1 = self.a2 * self.m2;
+        put_derivative(6, M_12_l1);
+        let Jxx_theta2 = self.I2 + self.a2 * M_12_l1;
+        put_entry(2, Jxx_theta2);
+        let M_11_l1 = t10 + t10;
+        put_derivative(7, M_11_l1);
+        let M_11_a1 = t8 + t8;
+        put_derivative(8, M_11_a1);
+        let M_11_m1 = self.a1 * self.a1;
+        put_derivative(9, M_11_m1);
+        let M_12_a2 = t10 + M_12_l1;
+        put_derivative(10, M_12_a2);
+        let Jxx_theta2_a2 = M_12_l1 + M_12_l1;
+        put_derivative(11, Jxx_theta2_a2);
+        let M_theta1_theta2 = Jxx_theta2 + self.l1 * M_12_l1;
+        put_entry(1, M_theta1_theta2);
+        let M_11_m2 = t9 * t9;
+        put_derivative(12, M_11_m2);
+        let M_12_m2 = self.a2 * t9;
+        put_derivative(13, M_12_m2);
+        let Jxx_theta2_m2 = self.a2 * self.a2;
+        put_derivative(14, Jxx_theta2_m2);
+        let K0_11 = -(t8 + t10);
+        put_entry(3, K0_11);
+        let K0_12 = -M_12_l1;
+        put_entry(4, K0_12);
     }
 }
 
@@ -633,6 +684,32 @@ impl<T: Number> DoublePendulumMatrices<T> {
     #[inline(always)]
     fn distinct_entries(&self) -> [T; 5] {
         [self.m[0][0], self.m[0][1], self.m[1][1], self.k0[0][0], self.k0[0][1]]
+    }
+
+    /// Sets the entry at a position among those that differ, wherever it stands.
+    #[inline(always)]
+    fn set_entry(&mut self, position: usize, entry: T) {
+        match position {
+            0 => {
+                self.m[0][0] = entry;
+            }
+            1 => {
+                self.m[0][1] = entry;
+                self.m[1][0] = entry;
+            }
+            2 => {
+                self.m[1][1] = entry;
+            }
+            3 => {
+                self.k0[0][0] = entry;
+            }
+            4 => {
+                self.k0[0][1] = entry;
+                self.k0[1][0] = entry;
+                self.k0[1][1] = entry;
+            }
+            _ => {}
+        }
     }
 
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
@@ -929,39 +1006,36 @@ impl<T: Scalar> Differentiable<2> for DoublePendulum<T> {
 }
 
 impl<T: Number> EvaluatorWithDerivatives<T, 2> for DoublePendulum<T> {
-    type Derivatives = [T; 15];
-
     #[inline(always)]
-    fn entries_and_derivatives(&self) -> ([T; 5], [T; 15]) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        (DoublePendulumMatrices::distinct_entries(&matrices), derivatives.values)
+    fn each_result(&self, put_entry: impl FnMut(usize, T), put_derivative: impl FnMut(usize, T)) {
+        self.each_result(put_entry, put_derivative);
     }
 }
 
 impl DoublePendulumDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 29] = &[
-        Partial::new(MatrixName::M, 0, 0, 0, 0), Partial::new(MatrixName::M, 0, 1, 0, 1),
-        Partial::new(MatrixName::M, 1, 0, 0, 1),
-        Partial::new(MatrixName::K0, 0, 0, 0, 2).negative(),
-        Partial::new(MatrixName::M, 0, 0, 1, 3),
-        Partial::new(MatrixName::K0, 0, 0, 1, 4).negative(),
-        Partial::new(MatrixName::M, 0, 0, 2, 5),
-        Partial::new(MatrixName::K0, 0, 0, 2, 6).negative(),
-        Partial::new(MatrixName::M, 0, 0, 3, 7), Partial::new(MatrixName::M, 0, 0, 4, 0),
-        Partial::new(MatrixName::M, 0, 1, 4, 8), Partial::new(MatrixName::M, 1, 0, 4, 8),
-        Partial::new(MatrixName::M, 1, 1, 4, 9),
-        Partial::new(MatrixName::K0, 0, 0, 4, 2).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 4, 2).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 4, 2).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 4, 2).negative(),
-        Partial::new(MatrixName::M, 0, 0, 5, 10), Partial::new(MatrixName::M, 0, 1, 5, 11),
-        Partial::new(MatrixName::M, 1, 0, 5, 11), Partial::new(MatrixName::M, 1, 1, 5, 12),
-        Partial::new(MatrixName::K0, 0, 0, 5, 13).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 5, 14).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 5, 14).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 5, 14).negative(),
-        Partial::new(MatrixName::M, 0, 0, 6, 7), Partial::new(MatrixName::M, 0, 1, 6, 7),
-        Partial::new(MatrixName::M, 1, 0, 6, 7), Partial::new(MatrixName::M, 1, 1, 6, 7),
+        Partial::new(MatrixName::M, 0, 0, 0, 7), Partial::new(MatrixName::M, 0, 1, 0, 6),
+        Partial::new(MatrixName::M, 1, 0, 0, 6),
+        Partial::new(MatrixName::K0, 0, 0, 0, 3).negative(),
+        Partial::new(MatrixName::M, 0, 0, 1, 8),
+        Partial::new(MatrixName::K0, 0, 0, 1, 1).negative(),
+        Partial::new(MatrixName::M, 0, 0, 2, 9),
+        Partial::new(MatrixName::K0, 0, 0, 2, 0).negative(),
+        Partial::new(MatrixName::M, 0, 0, 3, 4), Partial::new(MatrixName::M, 0, 0, 4, 7),
+        Partial::new(MatrixName::M, 0, 1, 4, 10), Partial::new(MatrixName::M, 1, 0, 4, 10),
+        Partial::new(MatrixName::M, 1, 1, 4, 11),
+        Partial::new(MatrixName::K0, 0, 0, 4, 3).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 4, 3).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 4, 3).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 4, 3).negative(),
+        Partial::new(MatrixName::M, 0, 0, 5, 12), Partial::new(MatrixName::M, 0, 1, 5, 13),
+        Partial::new(MatrixName::M, 1, 0, 5, 13), Partial::new(MatrixName::M, 1, 1, 5, 14),
+        Partial::new(MatrixName::K0, 0, 0, 5, 5).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 5, 2).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 5, 2).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 5, 2).negative(),
+        Partial::new(MatrixName::M, 0, 0, 6, 4), Partial::new(MatrixName::M, 0, 1, 6, 4),
+        Partial::new(MatrixName::M, 1, 0, 6, 4), Partial::new(MatrixName::M, 1, 1, 6, 4),
     ];
 }

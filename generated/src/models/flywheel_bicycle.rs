@@ -350,248 +350,409 @@ pub struct FlywheelBicycleDerivatives<T = f64> {
 
 impl<T: Number> FlywheelBicycle<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 100 additions, 189 multiplications, 3 divisions, 6 negations and 2 trigonometric functions: 300 operations.
+    /// 97 additions, 186 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 290 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
+    ///
+    /// Where they are stored, [`Self::write_matrices_and_derivatives`] takes less time.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (FlywheelBicycleMatrices<T>, FlywheelBicycleDerivatives<T>) {
-        let t4 = self.rF * self.mF;
-        let t7 = self.IHxx + self.IFxx + self.rF * t4;
-        let t10 = self.zB * self.mB;
-        let M_22_mu = self.zB * t10;
-        let t14 = self.rR * self.mR;
-        let M_11_mH = self.zH * self.zH;
-        let M_11 = t7 + M_22_mu + self.rR * t14 + self.IBxx + self.IRxx
-            + self.mH * M_11_mH;
-        let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
-        let t31 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = wx_delta2_delta_lam * t31;
-        let mu = self.c * yaw_per_v_delta;
-        let ay_delta2_delta = t10 * self.xB;
-        let t37 = self.IBxz - ay_delta2_delta;
-        let wz_delta2_delta = wx_delta2_delta_lam + mu;
-        let t44 = self.IHxz * wz_delta2_delta + t7 * wx_delta2_delta;
-        let t45 = self.zH * wx_delta2_delta;
-        let t47 = self.c * t31;
-        let t51 = self.xH + self.xH * t47 - self.c - self.w;
-        let K0_12_mH = t45 - wx_delta2_delta_lam * t51;
-        let M_12_mH = self.zH * K0_12_mH;
-        let t56 = t44 + self.mH * M_12_mH;
-        let M_12 = mu * t37 + t56;
-        let M_22_mH = K0_12_mH * K0_12_mH;
-        let t62 = self.mB * self.xB;
-        let t66 = yaw_per_v_delta * (self.IRxx + self.IBzz + self.xB * t62);
-        let t67 = self.c * t66;
-        let t69 = self.IHxz * wx_delta2_delta;
-        let t71 = self.IFxx + self.IHzz;
-        let t73 = t69 + wz_delta2_delta * t71;
-        let M_22 = wx_delta2_delta * t44 + self.mH * M_22_mH + mu * t67
-            + wz_delta2_delta * t73;
         let zero = self.w.like(0.0);
-        let t81 = self.hH + self.hB;
-        let t83 = self.hH + t47 * t81;
-        let C0_12 = wx_delta2_delta_lam * t83;
-        let t86 = self.w.like(1.0) / self.rF;
-        let SF = self.IFyy * t86;
-        let t88 = self.mH * self.zH;
-        let K0_11 = t10 + t88 - t4 - t14;
-        let t93 = self.w.like(1.0) / self.rR;
-        let SR = self.IRyy * t93;
-        let t95 = SF + SR;
-        let t96 = t95 - K0_11;
-        let M_12_mu = t37 + self.IHxz;
-        let t100 = self.xH * t88 - M_12_mu;
-        let t102 = t31 * (self.c * t96 - t100);
-        let t104 = t4 + SF + t102;
-        let C1_12 = wx_delta2_delta_lam * t104;
-        let t106 = wx_delta2_delta_lam * SF;
-        let t109 = t67 + t73;
-        let t110 = self.mH * K0_12_mH;
-        let t111 = self.mB * mu;
-        let t112 = self.xB * t111;
-        let t113 = t112 - t110;
-        let t117 = t109 + self.c * t113 - self.xH * t110;
-        let t119 = self.mF * wx_delta2_delta;
-        let t120 = self.rF * t119;
-        let M_22_wz_delta2_delta = wz_delta2_delta * t120;
-        let C1_22 = yaw_per_v_delta * t117 + M_22_wz_delta2_delta;
-        let t123 = t113 + t120;
-        let K1_12 = yaw_per_v_delta * t81;
-        let t126 = t31 * wx_delta2_delta;
-        let K2_22_SF = wx_delta2_delta_lam * t126;
-        let K1_22 = self.hH * K2_22_SF;
-        let K2_12 = yaw_per_v_delta * t96;
-        let t130 = wx_delta2_delta * SF;
-        let K2_22_yaw_per_v_delta = t123 + t130;
-        let K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
-        let t133 = wx_delta2_delta_lam * t88;
-        let t134 = yaw_per_v_delta * t100;
-        let M_12_w = t133 + t47 * t134;
-        let t137 = yaw_per_v_delta * self.xH;
-        let t139 = wx_delta2_delta_lam + t47 * t137;
-        let t140 = t110 + t110;
-        let t142 = yaw_per_v_delta * t109;
-        let t143 = t142 + t142;
-        let M_22_w = t139 * t140 - t47 * t143;
-        let C0_21_w = t47 * K1_12;
-        let t147 = yaw_per_v_delta * t102;
-        let t148 = yaw_per_v_delta * t95;
-        let C1_21_w = t47 * t148;
-        let t151 = t120 + yaw_per_v_delta * t71;
-        let C1_22_mu = t66 + t112 + t151;
-        let ay_delta2_delta_mu = t117 + self.c * C1_22_mu;
-        let t156 = t31 * ay_delta2_delta_mu;
-        let t157 = self.c + self.xH;
-        let t158 = self.mH * t139;
-        let t161 = yaw_per_v_delta * (t156 + t157 * t158);
-        let K0_12_w = t158 + t31 * t112;
-        let K0_22_w = wx_delta2_delta * K0_12_w;
-        let t165 = t31 * K1_12;
-        let t166 = t31 * K1_22;
-        let t167 = t31 * K2_12;
-        let t170 = t31 * (K2_22 + wx_delta2_delta_lam * K0_12_w);
-        let M_12_c = t133 - t134;
-        let t172 = wx_delta2_delta_lam - t137;
-        let M_22_c = t143 + t140 * t172;
-        let t175 = self.mH * t172;
-        let C1_22_c = yaw_per_v_delta * (t113 + C1_22_mu - t157 * t175);
-        let t180 = yaw_per_v_delta * t62;
-        let K0_12_c = t175 - t180;
-        let t184 = wx_delta2_delta * t47;
-        let K0_12_zH = self.mH * wx_delta2_delta;
-        let t189 = t133 + t51 * K0_12_zH;
-        let t193 = t69 + M_12_mu * t184 - t7 * wx_delta2_delta_lam - self.zH * t189;
-        let t200 = wx_delta2_delta * (t73 + t47 * t109 - t51 * t110)
-            - wx_delta2_delta_lam * t56;
-        let t201 = t200 + t200;
-        let C0_21_lam = wx_delta2_delta * t83;
-        let t203 = wx_delta2_delta * t104;
-        let C1_21_lam = t130 + t95 * t184;
-        let t206 = t4 * wx_delta2_delta_lam;
-        let ay_delta2_delta_xB = wx_delta2_delta_lam * yaw_per_v_delta;
-        let t212 = mu + t137;
-        let C1_22_lam = wz_delta2_delta * t206 + self.IHxz * ay_delta2_delta_xB
-            - wx_delta2_delta * (t151 + t156) - t189 * t212;
-        let K0_12_lam = t189 + t62 * t184 - t206;
-        let K0_22_lam = wx_delta2_delta * K0_12_lam - wx_delta2_delta_lam * t123;
-        let t223 = t81 * t126;
-        let t226 = self.hH * (wx_delta2_delta * t126 - ay_delta2_delta_xB);
-        let t227 = t96 * t126;
-        let K2_22_lam = yaw_per_v_delta * (t106 - K0_12_lam)
-            - t126 * K2_22_yaw_per_v_delta;
-        let M_11_rR = t14 + t14;
-        let K2_12_IRyy = yaw_per_v_delta * t93;
-        let K2_12_rR = self.mR * yaw_per_v_delta - SR * K2_12_IRyy;
-        let C1_12_rR = self.c * K2_12_rR;
-        let C1_12_IRyy = self.c * K2_12_IRyy;
-        let C1_21_rR = SR * C1_12_IRyy;
-        let M_11_mR = self.rR * self.rR;
-        let C1_12_mR = self.rR * mu;
-        let K2_12_mR = self.rR * yaw_per_v_delta;
-        let C1_22_IRxx = yaw_per_v_delta * mu;
-        let M_22_IRxx = self.c * C1_22_IRxx;
-        let t246 = t10 * mu;
-        let t247 = t62 * M_22_IRxx;
-        let M_22_xB = t247 + t247;
-        let t249 = t10 * yaw_per_v_delta;
-        let K2_22_xB = yaw_per_v_delta * t111;
-        let t251 = self.c + self.xB;
-        let C1_22_xB = K2_22_xB * (self.xB + t251);
-        let t254 = wx_delta2_delta * t111;
-        let M_11_zB = t10 + t10;
-        let t256 = t111 + t180;
-        let t257 = self.mB * yaw_per_v_delta;
-        let M_11_mB = self.zB * self.zB;
-        let t259 = mu * self.xB;
-        let t260 = self.zB * t259;
-        let M_22_mB = t259 * t259;
-        let t262 = self.zB * yaw_per_v_delta;
-        let t263 = t251 * t262;
-        let K2_22_mB = self.xB * C1_22_IRxx;
-        let C1_22_mB = t251 * K2_22_mB;
-        let t266 = wx_delta2_delta * t259;
-        let t267 = self.mH * wz_delta2_delta;
-        let t268 = self.zH * t267;
-        let t269 = wz_delta2_delta * t110;
-        let t270 = t269 + t269;
-        let t271 = self.zH * yaw_per_v_delta;
-        let t272 = self.mH * t271;
-        let C1_22_IHzz = ay_delta2_delta_xB + C1_22_IRxx;
-        let t275 = yaw_per_v_delta * K0_12_mH;
-        let C1_22_xH = self.mH * (t157 * C1_22_IHzz - t275);
-        let t278 = wx_delta2_delta * t267;
-        let K2_22_xH = self.mH * C1_22_IHzz;
-        let M_11_zH = t88 + t88;
-        let M_12_zH = t110 + self.mH * t45;
-        let M_22_zH = wx_delta2_delta * t140;
-        let t284 = self.mH * t212;
-        let t285 = K0_12_zH * t212;
-        let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
-        let K0_22_zH = self.mH * M_22_IHxx;
-        let t288 = self.mH * yaw_per_v_delta;
-        let t289 = wx_delta2_delta * t288;
-        let t290 = t157 * t271;
-        let t291 = K0_12_mH * t212;
-        let K0_22_mH = wx_delta2_delta * K0_12_mH;
-        let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-        let t294 = wz_delta2_delta * wx_delta2_delta;
-        let M_22_IHxz = t294 + t294;
-        let M_11_rF = t4 + t4;
-        let M_12_rF = t120 + t120;
-        let t298 = wx_delta2_delta * t120;
-        let M_22_rF = t298 + t298;
-        let t301 = self.mF - t86 * SF;
-        let C1_12_rF = wz_delta2_delta * t301;
-        let C1_12_IFyy = wz_delta2_delta * t86;
-        let C1_21_rF = SF * C1_12_IFyy;
-        let C1_22_rF = wz_delta2_delta * t119;
-        let t306 = wx_delta2_delta * t119;
-        let K2_12_rF = yaw_per_v_delta * t301;
-        let K2_22_rF = K2_22_SF * t301;
-        let M_11_mF = self.rF * self.rF;
-        let M_12_mF = wx_delta2_delta * M_11_mF;
-        let M_22_mF = M_22_IHxx * M_11_mF;
-        let C1_12_mF = self.rF * wz_delta2_delta;
-        let C1_22_mF = self.rF * t294;
-        let t314 = self.rF * wx_delta2_delta;
-        let t315 = wx_delta2_delta * t314;
-        let K2_12_mF = self.rF * yaw_per_v_delta;
-        let K2_22_mF = self.rF * K2_22_SF;
-        let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let K2_12_IFyy = yaw_per_v_delta * t86;
-        let K2_22_IFyy = t86 * K2_22_SF;
-        let C0_21 = -C0_12;
-        let C1_21 = -(t106 + mu * t95);
-        let K0_12 = -t123;
-        let K0_22 = -(wx_delta2_delta * t123);
-        let t325 = -(wx_delta2_delta * K0_12_c);
-        let K2_22_c = -(yaw_per_v_delta * K0_12_c);
-        (
-            FlywheelBicycleMatrices::from_entries([
-                M_11, M_12, M_12, M_22, zero, C0_12, C0_21, zero, zero, C1_12, C1_21, C1_22, K0_11,
-                K0_12, K0_12, K0_22, zero, K1_12, zero, K1_22, zero, K2_12, zero, K2_22,
-            ]),
-            FlywheelBicycleDerivatives {
-                values: [
-                    M_12_w, M_22_w, C0_21_w, t147, C1_21_w, t161, K0_12_w, K0_22_w, t165, t166,
-                    t167, t170, M_12_c, M_22_c, K1_12, K2_12, t148, C1_22_c, K0_12_c, t325, K2_22_c,
-                    t193, t201, C0_21_lam, t203, C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t223,
-                    t226, t227, K2_22_lam, M_11_rR, C1_12_rR, C1_21_rR, self.mR, K2_12_rR, M_11_mR,
-                    C1_12_mR, self.rR, K2_12_mR, self.w.like(1.0), M_22_IRxx, C1_22_IRxx,
-                    C1_12_IRyy, K2_12_IRyy, t246, M_22_xB, t249, C1_22_xB, t111, t254, K2_22_xB,
-                    M_11_zB, t112, t256, self.mB, t257, M_11_mB, t260, M_22_mB, t263, C1_22_mB,
-                    self.zB, t259, t266, t262, K2_22_mB, mu, yaw_per_v_delta, t268, t270, t272,
-                    C1_22_xH, t267, t278, K2_22_xH, M_11_zH, M_12_zH, M_22_zH, t284, t285, self.mH,
-                    K0_12_zH, K0_22_zH, t288, t289, M_11_mH, M_12_mH, M_22_mH, t290, t291, self.zH,
-                    K0_12_mH, K0_22_mH, t271, t275, wx_delta2_delta, M_22_IHxx, M_22_IHzz,
-                    C1_22_IHzz, wz_delta2_delta, M_22_IHxz, K2_22_SF, M_11_rF, M_12_rF, M_22_rF,
-                    C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t119, t306, K2_12_rF, K2_22_rF, M_11_mF,
-                    M_12_mF, M_22_mF, C1_12_mF, C1_22_mF, self.rF, t314, t315, K2_12_mF, K2_22_mF,
-                    M_22_IFxx, C1_12_IFyy, K2_12_IFyy, K2_22_IFyy,
-                ],
+        let mut matrices = FlywheelBicycleMatrices::from_entries([zero; 24]);
+        let mut derivatives = FlywheelBicycleDerivatives {
+            values: [zero; 130],
+        };
+        self.each_result(
+            #[inline(always)]
+            |position, value| matrices.set_entry(position, value),
+            #[inline(always)]
+            |position, value| derivatives.values[position] = value,
+        );
+        (matrices, derivatives)
+    }
+
+    /// Writes the coefficient matrices and their derivatives over others, each as soon as it is computed.
+    ///
+    /// They are those of [`Self::matrices_and_derivatives`], to the last bit. That function has more results than a
+    /// processor has registers, and moves them twice.
+    #[inline(always)]
+    pub fn write_matrices_and_derivatives(
+        &self,
+        matrices: &mut FlywheelBicycleMatrices<T>,
+        derivatives: &mut FlywheelBicycleDerivatives<T>,
+    ) {
+        *matrices = FlywheelBicycleMatrices::from_entries([self.w.like(0.0); 24]);
+        self.each_result(
+            #[inline(always)]
+            |position, value| {
+                matrices.set_entry(position, value);
+                carvallo::write_now();
             },
-        )
+            #[inline(always)]
+            |position, value| {
+                derivatives.values[position] = value;
+                carvallo::write_now();
+            },
+        );
+    }
+
+    /// The program: gives each entry that differs, and each value of the derivatives, to a function with its position.
+    #[inline(always)]
+    fn each_result(&self, mut put_entry: impl FnMut(usize, T), mut put_derivative: impl FnMut(usize, T)) {
+        put_derivative(0, self.rR);
+        put_derivative(1, self.mR);
+        put_derivative(2, self.zB);
+        put_derivative(3, self.mB);
+        put_derivative(4, self.zH);
+        put_derivative(5, self.mH);
+        put_derivative(6, self.rF);
+        put_derivative(7, self.mF);
+        put_derivative(8, self.w.like(1.0));
+        let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
+        put_derivative(9, wx_delta2_delta);
+        let t29 = self.rR * self.mR;
+        let t30 = self.zH * self.mH;
+        let M_11_mF = self.rF * self.rF;
+        put_derivative(10, M_11_mF);
+        let t34 = self.IHxx + self.IFxx + self.mF * M_11_mF;
+        let t35 = self.zB * self.mB;
+        let M_11_rR = t29 + t29;
+        put_derivative(11, M_11_rR);
+        let M_11_mR = self.rR * self.rR;
+        put_derivative(12, M_11_mR);
+        let M_11_zB = t35 + t35;
+        put_derivative(13, M_11_zB);
+        let M_11 = self.IBxx + self.rR * t29 + self.zH * t30 + t34 + self.IRxx
+            + self.zB * t35;
+        put_entry(0, M_11);
+        let M_11_mB = self.zB * self.zB;
+        put_derivative(14, M_11_mB);
+        let M_11_zH = t30 + t30;
+        put_derivative(15, M_11_zH);
+        let M_11_mH = self.zH * self.zH;
+        put_derivative(16, M_11_mH);
+        let t51 = self.xH - self.c - self.w;
+        let t52 = self.w.like(1.0) / self.w;
+        let t54 = self.IBxz - t35 * self.xB;
+        let t55 = self.IFxx + self.IHzz;
+        let t56 = self.mB * self.xB;
+        let t57 = self.c * t52;
+        let t60 = self.IRxx + self.IBzz + self.xB * t56;
+        let t61 = self.hH + self.hB;
+        let t62 = self.w.like(1.0) / self.rF;
+        let t63 = self.mF * self.rF;
+        let K0_11 = t35 - (t29 + t63 - t30);
+        put_entry(8, K0_11);
+        let M_11_rF = t63 + t63;
+        put_derivative(17, M_11_rF);
+        let t69 = t51 + self.xH * t57;
+        let t70 = t57 * t61;
+        let SF = self.IFyy * t62;
+        let t72 = self.w.like(1.0) / self.rR;
+        let M_12_mu = self.IHxz + t54;
+        let t75 = t30 * self.xH - M_12_mu;
+        let t76 = self.xH + self.c;
+        let t77 = self.hH + t70;
+        let SR = self.IRyy * t72;
+        let t79 = self.c + self.xB;
+        let t81 = self.mF - t62 * SF;
+        let t82 = self.zH * wx_delta2_delta;
+        let mu = wx_delta2_delta_lam * t57;
+        put_derivative(18, mu);
+        let t84 = wx_delta2_delta * self.IHxz;
+        let t85 = wx_delta2_delta_lam * SF;
+        let yaw_per_v_delta = wx_delta2_delta_lam * t52;
+        put_derivative(19, yaw_per_v_delta);
+        let C0_21_lam = wx_delta2_delta * t77;
+        put_derivative(20, C0_21_lam);
+        let C0_12 = wx_delta2_delta_lam * t77;
+        put_entry(3, C0_12);
+        let M_12_mF = M_11_mF * wx_delta2_delta;
+        put_derivative(21, M_12_mF);
+        let t90 = wx_delta2_delta_lam * t69;
+        let t91 = SF + SR;
+        let t92 = t72 * SR;
+        let t93 = self.rF * wx_delta2_delta;
+        put_derivative(22, t93);
+        let t94 = wx_delta2_delta * SF;
+        let t95 = t30 * wx_delta2_delta_lam;
+        let t96 = self.mH * wx_delta2_delta_lam;
+        let C0_21_w = t70 * yaw_per_v_delta;
+        put_derivative(23, C0_21_w);
+        let M_22_mF = wx_delta2_delta * M_12_mF;
+        put_derivative(24, M_22_mF);
+        let C0_21 = -C0_12;
+        put_entry(4, C0_21);
+        let t100 = t91 - K0_11;
+        let C1_21_rR = mu * t92;
+        put_derivative(25, C1_21_rR);
+        let C1_22_mu = self.mR - t92;
+        let K2_12_rR = yaw_per_v_delta * C1_22_mu;
+        put_derivative(26, K2_12_rR);
+        let C1_12_mR = self.rR * mu;
+        put_derivative(27, C1_12_mR);
+        let K2_12_mR = self.rR * yaw_per_v_delta;
+        put_derivative(28, K2_12_mR);
+        let K2_12_IRyy = t72 * yaw_per_v_delta;
+        put_derivative(29, K2_12_IRyy);
+        let C1_12_IRyy = self.c * K2_12_IRyy;
+        put_derivative(30, C1_12_IRyy);
+        let t108 = t35 * yaw_per_v_delta;
+        put_derivative(31, t108);
+        let t109 = self.c * t108;
+        put_derivative(32, t109);
+        let t110 = t52 * t95;
+        put_derivative(33, t110);
+        let t111 = self.zH * yaw_per_v_delta;
+        put_derivative(34, t111);
+        let t112 = wx_delta2_delta * t93;
+        put_derivative(35, t112);
+        let K2_12_mF = self.rF * yaw_per_v_delta;
+        put_derivative(36, K2_12_mF);
+        let K2_22_mF = yaw_per_v_delta * t93;
+        put_derivative(37, K2_22_mF);
+        let t115 = self.mF * t93;
+        let K2_12_IFyy = t62 * yaw_per_v_delta;
+        put_derivative(38, K2_12_IFyy);
+        let C1_12_rR = self.c * K2_12_rR;
+        put_derivative(39, C1_12_rR);
+        let C1_21 = -(t85 + mu * t91);
+        put_entry(6, C1_21);
+        let K0_12_mH = t82 - t90;
+        put_derivative(40, K0_12_mH);
+        let t122 = t82 + K0_12_mH;
+        let t123 = t90 - t122;
+        let M_12_zH = self.mH * t122;
+        put_derivative(41, M_12_zH);
+        let M_22_mH = K0_12_mH * K0_12_mH;
+        put_derivative(42, M_22_mH);
+        let K0_22_mH = wx_delta2_delta * K0_12_mH;
+        put_derivative(43, K0_22_mH);
+        let t127 = K0_12_mH * yaw_per_v_delta;
+        put_derivative(44, t127);
+        let M_12_mH = self.zH * K0_12_mH;
+        put_derivative(45, M_12_mH);
+        let wz_delta2_delta = wx_delta2_delta_lam + mu;
+        put_derivative(46, wz_delta2_delta);
+        let t130 = t30 * wz_delta2_delta;
+        put_derivative(47, t130);
+        let t135 = self.mH * M_12_mH + self.IHxz * wz_delta2_delta
+            + t34 * wx_delta2_delta;
+        let C1_12_rF = wz_delta2_delta * t81;
+        put_derivative(48, C1_12_rF);
+        let K2_12_rF = yaw_per_v_delta * t81;
+        put_derivative(49, K2_12_rF);
+        let K2_22_rF = wx_delta2_delta * K2_12_rF;
+        put_derivative(50, K2_22_rF);
+        let C1_12_mF = self.rF * wz_delta2_delta;
+        put_derivative(51, C1_12_mF);
+        let t141 = t84 + wz_delta2_delta * t55;
+        let ay_delta2_delta = t141 + mu * t60;
+        let t144 = self.mH * K0_12_mH;
+        let t147 = t52 * (self.c * t100 - t75);
+        let t148 = t75 * yaw_per_v_delta;
+        let M_12 = t135 + mu * t54;
+        put_entry(1, M_12);
+        let M_12_w = t95 + t57 * t148;
+        put_derivative(52, M_12_w);
+        let M_12_c = t95 - t148;
+        put_derivative(53, M_12_c);
+        let t154 = t147 * yaw_per_v_delta;
+        put_derivative(54, t154);
+        let t156 = SF + t63 + t147;
+        let t157 = mu * self.xB;
+        put_derivative(55, t157);
+        let t158 = self.zB * t157;
+        put_derivative(56, t158);
+        let M_22_mB = t157 * t157;
+        put_derivative(57, M_22_mB);
+        let t160 = wx_delta2_delta * t157;
+        put_derivative(58, t160);
+        let t162 = ay_delta2_delta - self.xH * t144;
+        let t163 = ay_delta2_delta * yaw_per_v_delta;
+        let t164 = self.mB * yaw_per_v_delta;
+        put_derivative(59, t164);
+        let t165 = self.c * t164;
+        put_derivative(60, t165);
+        let t166 = wx_delta2_delta * t165;
+        put_derivative(61, t166);
+        let K2_22_xB = yaw_per_v_delta * t165;
+        put_derivative(62, K2_22_xB);
+        let ay_delta2_delta_xB = t157 * t165;
+        let t169 = self.mB * t157;
+        put_derivative(63, t169);
+        let t170 = wx_delta2_delta * wz_delta2_delta;
+        let M_22_IHxz = t170 + t170;
+        put_derivative(64, M_22_IHxz);
+        let M_22_xB = ay_delta2_delta_xB + ay_delta2_delta_xB;
+        put_derivative(65, M_22_xB);
+        let C1_12 = wx_delta2_delta_lam * t156;
+        put_entry(5, C1_12);
+        let t174 = wx_delta2_delta * t156;
+        put_derivative(66, t174);
+        let C1_22_mF = self.rF * t170;
+        put_derivative(67, C1_22_mF);
+        let t176 = yaw_per_v_delta * t76;
+        let C1_22 = ay_delta2_delta_xB + t163 + t63 * t170 - t144 * t176;
+        put_entry(7, C1_22);
+        let t185 = t141 + t57 * t162 - t51 * t144;
+        let t186 = K0_12_mH * t176;
+        put_derivative(68, t186);
+        let t187 = t163 + t163;
+        let t188 = wx_delta2_delta_lam * t63;
+        let t189 = self.mH * t176;
+        put_derivative(69, t189);
+        let t190 = self.zH * t176;
+        put_derivative(70, t190);
+        let K0_12 = t144 - (t169 + t115);
+        put_entry(9, K0_12);
+        let t196 = t169 - K0_12 + yaw_per_v_delta * (t55 + t60);
+        let K0_22 = wx_delta2_delta * K0_12;
+        put_entry(10, K0_22);
+        let K1_12 = t61 * yaw_per_v_delta;
+        put_entry(11, K1_12);
+        put_derivative(71, K1_12);
+        let t199 = t52 * K1_12;
+        put_derivative(72, t199);
+        let K2_22_SF = wx_delta2_delta * yaw_per_v_delta;
+        put_derivative(73, K2_22_SF);
+        let K2_22_IFyy = t62 * K2_22_SF;
+        put_derivative(74, K2_22_IFyy);
+        let K1_22 = self.hH * K2_22_SF;
+        put_entry(12, K1_22);
+        let t203 = t52 * K1_22;
+        put_derivative(75, t203);
+        let C1_12_IFyy = wz_delta2_delta * t62;
+        put_derivative(76, C1_12_IFyy);
+        let C1_21_rF = SF * C1_12_IFyy;
+        put_derivative(77, C1_21_rF);
+        let K2_12 = t100 * yaw_per_v_delta;
+        put_entry(13, K2_12);
+        put_derivative(78, K2_12);
+        let t207 = t52 * K2_12;
+        put_derivative(79, t207);
+        let M_22 = wx_delta2_delta_lam * t185 + wx_delta2_delta * t135;
+        put_entry(2, M_22);
+        let t213 = wx_delta2_delta_lam * t135 - wx_delta2_delta * t185;
+        let K2_22_yaw_per_v_delta = t94 - K0_12;
+        let K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
+        put_entry(14, K2_22);
+        let t216 = self.mH * yaw_per_v_delta;
+        put_derivative(80, t216);
+        let t217 = self.xH * t216;
+        let t219 = t96 + t57 * t217;
+        let M_22_mu = self.c * t196;
+        let t222 = t52 * (t162 + M_22_mu);
+        let t223 = t96 - t217;
+        let M_22_wz_delta2_delta = t196 - t76 * t223;
+        let C1_22_c = yaw_per_v_delta * M_22_wz_delta2_delta;
+        put_derivative(81, C1_22_c);
+        let ay_delta2_delta_mB = t123 * t223;
+        let M_22_c = t187 - ay_delta2_delta_mB;
+        put_derivative(82, M_22_c);
+        let M_22_lam = t213 + t213;
+        put_derivative(83, M_22_lam);
+        let t230 = t91 * yaw_per_v_delta;
+        put_derivative(84, t230);
+        let C1_21_w = t57 * t230;
+        put_derivative(85, C1_21_w);
+        let t232 = t56 * yaw_per_v_delta;
+        let K0_12_c = t223 - t232;
+        put_derivative(86, K0_12_c);
+        let t236 = t57 * t187 + t219 * t123;
+        put_derivative(87, t236);
+        let K0_22_c = wx_delta2_delta * K0_12_c;
+        put_derivative(88, K0_22_c);
+        let t238 = yaw_per_v_delta * K0_12_c;
+        put_derivative(89, t238);
+        let t239 = t165 + t232;
+        put_derivative(90, t239);
+        let C1_22_xB = mu * (t232 + t239);
+        put_derivative(91, C1_22_xB);
+        let K0_12_w = t219 + t57 * t232;
+        put_derivative(92, K0_12_w);
+        let t244 = wx_delta2_delta * t57;
+        let C1_21_lam = t94 + t91 * t244;
+        put_derivative(93, C1_21_lam);
+        let C1_22_IRxx = mu * yaw_per_v_delta;
+        put_derivative(94, C1_22_IRxx);
+        let M_22_IRxx = self.c * C1_22_IRxx;
+        put_derivative(95, M_22_IRxx);
+        let t251 = yaw_per_v_delta * (t76 * t219 + t222);
+        put_derivative(96, t251);
+        let K0_12_zH = self.mH * wx_delta2_delta;
+        put_derivative(97, K0_12_zH);
+        let t254 = t95 + t69 * K0_12_zH;
+        let t257 = t52 * K2_22 + yaw_per_v_delta * K0_12_w;
+        put_derivative(98, t257);
+        let K0_22_w = wx_delta2_delta * K0_12_w;
+        put_derivative(99, K0_22_w);
+        let t259 = t123 * K0_12_zH;
+        put_derivative(100, t259);
+        let t265 = t84 + M_12_mu * t244 - t34 * wx_delta2_delta_lam - self.zH * t254;
+        put_derivative(101, t265);
+        let t267 = t254 + t56 * t244;
+        let t268 = wx_delta2_delta * t52;
+        let t269 = t61 * t268;
+        put_derivative(102, t269);
+        let t270 = t100 * t268;
+        put_derivative(103, t270);
+        let t271 = t96 * t268;
+        put_derivative(104, t271);
+        let t272 = t76 * t271;
+        put_derivative(105, t272);
+        let t273 = wx_delta2_delta_lam * yaw_per_v_delta;
+        let C1_22_lam = wz_delta2_delta * t188 + self.IHxz * t273
+            - wx_delta2_delta * (t115 + t222 + t55 * yaw_per_v_delta) - t176 * t254;
+        put_derivative(106, C1_22_lam);
+        let t286 = self.hH * (wx_delta2_delta * t268 - t273);
+        put_derivative(107, t286);
+        let C1_22_IHzz = t273 + C1_22_IRxx;
+        put_derivative(108, C1_22_IHzz);
+        let K2_22_mB = self.xB * C1_22_IRxx;
+        put_derivative(109, K2_22_mB);
+        let C1_22_mB = t79 * K2_22_mB;
+        put_derivative(110, C1_22_mB);
+        let M_12_rF = t115 + t115;
+        put_derivative(111, M_12_rF);
+        let M_22_rF = wx_delta2_delta * M_12_rF;
+        put_derivative(112, M_22_rF);
+        let K0_12_lam = t267 - t188;
+        put_derivative(113, K0_12_lam);
+        let t293 = t188 - t267;
+        let K2_22_lam = yaw_per_v_delta * (t85 + t293) - K2_22_yaw_per_v_delta * t268;
+        put_derivative(114, K2_22_lam);
+        let t300 = wx_delta2_delta * t293 - wx_delta2_delta_lam * K0_12;
+        put_derivative(115, t300);
+        let t301 = self.zB * yaw_per_v_delta;
+        put_derivative(116, t301);
+        let t302 = t79 * t301;
+        put_derivative(117, t302);
+        let t303 = self.mH * wz_delta2_delta;
+        put_derivative(118, t303);
+        let M_22_xH = t123 * t303;
+        put_derivative(119, M_22_xH);
+        let C1_22_xH = yaw_per_v_delta * (t76 * t303 - t144);
+        put_derivative(120, C1_22_xH);
+        let t308 = wx_delta2_delta * t303;
+        put_derivative(121, t308);
+        let K2_22_xH = yaw_per_v_delta * t303;
+        put_derivative(122, K2_22_xH);
+        let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+        put_derivative(123, M_22_IHxx);
+        let K0_22_zH = self.mH * M_22_IHxx;
+        put_derivative(124, K0_22_zH);
+        let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+        put_derivative(125, M_22_IHzz);
+        let t313 = self.mF * wx_delta2_delta;
+        put_derivative(126, t313);
+        let C1_22_rF = wz_delta2_delta * t313;
+        put_derivative(127, C1_22_rF);
+        let t315 = self.mF * M_22_IHxx;
+        put_derivative(128, t315);
+        let M_22_IFxx = M_22_IHxx + M_22_IHzz;
+        put_derivative(129, M_22_IFxx);
     }
 }
 
@@ -732,6 +893,61 @@ impl<T: Number> FlywheelBicycleMatrices<T> {
             self.c1[1][0], self.c1[1][1], self.k0[0][0], self.k0[0][1], self.k0[1][1],
             self.k1[0][1], self.k1[1][1], self.k2[0][1], self.k2[1][1],
         ]
+    }
+
+    /// Sets the entry at a position among those that differ, wherever it stands.
+    #[inline(always)]
+    fn set_entry(&mut self, position: usize, entry: T) {
+        match position {
+            0 => {
+                self.m[0][0] = entry;
+            }
+            1 => {
+                self.m[0][1] = entry;
+                self.m[1][0] = entry;
+            }
+            2 => {
+                self.m[1][1] = entry;
+            }
+            3 => {
+                self.c0[0][1] = entry;
+            }
+            4 => {
+                self.c0[1][0] = entry;
+            }
+            5 => {
+                self.c1[0][1] = entry;
+            }
+            6 => {
+                self.c1[1][0] = entry;
+            }
+            7 => {
+                self.c1[1][1] = entry;
+            }
+            8 => {
+                self.k0[0][0] = entry;
+            }
+            9 => {
+                self.k0[0][1] = entry;
+                self.k0[1][0] = entry;
+            }
+            10 => {
+                self.k0[1][1] = entry;
+            }
+            11 => {
+                self.k1[0][1] = entry;
+            }
+            12 => {
+                self.k1[1][1] = entry;
+            }
+            13 => {
+                self.k2[0][1] = entry;
+            }
+            14 => {
+                self.k2[1][1] = entry;
+            }
+            _ => {}
+        }
     }
 
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
@@ -1250,153 +1466,149 @@ impl<T: Scalar> Differentiable<2> for FlywheelBicycle<T> {
 }
 
 impl<T: Number> EvaluatorWithDerivatives<T, 2> for FlywheelBicycle<T> {
-    type Derivatives = [T; 130];
-
     #[inline(always)]
-    fn entries_and_derivatives(&self) -> ([T; 15], [T; 130]) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        (FlywheelBicycleMatrices::distinct_entries(&matrices), derivatives.values)
+    fn each_result(&self, put_entry: impl FnMut(usize, T), put_derivative: impl FnMut(usize, T)) {
+        self.each_result(put_entry, put_derivative);
     }
 }
 
 impl FlywheelBicycleDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 175] = &[
-        Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1),
-        Partial::new(MatrixName::C0, 0, 1, 0, 2).negative(),
-        Partial::new(MatrixName::C0, 1, 0, 0, 2),
-        Partial::new(MatrixName::C1, 0, 1, 0, 3).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 0, 4),
-        Partial::new(MatrixName::C1, 1, 1, 0, 5).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 0, 6), Partial::new(MatrixName::K0, 1, 0, 0, 6),
-        Partial::new(MatrixName::K0, 1, 1, 0, 7),
-        Partial::new(MatrixName::K1, 0, 1, 0, 8).negative(),
-        Partial::new(MatrixName::K1, 1, 1, 0, 9).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 0, 10).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 0, 11).negative(),
-        Partial::new(MatrixName::M, 0, 1, 1, 12), Partial::new(MatrixName::M, 1, 0, 1, 12),
-        Partial::new(MatrixName::M, 1, 1, 1, 13), Partial::new(MatrixName::C0, 0, 1, 1, 14),
-        Partial::new(MatrixName::C0, 1, 0, 1, 14).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 1, 15),
-        Partial::new(MatrixName::C1, 1, 0, 1, 16).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 17),
-        Partial::new(MatrixName::K0, 0, 1, 1, 18),
-        Partial::new(MatrixName::K0, 1, 0, 1, 18),
-        Partial::new(MatrixName::K0, 1, 1, 1, 19).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 1, 20),
-        Partial::new(MatrixName::M, 0, 1, 2, 21).negative(),
-        Partial::new(MatrixName::M, 1, 0, 2, 21).negative(),
-        Partial::new(MatrixName::M, 1, 1, 2, 22).negative(),
-        Partial::new(MatrixName::C0, 0, 1, 2, 23).negative(),
-        Partial::new(MatrixName::C0, 1, 0, 2, 23),
-        Partial::new(MatrixName::C1, 0, 1, 2, 24).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 2, 25), Partial::new(MatrixName::C1, 1, 1, 2, 26),
-        Partial::new(MatrixName::K0, 0, 1, 2, 27), Partial::new(MatrixName::K0, 1, 0, 2, 27),
-        Partial::new(MatrixName::K0, 1, 1, 2, 28),
-        Partial::new(MatrixName::K1, 0, 1, 2, 29).negative(),
-        Partial::new(MatrixName::K1, 1, 1, 2, 30).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 2, 31).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 2, 32), Partial::new(MatrixName::M, 0, 0, 4, 33),
-        Partial::new(MatrixName::C1, 0, 1, 4, 34), Partial::new(MatrixName::C1, 1, 0, 4, 35),
-        Partial::new(MatrixName::K0, 0, 0, 4, 36).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 4, 37),
-        Partial::new(MatrixName::M, 0, 0, 5, 38),
-        Partial::new(MatrixName::C1, 0, 1, 5, 39),
-        Partial::new(MatrixName::K0, 0, 0, 5, 40).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 5, 41), Partial::new(MatrixName::M, 0, 0, 6, 42),
-        Partial::new(MatrixName::M, 1, 1, 6, 43), Partial::new(MatrixName::C1, 1, 1, 6, 44),
-        Partial::new(MatrixName::C1, 0, 1, 7, 45),
-        Partial::new(MatrixName::C1, 1, 0, 7, 45).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 7, 46),
-        Partial::new(MatrixName::M, 0, 1, 8, 47).negative(),
-        Partial::new(MatrixName::M, 1, 0, 8, 47).negative(),
-        Partial::new(MatrixName::M, 1, 1, 8, 48),
-        Partial::new(MatrixName::C1, 0, 1, 8, 49).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 8, 50),
-        Partial::new(MatrixName::K0, 0, 1, 8, 51).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 8, 51).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 8, 52).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 8, 53), Partial::new(MatrixName::M, 0, 0, 9, 54),
-        Partial::new(MatrixName::M, 0, 1, 9, 55).negative(),
-        Partial::new(MatrixName::M, 1, 0, 9, 55).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 9, 56).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 9, 57),
-        Partial::new(MatrixName::K2, 0, 1, 9, 58).negative(),
-        Partial::new(MatrixName::M, 0, 0, 10, 59),
-        Partial::new(MatrixName::M, 0, 1, 10, 60).negative(),
-        Partial::new(MatrixName::M, 1, 0, 10, 60).negative(),
-        Partial::new(MatrixName::M, 1, 1, 10, 61),
-        Partial::new(MatrixName::C1, 0, 1, 10, 62).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 10, 63),
-        Partial::new(MatrixName::K0, 0, 0, 10, 64),
-        Partial::new(MatrixName::K0, 0, 1, 10, 65).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 10, 65).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 10, 66).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 10, 67).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 10, 68), Partial::new(MatrixName::M, 0, 0, 11, 42),
-        Partial::new(MatrixName::M, 1, 1, 13, 43), Partial::new(MatrixName::C1, 1, 1, 13, 44),
-        Partial::new(MatrixName::M, 0, 1, 14, 69), Partial::new(MatrixName::M, 1, 0, 14, 69),
-        Partial::new(MatrixName::C1, 0, 1, 14, 70),
-        Partial::new(MatrixName::M, 0, 1, 15, 71).negative(),
-        Partial::new(MatrixName::M, 1, 0, 15, 71).negative(),
-        Partial::new(MatrixName::M, 1, 1, 15, 72).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 15, 73).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 15, 74),
-        Partial::new(MatrixName::K0, 0, 1, 15, 75).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 15, 75).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 15, 76).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 15, 77), Partial::new(MatrixName::M, 0, 0, 16, 78),
-        Partial::new(MatrixName::M, 0, 1, 16, 79), Partial::new(MatrixName::M, 1, 0, 16, 79),
-        Partial::new(MatrixName::M, 1, 1, 16, 80),
-        Partial::new(MatrixName::C1, 0, 1, 16, 81).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 16, 82).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 16, 83), Partial::new(MatrixName::K0, 0, 1, 16, 84),
-        Partial::new(MatrixName::K0, 1, 0, 16, 84), Partial::new(MatrixName::K0, 1, 1, 16, 85),
-        Partial::new(MatrixName::K2, 0, 1, 16, 86).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 16, 87).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 88), Partial::new(MatrixName::M, 0, 1, 17, 89),
-        Partial::new(MatrixName::M, 1, 0, 17, 89), Partial::new(MatrixName::M, 1, 1, 17, 90),
-        Partial::new(MatrixName::C1, 0, 1, 17, 91).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 17, 92).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 17, 93), Partial::new(MatrixName::K0, 0, 1, 17, 94),
-        Partial::new(MatrixName::K0, 1, 0, 17, 94), Partial::new(MatrixName::K0, 1, 1, 17, 95),
-        Partial::new(MatrixName::K2, 0, 1, 17, 96).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 17, 97).negative(),
-        Partial::new(MatrixName::M, 0, 0, 18, 42), Partial::new(MatrixName::M, 0, 1, 18, 98),
-        Partial::new(MatrixName::M, 1, 0, 18, 98), Partial::new(MatrixName::M, 1, 1, 18, 99),
-        Partial::new(MatrixName::M, 1, 1, 20, 100), Partial::new(MatrixName::C1, 1, 1, 20, 101),
-        Partial::new(MatrixName::M, 0, 1, 21, 102), Partial::new(MatrixName::M, 1, 0, 21, 102),
-        Partial::new(MatrixName::M, 1, 1, 21, 103), Partial::new(MatrixName::C1, 0, 1, 21, 70),
-        Partial::new(MatrixName::C1, 1, 1, 21, 104), Partial::new(MatrixName::M, 0, 0, 22, 105),
-        Partial::new(MatrixName::M, 0, 1, 22, 106), Partial::new(MatrixName::M, 1, 0, 22, 106),
-        Partial::new(MatrixName::M, 1, 1, 22, 107), Partial::new(MatrixName::C1, 0, 1, 22, 108),
-        Partial::new(MatrixName::C1, 1, 0, 22, 109), Partial::new(MatrixName::C1, 1, 1, 22, 110),
-        Partial::new(MatrixName::K0, 0, 0, 22, 111).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 22, 112).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 22, 112).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 22, 113).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 114), Partial::new(MatrixName::K2, 1, 1, 22, 115),
-        Partial::new(MatrixName::M, 0, 0, 23, 116), Partial::new(MatrixName::M, 0, 1, 23, 117),
-        Partial::new(MatrixName::M, 1, 0, 23, 117), Partial::new(MatrixName::M, 1, 1, 23, 118),
-        Partial::new(MatrixName::C1, 0, 1, 23, 119), Partial::new(MatrixName::C1, 1, 1, 23, 120),
-        Partial::new(MatrixName::K0, 0, 0, 23, 121).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 23, 122).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 23, 122).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 23, 123).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 23, 124), Partial::new(MatrixName::K2, 1, 1, 23, 125),
-        Partial::new(MatrixName::M, 0, 0, 24, 42), Partial::new(MatrixName::M, 0, 1, 24, 98),
-        Partial::new(MatrixName::M, 1, 0, 24, 98), Partial::new(MatrixName::M, 1, 1, 24, 126),
-        Partial::new(MatrixName::C1, 1, 1, 24, 101), Partial::new(MatrixName::C1, 0, 1, 25, 127),
-        Partial::new(MatrixName::C1, 1, 0, 25, 127).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 25, 128),
-        Partial::new(MatrixName::K2, 1, 1, 25, 129),
-        Partial::new(MatrixName::C0, 0, 1, 26, 69),
-        Partial::new(MatrixName::C0, 1, 0, 26, 69).negative(),
-        Partial::new(MatrixName::K1, 0, 1, 26, 70),
-        Partial::new(MatrixName::C0, 0, 1, 27, 102),
-        Partial::new(MatrixName::C0, 1, 0, 27, 102).negative(),
-        Partial::new(MatrixName::K1, 0, 1, 27, 70),
-        Partial::new(MatrixName::K1, 1, 1, 27, 104),
+        Partial::new(MatrixName::M, 0, 1, 0, 52),
+        Partial::new(MatrixName::M, 1, 0, 0, 52),
+        Partial::new(MatrixName::M, 1, 1, 0, 87).negative(),
+        Partial::new(MatrixName::C0, 0, 1, 0, 23).negative(),
+        Partial::new(MatrixName::C0, 1, 0, 0, 23),
+        Partial::new(MatrixName::C1, 0, 1, 0, 54).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 0, 85),
+        Partial::new(MatrixName::C1, 1, 1, 0, 96).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 0, 92),
+        Partial::new(MatrixName::K0, 1, 0, 0, 92),
+        Partial::new(MatrixName::K0, 1, 1, 0, 99),
+        Partial::new(MatrixName::K1, 0, 1, 0, 72).negative(),
+        Partial::new(MatrixName::K1, 1, 1, 0, 75).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 0, 79).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 0, 98).negative(),
+        Partial::new(MatrixName::M, 0, 1, 1, 53), Partial::new(MatrixName::M, 1, 0, 1, 53),
+        Partial::new(MatrixName::M, 1, 1, 1, 82), Partial::new(MatrixName::C0, 0, 1, 1, 71),
+        Partial::new(MatrixName::C0, 1, 0, 1, 71).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 1, 78),
+        Partial::new(MatrixName::C1, 1, 0, 1, 84).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 1, 81), Partial::new(MatrixName::K0, 0, 1, 1, 86),
+        Partial::new(MatrixName::K0, 1, 0, 1, 86), Partial::new(MatrixName::K0, 1, 1, 1, 88),
+        Partial::new(MatrixName::K2, 1, 1, 1, 89).negative(),
+        Partial::new(MatrixName::M, 0, 1, 2, 101).negative(),
+        Partial::new(MatrixName::M, 1, 0, 2, 101).negative(),
+        Partial::new(MatrixName::M, 1, 1, 2, 83),
+        Partial::new(MatrixName::C0, 0, 1, 2, 20).negative(),
+        Partial::new(MatrixName::C0, 1, 0, 2, 20),
+        Partial::new(MatrixName::C1, 0, 1, 2, 66).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 2, 93), Partial::new(MatrixName::C1, 1, 1, 2, 106),
+        Partial::new(MatrixName::K0, 0, 1, 2, 113), Partial::new(MatrixName::K0, 1, 0, 2, 113),
+        Partial::new(MatrixName::K0, 1, 1, 2, 115).negative(),
+        Partial::new(MatrixName::K1, 0, 1, 2, 102).negative(),
+        Partial::new(MatrixName::K1, 1, 1, 2, 107).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 2, 103).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 2, 114), Partial::new(MatrixName::M, 0, 0, 4, 11),
+        Partial::new(MatrixName::C1, 0, 1, 4, 39), Partial::new(MatrixName::C1, 1, 0, 4, 25),
+        Partial::new(MatrixName::K0, 0, 0, 4, 1).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 4, 26), Partial::new(MatrixName::M, 0, 0, 5, 12),
+        Partial::new(MatrixName::C1, 0, 1, 5, 27),
+        Partial::new(MatrixName::K0, 0, 0, 5, 0).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 5, 28), Partial::new(MatrixName::M, 0, 0, 6, 8),
+        Partial::new(MatrixName::M, 1, 1, 6, 95), Partial::new(MatrixName::C1, 1, 1, 6, 94),
+        Partial::new(MatrixName::C1, 0, 1, 7, 30),
+        Partial::new(MatrixName::C1, 1, 0, 7, 30).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 7, 29),
+        Partial::new(MatrixName::M, 0, 1, 8, 32).negative(),
+        Partial::new(MatrixName::M, 1, 0, 8, 32).negative(),
+        Partial::new(MatrixName::M, 1, 1, 8, 65),
+        Partial::new(MatrixName::C1, 0, 1, 8, 31).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 8, 91),
+        Partial::new(MatrixName::K0, 0, 1, 8, 60).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 8, 60).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 8, 61).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 8, 62), Partial::new(MatrixName::M, 0, 0, 9, 13),
+        Partial::new(MatrixName::M, 0, 1, 9, 63).negative(),
+        Partial::new(MatrixName::M, 1, 0, 9, 63).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 9, 90).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 9, 3),
+        Partial::new(MatrixName::K2, 0, 1, 9, 59).negative(),
+        Partial::new(MatrixName::M, 0, 0, 10, 14),
+        Partial::new(MatrixName::M, 0, 1, 10, 56).negative(),
+        Partial::new(MatrixName::M, 1, 0, 10, 56).negative(),
+        Partial::new(MatrixName::M, 1, 1, 10, 57),
+        Partial::new(MatrixName::C1, 0, 1, 10, 117).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 10, 110),
+        Partial::new(MatrixName::K0, 0, 0, 10, 2),
+        Partial::new(MatrixName::K0, 0, 1, 10, 55).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 10, 55).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 10, 58).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 10, 116).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 10, 109), Partial::new(MatrixName::M, 0, 0, 11, 8),
+        Partial::new(MatrixName::M, 1, 1, 13, 95), Partial::new(MatrixName::C1, 1, 1, 13, 94),
+        Partial::new(MatrixName::M, 0, 1, 14, 18), Partial::new(MatrixName::M, 1, 0, 14, 18),
+        Partial::new(MatrixName::C1, 0, 1, 14, 19),
+        Partial::new(MatrixName::M, 0, 1, 15, 47).negative(),
+        Partial::new(MatrixName::M, 1, 0, 15, 47).negative(),
+        Partial::new(MatrixName::M, 1, 1, 15, 119),
+        Partial::new(MatrixName::C1, 0, 1, 15, 33).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 15, 120),
+        Partial::new(MatrixName::K0, 0, 1, 15, 118).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 15, 118).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 15, 121).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 15, 122), Partial::new(MatrixName::M, 0, 0, 16, 15),
+        Partial::new(MatrixName::M, 0, 1, 16, 41), Partial::new(MatrixName::M, 1, 0, 16, 41),
+        Partial::new(MatrixName::M, 1, 1, 16, 100).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 16, 69).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 16, 105).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 16, 5), Partial::new(MatrixName::K0, 0, 1, 16, 97),
+        Partial::new(MatrixName::K0, 1, 0, 16, 97), Partial::new(MatrixName::K0, 1, 1, 16, 124),
+        Partial::new(MatrixName::K2, 0, 1, 16, 80).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 16, 104).negative(),
+        Partial::new(MatrixName::M, 0, 0, 17, 16), Partial::new(MatrixName::M, 0, 1, 17, 45),
+        Partial::new(MatrixName::M, 1, 0, 17, 45), Partial::new(MatrixName::M, 1, 1, 17, 42),
+        Partial::new(MatrixName::C1, 0, 1, 17, 70).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 68).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 17, 4), Partial::new(MatrixName::K0, 0, 1, 17, 40),
+        Partial::new(MatrixName::K0, 1, 0, 17, 40), Partial::new(MatrixName::K0, 1, 1, 17, 43),
+        Partial::new(MatrixName::K2, 0, 1, 17, 34).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 17, 44).negative(),
+        Partial::new(MatrixName::M, 0, 0, 18, 8), Partial::new(MatrixName::M, 0, 1, 18, 9),
+        Partial::new(MatrixName::M, 1, 0, 18, 9), Partial::new(MatrixName::M, 1, 1, 18, 123),
+        Partial::new(MatrixName::M, 1, 1, 20, 125), Partial::new(MatrixName::C1, 1, 1, 20, 108),
+        Partial::new(MatrixName::M, 0, 1, 21, 46), Partial::new(MatrixName::M, 1, 0, 21, 46),
+        Partial::new(MatrixName::M, 1, 1, 21, 64), Partial::new(MatrixName::C1, 0, 1, 21, 19),
+        Partial::new(MatrixName::C1, 1, 1, 21, 73), Partial::new(MatrixName::M, 0, 0, 22, 17),
+        Partial::new(MatrixName::M, 0, 1, 22, 111), Partial::new(MatrixName::M, 1, 0, 22, 111),
+        Partial::new(MatrixName::M, 1, 1, 22, 112), Partial::new(MatrixName::C1, 0, 1, 22, 48),
+        Partial::new(MatrixName::C1, 1, 0, 22, 77), Partial::new(MatrixName::C1, 1, 1, 22, 127),
+        Partial::new(MatrixName::K0, 0, 0, 22, 7).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 22, 126).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 22, 126).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 22, 128).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 22, 49), Partial::new(MatrixName::K2, 1, 1, 22, 50),
+        Partial::new(MatrixName::M, 0, 0, 23, 10), Partial::new(MatrixName::M, 0, 1, 23, 21),
+        Partial::new(MatrixName::M, 1, 0, 23, 21), Partial::new(MatrixName::M, 1, 1, 23, 24),
+        Partial::new(MatrixName::C1, 0, 1, 23, 51), Partial::new(MatrixName::C1, 1, 1, 23, 67),
+        Partial::new(MatrixName::K0, 0, 0, 23, 6).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 23, 22).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 23, 22).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 23, 35).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 23, 36), Partial::new(MatrixName::K2, 1, 1, 23, 37),
+        Partial::new(MatrixName::M, 0, 0, 24, 8), Partial::new(MatrixName::M, 0, 1, 24, 9),
+        Partial::new(MatrixName::M, 1, 0, 24, 9), Partial::new(MatrixName::M, 1, 1, 24, 129),
+        Partial::new(MatrixName::C1, 1, 1, 24, 108), Partial::new(MatrixName::C1, 0, 1, 25, 76),
+        Partial::new(MatrixName::C1, 1, 0, 25, 76).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 25, 38),
+        Partial::new(MatrixName::K2, 1, 1, 25, 74),
+        Partial::new(MatrixName::C0, 0, 1, 26, 18),
+        Partial::new(MatrixName::C0, 1, 0, 26, 18).negative(),
+        Partial::new(MatrixName::K1, 0, 1, 26, 19),
+        Partial::new(MatrixName::C0, 0, 1, 27, 46),
+        Partial::new(MatrixName::C0, 1, 0, 27, 46).negative(),
+        Partial::new(MatrixName::K1, 0, 1, 27, 19),
+        Partial::new(MatrixName::K1, 1, 1, 27, 73),
     ];
 }

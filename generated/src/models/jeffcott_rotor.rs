@@ -117,24 +117,66 @@ impl<T: Number> JeffcottRotor<T> {
     /// 1 addition, 2 multiplications, 1 division and 1 negation: 5 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
+    ///
+    /// Where they are stored, [`Self::write_matrices_and_derivatives`] takes less time.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (JeffcottRotorMatrices<T>, JeffcottRotorDerivatives<T>) {
         let zero = self.m.like(0.0);
-        let c = self.ce + self.ci;
-        let K1_12_ci = self.m.like(1.0) / self.R;
-        let circulation = self.ci * K1_12_ci;
-        let K1_21_R = K1_12_ci * circulation;
-        let K1_21 = -circulation;
-        (
-            JeffcottRotorMatrices::from_entries([
-                self.m, zero, zero, self.m, c, zero, zero, c, self.k, zero, zero, self.k, zero,
-                circulation, K1_21, zero,
-            ]),
-            JeffcottRotorDerivatives {
-                values: [self.m.like(1.0), K1_12_ci, K1_21_R],
+        let mut matrices = JeffcottRotorMatrices::from_entries([zero; 16]);
+        let mut derivatives = JeffcottRotorDerivatives {
+            values: [zero; 3],
+        };
+        self.each_result(
+            #[inline(always)]
+            |position, value| matrices.set_entry(position, value),
+            #[inline(always)]
+            |position, value| derivatives.values[position] = value,
+        );
+        (matrices, derivatives)
+    }
+
+    /// Writes the coefficient matrices and their derivatives over others, each as soon as it is computed.
+    ///
+    /// They are those of [`Self::matrices_and_derivatives`], to the last bit. That function has more results than a
+    /// processor has registers, and moves them twice.
+    #[inline(always)]
+    pub fn write_matrices_and_derivatives(
+        &self,
+        matrices: &mut JeffcottRotorMatrices<T>,
+        derivatives: &mut JeffcottRotorDerivatives<T>,
+    ) {
+        *matrices = JeffcottRotorMatrices::from_entries([self.m.like(0.0); 16]);
+        self.each_result(
+            #[inline(always)]
+            |position, value| {
+                matrices.set_entry(position, value);
+                carvallo::write_now();
             },
-        )
+            #[inline(always)]
+            |position, value| {
+                derivatives.values[position] = value;
+                carvallo::write_now();
+            },
+        );
+    }
+
+    /// The program: gives each entry that differs, and each value of the derivatives, to a function with its position.
+    #[inline(always)]
+    fn each_result(&self, mut put_entry: impl FnMut(usize, T), mut put_derivative: impl FnMut(usize, T)) {
+        put_entry(0, self.m);
+        put_entry(2, self.k);
+        put_derivative(0, self.m.like(1.0));
+        let c = self.ce + self.ci;
+        put_entry(1, c);
+        let K1_12_ci = self.m.like(1.0) / self.R;
+        put_derivative(1, K1_12_ci);
+        let circulation = self.ci * K1_12_ci;
+        put_entry(3, circulation);
+        let K1_21_R = K1_12_ci * circulation;
+        put_derivative(2, K1_21_R);
+        let K1_21 = -circulation;
+        put_entry(4, K1_21);
     }
 }
 
@@ -216,6 +258,32 @@ impl<T: Number> JeffcottRotorMatrices<T> {
     #[inline(always)]
     fn distinct_entries(&self) -> [T; 5] {
         [self.m[0][0], self.c0[0][0], self.kc[0][0], self.k1[0][1], self.k1[1][0]]
+    }
+
+    /// Sets the entry at a position among those that differ, wherever it stands.
+    #[inline(always)]
+    fn set_entry(&mut self, position: usize, entry: T) {
+        match position {
+            0 => {
+                self.m[0][0] = entry;
+                self.m[1][1] = entry;
+            }
+            1 => {
+                self.c0[0][0] = entry;
+                self.c0[1][1] = entry;
+            }
+            2 => {
+                self.kc[0][0] = entry;
+                self.kc[1][1] = entry;
+            }
+            3 => {
+                self.k1[0][1] = entry;
+            }
+            4 => {
+                self.k1[1][0] = entry;
+            }
+            _ => {}
+        }
     }
 
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
@@ -427,12 +495,9 @@ impl<T: Scalar> Differentiable<2> for JeffcottRotor<T> {
 }
 
 impl<T: Number> EvaluatorWithDerivatives<T, 2> for JeffcottRotor<T> {
-    type Derivatives = [T; 3];
-
     #[inline(always)]
-    fn entries_and_derivatives(&self) -> ([T; 5], [T; 3]) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        (JeffcottRotorMatrices::distinct_entries(&matrices), derivatives.values)
+    fn each_result(&self, put_entry: impl FnMut(usize, T), put_derivative: impl FnMut(usize, T)) {
+        self.each_result(put_entry, put_derivative);
     }
 }
 

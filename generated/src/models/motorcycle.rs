@@ -381,192 +381,315 @@ pub struct MotorcycleDerivatives<T = f64> {
 
 impl<T: Number> Motorcycle<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 49 additions, 107 multiplications, 7 divisions, 11 negations and 2 trigonometric functions: 176 operations.
+    /// 46 additions, 106 multiplications, 7 divisions, 12 negations and 2 trigonometric functions: 173 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
+    ///
+    /// Where they are stored, [`Self::write_matrices_and_derivatives`] takes less time.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (MotorcycleMatrices<T>, MotorcycleDerivatives<T>) {
-        let M_11 = self.Mf + self.Mr;
-        let (s, s_eps) = self.eps.sin_cos();
-        let t6 = s * self.f;
-        let t10 = self.a + self.e;
-        let t11 = s_eps * t10;
-        let t12 = t6 - t11;
-        let K0_33_eps = self.Mf * t12;
-        let t15 = self.Mr * self.h;
-        let j = self.f * s_eps + s * t10;
-        let t19 = self.Mf * j;
-        let M_13 = t15 + t19;
-        let M_22_Ifx = s * s;
-        let M_33_Ifx = s_eps * s_eps;
-        let t23 = M_22_Ifx + M_33_Ifx;
-        let t24 = t10 * t23;
-        let t25 = self.a - t24;
-        let t26 = self.Mf * t25;
         let zero = self.Mf.like(0.0);
-        let M_22_Mf = t12 * t12;
-        let t34 = self.Mf * M_22_Mf;
-        let M_22 = self.Irz + M_22_Ifx * self.Ifx + M_33_Ifx * self.Ifz + t34;
-        let M_23_Ifz = s * s_eps;
-        let t40 = self.Ifz - self.Ifx;
-        let t42 = t12 * j;
-        let t44 = M_23_Ifz * t40 - self.Mf * t42;
-        let M_23 = t44 - self.Crxz;
-        let M_24_Mf = t12 * t25;
-        let M_24_Ifz = s_eps * t23;
-        let M_24 = self.Mf * M_24_Mf + self.Ifz * M_24_Ifz;
-        let M_33_Mf = j * j;
-        let t52 = self.Mf * M_33_Mf;
-        let M_33 = t52 + self.Irx + self.h * t15 + M_22_Ifx * self.Ifz
-            + M_33_Ifx * self.Ifx;
-        let t61 = j * t25;
-        let t62 = self.Mf * t61;
-        let M_34_Ifz = s * t23;
-        let t64 = self.Ifz * M_34_Ifz;
-        let M_24_eps = t62 - t64;
-        let M_33_j = t25 * t26;
-        let M_44 = self.Ifz + M_33_j;
-        let C0_66_Cf1 = self.Mf.like(1.0) / self.sigma;
-        let C0_55 = self.Cr1 * C0_66_Cf1;
-        let C0_52 = C0_55 * self.b;
-        let C0_66 = C0_66_Cf1 * self.Cf1;
-        let t77 = self.Mf.like(1.0) / s_eps;
-        let t80 = t77 * (self.a - self.t);
-        let Kc_26 = C0_66 * t80;
-        let C0_64 = C0_66 * self.t;
-        let C1_32_ify = self.Mf.like(1.0) / self.Rf;
-        let h_spin_F = self.ify * C1_32_ify;
-        let C1_32_iry = self.Mf.like(1.0) / self.Rr;
-        let t90 = self.iry * C1_32_iry;
-        let h_wheels_all = h_spin_F + t90;
-        let C1_42_ify = s * C1_32_ify;
-        let C1_43_eps = self.ify * C1_42_ify;
-        let C1_32 = M_13 + h_wheels_all;
-        let C1_34 = s_eps * h_spin_F;
-        let C1_42 = C1_43_eps - t26;
-        let t98 = self.Mf.like(1.0) / self.g;
-        let t99 = self.g * t98;
-        let K0_34_Mf = t25 * t99;
-        let t103 = self.t * t98;
-        let K0_34 = self.Mf * K0_34_Mf - self.Zf * t103;
-        let K0_44 = s * K0_34;
-        let K1_53 = C0_66_Cf1 * self.Cr2;
-        let t109 = self.sigma * self.sigma;
-        let K1_66_Cf1 = self.Mf.like(1.0) / t109;
-        let K1_55 = self.Cr1 * K1_66_Cf1;
-        let K1_63 = C0_66_Cf1 * self.Cf2;
-        let K1_64_Cf1 = s_eps * C0_66_Cf1;
-        let K1_64 = s * K1_63 + self.Cf1 * K1_64_Cf1;
-        let K1_66 = self.Cf1 * K1_66_Cf1;
-        let M_44_Mf = t25 * t25;
-        let K0_44_Mf = s * K0_34_Mf;
-        let M_33_Mr = self.h * self.h;
-        let C1_34_ify = s_eps * C1_32_ify;
-        let M_12_a = self.Mf * s_eps;
-        let M_13_a = self.Mf * s;
-        let t126 = s_eps * K0_33_eps;
-        let t127 = t126 + t126;
-        let t128 = s * K0_33_eps;
-        let t129 = j * M_12_a;
-        let M_23_a = t129 - t128;
-        let t131 = t25 * M_12_a;
-        let t133 = t131 + K0_33_eps * t23;
-        let M_24_a = K0_33_eps - t133;
-        let t135 = s * t19;
-        let M_33_a = t135 + t135;
-        let M_24_f = s * t26;
-        let M_14_e = self.Mf * t23;
-        let t139 = j * M_14_e;
-        let t141 = t19 + (M_24_f - t139);
-        let Kc_26_a = C0_66 * t77;
-        let t144 = t25 * (M_14_e + M_14_e);
-        let t145 = t99 * M_14_e;
-        let t146 = s * t145;
-        let M_22_f = t128 + t128;
-        let t148 = t126 + t135;
-        let M_33_f = t129 + t129;
-        let M_33_h = t15 + t15;
-        let C1_23_Rf = C1_32_ify * h_spin_F;
-        let C1_24_Rf = C1_32_ify * C1_43_eps;
-        let C1_43_Rf = s_eps * C1_23_Rf;
-        let C1_23_Rr = C1_32_iry * t90;
-        let t155 = t98 * self.Zf;
-        let t156 = s * t155;
-        let M_33_eps = t44 + t44;
-        let M_23_eps = t34 - t52 - t40 * (M_22_Ifx - M_33_Ifx);
-        let t162 = s * C0_66;
-        let Kc_26_eps = t77 * t80 * t162;
-        let K0_44_eps = s_eps * K0_34;
-        let K1_64_eps = s_eps * K1_63 - t162;
-        let Kc_26_Cf1 = C0_66_Cf1 * t80;
-        let C0_64_Cf1 = C0_66_Cf1 * self.t;
-        let K1_64_Cf2 = s * C0_66_Cf1;
-        let C0_52_Cr1 = C0_66_Cf1 * self.b;
-        let C0_51_sigma = C0_66_Cf1 * C0_55;
-        let Kc_25_sigma = C0_55 * C0_52_Cr1;
-        let C0_61_sigma = C0_66_Cf1 * C0_66;
-        let C0_62_sigma = C0_66 * Kc_26_Cf1;
-        let Kc_46_sigma = C0_66_Cf1 * C0_64;
-        let t177 = C0_66_Cf1 * K1_53;
-        let t179 = self.Mf.like(1.0) / (self.sigma * t109);
-        let t180 = t179 + t179;
-        let t181 = self.Cr1 * t180;
-        let t182 = C0_66_Cf1 * K1_63;
-        let t183 = C0_66_Cf1 * K1_64;
-        let t184 = self.Cf1 * t180;
-        let t185 = s * t103;
-        let K0_34_g = t98 * (t26 - K0_34);
-        let K0_44_g = s * K0_34_g;
-        let M_12 = -K0_33_eps;
-        let M_14 = -t26;
-        let M_34 = t64 - t62;
-        let C0_51 = -C0_55;
-        let C0_61 = -C0_66;
-        let C0_62 = -Kc_26;
-        let C1_23 = -h_wheels_all;
-        let C1_24 = -C1_43_eps;
-        let C1_43 = -C1_34;
-        let Kc_25 = -C0_52;
-        let Kc_46 = -C0_64;
-        let K0_33 = -M_13;
-        let M_12_Mf = t11 - t6;
-        let M_14_Mf = t24 - self.a;
-        let M_34_e = t139 - M_24_f;
-        (
-            MotorcycleMatrices::from_entries([
-                M_11, M_12, M_13, M_14, zero, zero, M_12, M_22, M_23, M_24, zero, zero, M_13, M_23,
-                M_33, M_34, zero, zero, M_14, M_24, M_34, M_44, zero, zero, zero, zero, zero, zero,
-                zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-                zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-                zero, self.K, zero, zero, C0_51, C0_52, zero, zero, C0_55, zero, C0_61, C0_62, zero,
-                C0_64, zero, C0_66, zero, M_11, zero, zero, zero, zero, zero, M_12, C1_23, C1_24,
-                zero, zero, zero, C1_32, zero, C1_34, zero, zero, zero, C1_42, C1_43, zero, zero,
-                zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-                zero, zero, zero, C0_55, C0_66, zero, zero, zero, zero, Kc_25, Kc_26, zero, zero,
-                zero, zero, zero, zero, zero, zero, zero, zero, zero, Kc_46, zero, zero, zero, zero,
-                zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-                zero, zero, zero, zero, zero, zero, zero, zero, K0_33, K0_34, zero, zero, zero,
-                zero, K0_34, K0_44, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-                zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-                zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-                zero, zero, K1_53, zero, K1_55, zero, zero, zero, K1_63, K1_64, zero, K1_66,
-            ]),
-            MotorcycleDerivatives {
-                values: [
-                    self.Mf.like(1.0), M_12_Mf, j, M_14_Mf, M_22_Mf, t42, M_24_Mf, M_33_Mf, t61,
-                    M_44_Mf, K0_34_Mf, K0_44_Mf, self.h, M_33_Mr, self.Mf.like(-1.0), M_22_Ifx,
-                    M_23_Ifz, M_33_Ifx, M_24_Ifz, M_34_Ifz, C1_32_ify, C1_42_ify, C1_34_ify,
-                    C1_32_iry, M_12_a, M_13_a, t127, M_23_a, M_24_a, M_33_a, t141, Kc_26_a, C0_55,
-                    M_14_e, t133, M_34_e, t144, t145, t146, M_22_f, t148, M_24_f, M_33_f, t131,
-                    self.Mr, M_33_h, C1_23_Rf, C1_24_Rf, C1_43_Rf, C1_23_Rr, C0_66, t155, t156, t19,
-                    K0_33_eps, M_33_eps, M_23_eps, M_24_eps, M_24, Kc_26_eps, C1_34, C1_43_eps,
-                    K0_44_eps, K1_64_eps, C0_66_Cf1, Kc_26_Cf1, C0_64_Cf1, K1_64_Cf1, K1_66_Cf1,
-                    K1_64_Cf2, C0_52_Cr1, C0_51_sigma, Kc_25_sigma, C0_61_sigma, C0_62_sigma,
-                    Kc_46_sigma, t177, t181, t182, t183, t184, t103, t185, K0_34_g, K0_44_g,
-                ],
+        let mut matrices = MotorcycleMatrices::from_entries([zero; 216]);
+        let mut derivatives = MotorcycleDerivatives {
+            values: [zero; 85],
+        };
+        self.each_result(
+            #[inline(always)]
+            |position, value| matrices.set_entry(position, value),
+            #[inline(always)]
+            |position, value| derivatives.values[position] = value,
+        );
+        (matrices, derivatives)
+    }
+
+    /// Writes the coefficient matrices and their derivatives over others, each as soon as it is computed.
+    ///
+    /// They are those of [`Self::matrices_and_derivatives`], to the last bit. That function has more results than a
+    /// processor has registers, and moves them twice.
+    #[inline(always)]
+    pub fn write_matrices_and_derivatives(
+        &self,
+        matrices: &mut MotorcycleMatrices<T>,
+        derivatives: &mut MotorcycleDerivatives<T>,
+    ) {
+        *matrices = MotorcycleMatrices::from_entries([self.Mf.like(0.0); 216]);
+        self.each_result(
+            #[inline(always)]
+            |position, value| {
+                matrices.set_entry(position, value);
+                carvallo::write_now();
             },
-        )
+            #[inline(always)]
+            |position, value| {
+                derivatives.values[position] = value;
+                carvallo::write_now();
+            },
+        );
+    }
+
+    /// The program: gives each entry that differs, and each value of the derivatives, to a function with its position.
+    #[inline(always)]
+    fn each_result(&self, mut put_entry: impl FnMut(usize, T), mut put_derivative: impl FnMut(usize, T)) {
+        put_entry(10, self.K);
+        put_derivative(0, self.Mr);
+        put_derivative(1, self.h);
+        put_derivative(2, self.Mf.like(1.0));
+        put_derivative(3, self.Mf.like(-1.0));
+        let (s, s_eps) = self.eps.sin_cos();
+        let M_11 = self.Mf + self.Mr;
+        put_entry(0, M_11);
+        let t32 = self.a + self.e;
+        let t33 = self.Mr * self.h;
+        let C0_66_Cf1 = self.Mf.like(1.0) / self.sigma;
+        put_derivative(4, C0_66_Cf1);
+        let C1_32_ify = self.Mf.like(1.0) / self.Rf;
+        put_derivative(5, C1_32_ify);
+        let C1_32_iry = self.Mf.like(1.0) / self.Rr;
+        put_derivative(6, C1_32_iry);
+        let M_33_Mr = self.h * self.h;
+        put_derivative(7, M_33_Mr);
+        let M_33_h = t33 + t33;
+        put_derivative(8, M_33_h);
+        let C0_64_Cf1 = C0_66_Cf1 * self.t;
+        put_derivative(9, C0_64_Cf1);
+        let C0_55 = self.Cr1 * C0_66_Cf1;
+        put_entry(13, C0_55);
+        put_derivative(10, C0_55);
+        let C0_52_Cr1 = C0_66_Cf1 * self.b;
+        put_derivative(11, C0_52_Cr1);
+        let C0_66 = C0_66_Cf1 * self.Cf1;
+        put_entry(17, C0_66);
+        put_derivative(12, C0_66);
+        let h_spin_F = self.ify * C1_32_ify;
+        let t44 = self.iry * C1_32_iry;
+        let t45 = self.Mf.like(1.0) / self.g;
+        let K1_53 = C0_66_Cf1 * self.Cr2;
+        put_entry(30, K1_53);
+        let t47 = self.sigma * self.sigma;
+        let K1_66_Cf1 = self.Mf.like(1.0) / t47;
+        put_derivative(13, K1_66_Cf1);
+        let t49 = C0_66_Cf1 * K1_53;
+        put_derivative(14, t49);
+        let C0_52 = self.Cr1 * C0_52_Cr1;
+        put_entry(12, C0_52);
+        let C1_23_Rr = C1_32_iry * t44;
+        put_derivative(15, C1_23_Rr);
+        let h_wheels_all = h_spin_F + t44;
+        let C0_61_sigma = C0_66_Cf1 * C0_66;
+        put_derivative(16, C0_61_sigma);
+        let t55 = self.Mf.like(1.0) / (self.sigma * t47);
+        let C0_51 = -C0_55;
+        put_entry(11, C0_51);
+        let C0_51_sigma = C0_66_Cf1 * C0_55;
+        put_derivative(17, C0_51_sigma);
+        let C0_61 = -C0_66;
+        put_entry(14, C0_61);
+        let Kc_25_sigma = self.b * C0_51_sigma;
+        put_derivative(18, Kc_25_sigma);
+        let Kc_25 = -C0_52;
+        put_entry(24, Kc_25);
+        let C1_23 = -h_wheels_all;
+        put_entry(18, C1_23);
+        let K1_55 = self.Cr1 * K1_66_Cf1;
+        put_entry(31, K1_55);
+        let K1_66 = self.Cf1 * K1_66_Cf1;
+        put_entry(34, K1_66);
+        let C0_64 = C0_66 * self.t;
+        put_entry(16, C0_64);
+        let Kc_46_sigma = C0_66_Cf1 * C0_64;
+        put_derivative(19, Kc_46_sigma);
+        let Kc_46 = -C0_64;
+        put_entry(26, Kc_46);
+        let t67 = self.g * t45;
+        let t68 = self.t * t45;
+        put_derivative(20, t68);
+        let K1_63 = C0_66_Cf1 * self.Cf2;
+        put_entry(32, K1_63);
+        let t70 = C0_66_Cf1 * K1_63;
+        put_derivative(21, t70);
+        let C1_23_Rf = C1_32_ify * h_spin_F;
+        put_derivative(22, C1_23_Rf);
+        let t72 = t55 + t55;
+        let t73 = t45 * self.Zf;
+        put_derivative(23, t73);
+        let t74 = self.Cr1 * t72;
+        put_derivative(24, t74);
+        let t75 = self.Cf1 * t72;
+        put_derivative(25, t75);
+        let t76 = s * self.f;
+        let t77 = s_eps * t32;
+        let j = self.f * s_eps + s * t32;
+        put_derivative(26, j);
+        let M_22_Ifx = s * s;
+        put_derivative(27, M_22_Ifx);
+        let M_33_Ifx = s_eps * s_eps;
+        put_derivative(28, M_33_Ifx);
+        let M_23_Ifz = s * s_eps;
+        put_derivative(29, M_23_Ifz);
+        let t84 = self.Mf.like(1.0) / s_eps;
+        let C1_42_ify = s * C1_32_ify;
+        put_derivative(30, C1_42_ify);
+        let C1_34 = s_eps * h_spin_F;
+        put_entry(21, C1_34);
+        put_derivative(31, C1_34);
+        let K1_64 = s * K1_63 + s_eps * C0_66;
+        put_entry(33, K1_64);
+        let C1_34_ify = s_eps * C1_32_ify;
+        put_derivative(32, C1_34_ify);
+        let C1_43_Rf = s_eps * C1_23_Rf;
+        put_derivative(33, C1_43_Rf);
+        let t92 = s * t73;
+        put_derivative(34, t92);
+        let K1_64_Cf1 = s_eps * C0_66_Cf1;
+        put_derivative(35, K1_64_Cf1);
+        let t94 = s * t68;
+        put_derivative(36, t94);
+        let M_12_a = self.Mf * s_eps;
+        put_derivative(37, M_12_a);
+        let M_13_a = self.Mf * s;
+        put_derivative(38, M_13_a);
+        let K1_64_Cf2 = s * C0_66_Cf1;
+        put_derivative(39, K1_64_Cf2);
+        let t98 = t76 - t77;
+        let K1_64_eps = s_eps * K1_63 - self.Cf1 * K1_64_Cf2;
+        put_derivative(40, K1_64_eps);
+        let M_12_Mf = t77 - t76;
+        put_derivative(41, M_12_Mf);
+        let C1_24_Rf = h_spin_F * C1_42_ify;
+        put_derivative(42, C1_24_Rf);
+        let C1_43 = -C1_34;
+        put_entry(23, C1_43);
+        let C1_43_eps = self.ify * C1_42_ify;
+        put_derivative(43, C1_43_eps);
+        let t106 = M_22_Ifx + M_33_Ifx;
+        let K0_33_eps = self.Mf * t98;
+        put_derivative(44, K0_33_eps);
+        let t108 = self.Mf * j;
+        put_derivative(45, t108);
+        let t109 = C0_66_Cf1 * K1_64;
+        put_derivative(46, t109);
+        let t110 = t32 * t106;
+        let M_33_Mf = j * j;
+        put_derivative(47, M_33_Mf);
+        let t112 = j * M_12_a;
+        let C1_24 = -C1_43_eps;
+        put_entry(19, C1_24);
+        let M_22_Mf = t98 * t98;
+        put_derivative(48, M_22_Mf);
+        let t115 = t98 * j;
+        put_derivative(49, t115);
+        let Kc_26_Cf1 = C0_66_Cf1 * t84 * (self.a - self.t);
+        put_derivative(50, Kc_26_Cf1);
+        let t122 = M_23_Ifz * (self.Ifx - self.Ifz) + self.Mf * t115;
+        let t127 = self.Mf * M_22_Mf + M_33_Ifx * self.Ifz + M_22_Ifx * self.Ifx;
+        let t132 = j * t108 + M_33_Ifx * self.Ifx + M_22_Ifx * self.Ifz;
+        let Kc_26_a = C0_66 * t84;
+        put_derivative(51, Kc_26_a);
+        let M_33_f = t112 + t112;
+        put_derivative(52, M_33_f);
+        let M_12 = -K0_33_eps;
+        put_entry(1, M_12);
+        let C0_62_sigma = C0_66 * Kc_26_Cf1;
+        put_derivative(53, C0_62_sigma);
+        let Kc_26 = self.Cf1 * Kc_26_Cf1;
+        put_entry(25, Kc_26);
+        let M_14_Mf = t110 - self.a;
+        put_derivative(54, M_14_Mf);
+        let t139 = self.a - t110;
+        let M_24_Mf = t98 * t139;
+        put_derivative(55, M_24_Mf);
+        let t141 = j * t139;
+        put_derivative(56, t141);
+        let M_13 = t33 + t108;
+        put_entry(2, M_13);
+        let C1_32 = M_13 + h_wheels_all;
+        put_entry(20, C1_32);
+        let K0_33 = -M_13;
+        put_entry(27, K0_33);
+        let t145 = self.Mf * t139;
+        let C1_42 = C1_43_eps - t145;
+        put_entry(22, C1_42);
+        let Kc_26_eps = s * t84 * Kc_26;
+        put_derivative(57, Kc_26_eps);
+        let M_33 = self.Irx + t132 + self.h * t33;
+        put_entry(7, M_33);
+        let M_23_eps = t127 - t132;
+        put_derivative(58, M_23_eps);
+        let M_22 = self.Irz + t127;
+        put_entry(4, M_22);
+        let C0_62 = -Kc_26;
+        put_entry(15, C0_62);
+        let t156 = t106 * (t145 + t145);
+        put_derivative(59, t156);
+        let M_22_eps = t122 + t122;
+        put_derivative(60, M_22_eps);
+        let M_23 = -(self.Crxz + t122);
+        put_entry(5, M_23);
+        let M_14 = -t145;
+        put_entry(3, M_14);
+        let M_24_Ifz = s_eps * t106;
+        put_derivative(61, M_24_Ifz);
+        let M_24 = self.Ifz * M_24_Ifz + K0_33_eps * t139;
+        put_entry(6, M_24);
+        put_derivative(62, M_24);
+        let M_34_Ifz = s * t106;
+        put_derivative(63, M_34_Ifz);
+        let t166 = self.Ifz * M_34_Ifz;
+        let t167 = j * t145;
+        let M_34 = t166 - t167;
+        put_entry(8, M_34);
+        let M_24_eps = t167 - t166;
+        put_derivative(64, M_24_eps);
+        let t170 = j * M_13_a;
+        let t171 = t98 * M_13_a;
+        let M_23_a = t112 - t171;
+        put_derivative(65, M_23_a);
+        let M_22_f = t171 + t171;
+        put_derivative(66, M_22_f);
+        let M_33_a = t170 + t170;
+        put_derivative(67, M_33_a);
+        let M_44_Mf = t139 * t139;
+        put_derivative(68, M_44_Mf);
+        let M_44 = self.Ifz + self.Mf * M_44_Mf;
+        put_entry(9, M_44);
+        let K0_34_Mf = t139 * t67;
+        put_derivative(69, K0_34_Mf);
+        let K0_34 = self.Mf * K0_34_Mf - self.Zf * t68;
+        put_entry(28, K0_34);
+        let K0_44_Mf = s * K0_34_Mf;
+        put_derivative(70, K0_44_Mf);
+        let t183 = s_eps * K0_33_eps;
+        let t184 = t183 + t170;
+        put_derivative(71, t184);
+        let t185 = t183 + t183;
+        put_derivative(72, t185);
+        let K0_44 = s * K0_34;
+        put_entry(29, K0_44);
+        let K0_44_eps = s_eps * K0_34;
+        put_derivative(73, K0_44_eps);
+        let K0_34_g = t45 * (t145 - K0_34);
+        put_derivative(74, K0_34_g);
+        let M_14_e = self.Mf * t106;
+        put_derivative(75, M_14_e);
+        let t191 = t67 * M_14_e;
+        put_derivative(76, t191);
+        let t192 = s * t191;
+        put_derivative(77, t192);
+        let t193 = s_eps * t145;
+        put_derivative(78, t193);
+        let t195 = t98 * M_14_e + t193;
+        put_derivative(79, t195);
+        let M_24_f = s * t145;
+        put_derivative(80, M_24_f);
+        let M_34_e = t108 * t106 - M_24_f;
+        put_derivative(81, M_34_e);
+        let M_24_a = K0_33_eps - t195;
+        put_derivative(82, M_24_a);
+        let M_34_a = M_34_e - t108;
+        put_derivative(83, M_34_a);
+        let K0_44_g = s * K0_34_g;
+        put_derivative(84, K0_44_g);
     }
 }
 
@@ -693,6 +816,130 @@ impl<T: Number> MotorcycleMatrices<T> {
             self.k0[2][2], self.k0[2][3], self.k0[3][3], self.k1[4][2], self.k1[4][4],
             self.k1[5][2], self.k1[5][3], self.k1[5][5],
         ]
+    }
+
+    /// Sets the entry at a position among those that differ, wherever it stands.
+    #[inline(always)]
+    fn set_entry(&mut self, position: usize, entry: T) {
+        match position {
+            0 => {
+                self.m[0][0] = entry;
+                self.c1[0][1] = entry;
+            }
+            1 => {
+                self.m[0][1] = entry;
+                self.m[1][0] = entry;
+                self.c1[1][1] = entry;
+            }
+            2 => {
+                self.m[0][2] = entry;
+                self.m[2][0] = entry;
+            }
+            3 => {
+                self.m[0][3] = entry;
+                self.m[3][0] = entry;
+            }
+            4 => {
+                self.m[1][1] = entry;
+            }
+            5 => {
+                self.m[1][2] = entry;
+                self.m[2][1] = entry;
+            }
+            6 => {
+                self.m[1][3] = entry;
+                self.m[3][1] = entry;
+            }
+            7 => {
+                self.m[2][2] = entry;
+            }
+            8 => {
+                self.m[2][3] = entry;
+                self.m[3][2] = entry;
+            }
+            9 => {
+                self.m[3][3] = entry;
+            }
+            10 => {
+                self.c0[3][3] = entry;
+            }
+            11 => {
+                self.c0[4][0] = entry;
+            }
+            12 => {
+                self.c0[4][1] = entry;
+            }
+            13 => {
+                self.c0[4][4] = entry;
+                self.kc[0][4] = entry;
+            }
+            14 => {
+                self.c0[5][0] = entry;
+            }
+            15 => {
+                self.c0[5][1] = entry;
+            }
+            16 => {
+                self.c0[5][3] = entry;
+            }
+            17 => {
+                self.c0[5][5] = entry;
+                self.kc[0][5] = entry;
+            }
+            18 => {
+                self.c1[1][2] = entry;
+            }
+            19 => {
+                self.c1[1][3] = entry;
+            }
+            20 => {
+                self.c1[2][1] = entry;
+            }
+            21 => {
+                self.c1[2][3] = entry;
+            }
+            22 => {
+                self.c1[3][1] = entry;
+            }
+            23 => {
+                self.c1[3][2] = entry;
+            }
+            24 => {
+                self.kc[1][4] = entry;
+            }
+            25 => {
+                self.kc[1][5] = entry;
+            }
+            26 => {
+                self.kc[3][5] = entry;
+            }
+            27 => {
+                self.k0[2][2] = entry;
+            }
+            28 => {
+                self.k0[2][3] = entry;
+                self.k0[3][2] = entry;
+            }
+            29 => {
+                self.k0[3][3] = entry;
+            }
+            30 => {
+                self.k1[4][2] = entry;
+            }
+            31 => {
+                self.k1[4][4] = entry;
+            }
+            32 => {
+                self.k1[5][2] = entry;
+            }
+            33 => {
+                self.k1[5][3] = entry;
+            }
+            34 => {
+                self.k1[5][5] = entry;
+            }
+            _ => {}
+        }
     }
 
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
@@ -1262,172 +1509,172 @@ impl<T: Scalar> Differentiable<6> for Motorcycle<T> {
 }
 
 impl<T: Number> EvaluatorWithDerivatives<T, 6> for Motorcycle<T> {
-    type Derivatives = [T; 85];
-
     #[inline(always)]
-    fn entries_and_derivatives(&self) -> ([T; 35], [T; 85]) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        (MotorcycleMatrices::distinct_entries(&matrices), derivatives.values)
+    fn each_result(&self, put_entry: impl FnMut(usize, T), put_derivative: impl FnMut(usize, T)) {
+        self.each_result(put_entry, put_derivative);
     }
 }
 
 impl MotorcycleDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 197] = &[
-        Partial::new(MatrixName::M, 0, 0, 0, 0), Partial::new(MatrixName::M, 0, 1, 0, 1),
-        Partial::new(MatrixName::M, 0, 2, 0, 2), Partial::new(MatrixName::M, 0, 3, 0, 3),
-        Partial::new(MatrixName::M, 1, 0, 0, 1), Partial::new(MatrixName::M, 1, 1, 0, 4),
-        Partial::new(MatrixName::M, 1, 2, 0, 5).negative(), Partial::new(MatrixName::M, 1, 3, 0, 6),
-        Partial::new(MatrixName::M, 2, 0, 0, 2), Partial::new(MatrixName::M, 2, 1, 0, 5).negative(),
-        Partial::new(MatrixName::M, 2, 2, 0, 7), Partial::new(MatrixName::M, 2, 3, 0, 8).negative(),
-        Partial::new(MatrixName::M, 3, 0, 0, 3), Partial::new(MatrixName::M, 3, 1, 0, 6),
-        Partial::new(MatrixName::M, 3, 2, 0, 8).negative(), Partial::new(MatrixName::M, 3, 3, 0, 9),
-        Partial::new(MatrixName::C1, 0, 1, 0, 0), Partial::new(MatrixName::C1, 1, 1, 0, 1),
-        Partial::new(MatrixName::C1, 2, 1, 0, 2), Partial::new(MatrixName::C1, 3, 1, 0, 3),
-        Partial::new(MatrixName::K0, 2, 2, 0, 2).negative(),
-        Partial::new(MatrixName::K0, 2, 3, 0, 10), Partial::new(MatrixName::K0, 3, 2, 0, 10),
-        Partial::new(MatrixName::K0, 3, 3, 0, 11), Partial::new(MatrixName::M, 0, 0, 1, 0),
-        Partial::new(MatrixName::M, 0, 2, 1, 12), Partial::new(MatrixName::M, 2, 0, 1, 12),
-        Partial::new(MatrixName::M, 2, 2, 1, 13), Partial::new(MatrixName::C1, 0, 1, 1, 0),
-        Partial::new(MatrixName::C1, 2, 1, 1, 12),
-        Partial::new(MatrixName::K0, 2, 2, 1, 12).negative(),
-        Partial::new(MatrixName::M, 2, 2, 2, 0), Partial::new(MatrixName::M, 1, 1, 3, 0),
-        Partial::new(MatrixName::M, 1, 2, 4, 14), Partial::new(MatrixName::M, 2, 1, 4, 14),
-        Partial::new(MatrixName::M, 1, 1, 5, 15),
-        Partial::new(MatrixName::M, 1, 2, 5, 16).negative(),
-        Partial::new(MatrixName::M, 2, 1, 5, 16).negative(),
-        Partial::new(MatrixName::M, 2, 2, 5, 17), Partial::new(MatrixName::M, 1, 1, 6, 17),
-        Partial::new(MatrixName::M, 1, 2, 6, 16), Partial::new(MatrixName::M, 1, 3, 6, 18),
-        Partial::new(MatrixName::M, 2, 1, 6, 16), Partial::new(MatrixName::M, 2, 2, 6, 15),
-        Partial::new(MatrixName::M, 2, 3, 6, 19), Partial::new(MatrixName::M, 3, 1, 6, 18),
-        Partial::new(MatrixName::M, 3, 2, 6, 19), Partial::new(MatrixName::M, 3, 3, 6, 0),
-        Partial::new(MatrixName::C1, 1, 2, 7, 20).negative(),
-        Partial::new(MatrixName::C1, 1, 3, 7, 21).negative(),
-        Partial::new(MatrixName::C1, 2, 1, 7, 20),
-        Partial::new(MatrixName::C1, 2, 3, 7, 22),
-        Partial::new(MatrixName::C1, 3, 1, 7, 21),
-        Partial::new(MatrixName::C1, 3, 2, 7, 22).negative(),
-        Partial::new(MatrixName::C1, 1, 2, 8, 23).negative(),
-        Partial::new(MatrixName::C1, 2, 1, 8, 23), Partial::new(MatrixName::M, 0, 1, 9, 24),
-        Partial::new(MatrixName::M, 0, 2, 9, 25), Partial::new(MatrixName::M, 1, 0, 9, 24),
-        Partial::new(MatrixName::M, 1, 1, 9, 26).negative(),
-        Partial::new(MatrixName::M, 1, 2, 9, 27), Partial::new(MatrixName::M, 1, 3, 9, 28),
-        Partial::new(MatrixName::M, 2, 0, 9, 25), Partial::new(MatrixName::M, 2, 1, 9, 27),
-        Partial::new(MatrixName::M, 2, 2, 9, 29),
-        Partial::new(MatrixName::M, 2, 3, 9, 30).negative(),
-        Partial::new(MatrixName::M, 3, 1, 9, 28),
-        Partial::new(MatrixName::M, 3, 2, 9, 30).negative(),
-        Partial::new(MatrixName::C0, 5, 1, 9, 31).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 9, 24),
-        Partial::new(MatrixName::C1, 2, 1, 9, 25),
-        Partial::new(MatrixName::Kc, 1, 5, 9, 31),
-        Partial::new(MatrixName::K0, 2, 2, 9, 25).negative(),
-        Partial::new(MatrixName::C0, 4, 1, 10, 32),
-        Partial::new(MatrixName::Kc, 1, 4, 10, 32).negative(),
-        Partial::new(MatrixName::M, 0, 1, 11, 24), Partial::new(MatrixName::M, 0, 2, 11, 25),
-        Partial::new(MatrixName::M, 0, 3, 11, 33), Partial::new(MatrixName::M, 1, 0, 11, 24),
-        Partial::new(MatrixName::M, 1, 1, 11, 26).negative(),
-        Partial::new(MatrixName::M, 1, 2, 11, 27),
-        Partial::new(MatrixName::M, 1, 3, 11, 34).negative(),
-        Partial::new(MatrixName::M, 2, 0, 11, 25), Partial::new(MatrixName::M, 2, 1, 11, 27),
-        Partial::new(MatrixName::M, 2, 2, 11, 29), Partial::new(MatrixName::M, 2, 3, 11, 35),
-        Partial::new(MatrixName::M, 3, 0, 11, 33),
-        Partial::new(MatrixName::M, 3, 1, 11, 34).negative(),
-        Partial::new(MatrixName::M, 3, 2, 11, 35),
-        Partial::new(MatrixName::M, 3, 3, 11, 36).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 11, 24),
-        Partial::new(MatrixName::C1, 2, 1, 11, 25),
-        Partial::new(MatrixName::C1, 3, 1, 11, 33),
-        Partial::new(MatrixName::K0, 2, 2, 11, 25).negative(),
-        Partial::new(MatrixName::K0, 2, 3, 11, 37).negative(),
-        Partial::new(MatrixName::K0, 3, 2, 11, 37).negative(),
-        Partial::new(MatrixName::K0, 3, 3, 11, 38).negative(),
-        Partial::new(MatrixName::M, 0, 1, 12, 25).negative(),
-        Partial::new(MatrixName::M, 0, 2, 12, 24),
-        Partial::new(MatrixName::M, 1, 0, 12, 25).negative(),
-        Partial::new(MatrixName::M, 1, 1, 12, 39),
-        Partial::new(MatrixName::M, 1, 2, 12, 40).negative(),
-        Partial::new(MatrixName::M, 1, 3, 12, 41),
-        Partial::new(MatrixName::M, 2, 0, 12, 24),
-        Partial::new(MatrixName::M, 2, 1, 12, 40).negative(),
-        Partial::new(MatrixName::M, 2, 2, 12, 42),
-        Partial::new(MatrixName::M, 2, 3, 12, 43).negative(),
-        Partial::new(MatrixName::M, 3, 1, 12, 41),
-        Partial::new(MatrixName::M, 3, 2, 12, 43).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 12, 25).negative(),
-        Partial::new(MatrixName::C1, 2, 1, 12, 24),
-        Partial::new(MatrixName::K0, 2, 2, 12, 24).negative(),
-        Partial::new(MatrixName::M, 0, 2, 13, 44), Partial::new(MatrixName::M, 2, 0, 13, 44),
-        Partial::new(MatrixName::M, 2, 2, 13, 45), Partial::new(MatrixName::C1, 2, 1, 13, 44),
-        Partial::new(MatrixName::K0, 2, 2, 13, 44).negative(),
-        Partial::new(MatrixName::C1, 1, 2, 14, 46),
-        Partial::new(MatrixName::C1, 1, 3, 14, 47),
-        Partial::new(MatrixName::C1, 2, 1, 14, 46).negative(),
-        Partial::new(MatrixName::C1, 2, 3, 14, 48).negative(),
-        Partial::new(MatrixName::C1, 3, 1, 14, 47).negative(),
-        Partial::new(MatrixName::C1, 3, 2, 14, 48),
-        Partial::new(MatrixName::C1, 1, 2, 15, 49),
-        Partial::new(MatrixName::C1, 2, 1, 15, 49).negative(),
-        Partial::new(MatrixName::C0, 5, 1, 16, 31),
-        Partial::new(MatrixName::C0, 5, 3, 16, 50),
-        Partial::new(MatrixName::Kc, 1, 5, 16, 31).negative(),
-        Partial::new(MatrixName::Kc, 3, 5, 16, 50).negative(),
-        Partial::new(MatrixName::K0, 2, 3, 16, 51).negative(),
-        Partial::new(MatrixName::K0, 3, 2, 16, 51).negative(),
-        Partial::new(MatrixName::K0, 3, 3, 16, 52).negative(),
-        Partial::new(MatrixName::M, 0, 1, 17, 53).negative(),
-        Partial::new(MatrixName::M, 0, 2, 17, 54).negative(),
-        Partial::new(MatrixName::M, 1, 0, 17, 53).negative(),
-        Partial::new(MatrixName::M, 1, 1, 17, 55).negative(),
-        Partial::new(MatrixName::M, 1, 2, 17, 56),
-        Partial::new(MatrixName::M, 1, 3, 17, 57),
-        Partial::new(MatrixName::M, 2, 0, 17, 54).negative(),
-        Partial::new(MatrixName::M, 2, 1, 17, 56), Partial::new(MatrixName::M, 2, 2, 17, 55),
-        Partial::new(MatrixName::M, 2, 3, 17, 58), Partial::new(MatrixName::M, 3, 1, 17, 57),
-        Partial::new(MatrixName::M, 3, 2, 17, 58),
-        Partial::new(MatrixName::C0, 5, 1, 17, 59).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 17, 53).negative(),
-        Partial::new(MatrixName::C1, 1, 3, 17, 60).negative(),
-        Partial::new(MatrixName::C1, 2, 1, 17, 54).negative(),
-        Partial::new(MatrixName::C1, 2, 3, 17, 61).negative(),
-        Partial::new(MatrixName::C1, 3, 1, 17, 60), Partial::new(MatrixName::C1, 3, 2, 17, 61),
-        Partial::new(MatrixName::Kc, 1, 5, 17, 59), Partial::new(MatrixName::K0, 2, 2, 17, 54),
-        Partial::new(MatrixName::K0, 3, 3, 17, 62), Partial::new(MatrixName::K1, 5, 3, 17, 63),
-        Partial::new(MatrixName::C0, 5, 0, 18, 64).negative(),
-        Partial::new(MatrixName::C0, 5, 1, 18, 65).negative(),
-        Partial::new(MatrixName::C0, 5, 3, 18, 66), Partial::new(MatrixName::C0, 5, 5, 18, 64),
-        Partial::new(MatrixName::Kc, 0, 5, 18, 64), Partial::new(MatrixName::Kc, 1, 5, 18, 65),
-        Partial::new(MatrixName::Kc, 3, 5, 18, 66).negative(),
-        Partial::new(MatrixName::K1, 5, 3, 18, 67), Partial::new(MatrixName::K1, 5, 5, 18, 68),
-        Partial::new(MatrixName::K1, 5, 2, 19, 64), Partial::new(MatrixName::K1, 5, 3, 19, 69),
-        Partial::new(MatrixName::C0, 4, 0, 20, 64).negative(),
-        Partial::new(MatrixName::C0, 4, 1, 20, 70),
-        Partial::new(MatrixName::C0, 4, 4, 20, 64),
-        Partial::new(MatrixName::Kc, 0, 4, 20, 64),
-        Partial::new(MatrixName::Kc, 1, 4, 20, 70).negative(),
-        Partial::new(MatrixName::K1, 4, 4, 20, 68), Partial::new(MatrixName::K1, 4, 2, 21, 64),
-        Partial::new(MatrixName::C0, 3, 3, 22, 0), Partial::new(MatrixName::C0, 4, 0, 23, 71),
-        Partial::new(MatrixName::C0, 4, 1, 23, 72).negative(),
-        Partial::new(MatrixName::C0, 4, 4, 23, 71).negative(),
-        Partial::new(MatrixName::C0, 5, 0, 23, 73),
-        Partial::new(MatrixName::C0, 5, 1, 23, 74),
-        Partial::new(MatrixName::C0, 5, 3, 23, 75).negative(),
-        Partial::new(MatrixName::C0, 5, 5, 23, 73).negative(),
-        Partial::new(MatrixName::Kc, 0, 4, 23, 71).negative(),
-        Partial::new(MatrixName::Kc, 0, 5, 23, 73).negative(),
-        Partial::new(MatrixName::Kc, 1, 4, 23, 72),
-        Partial::new(MatrixName::Kc, 1, 5, 23, 74).negative(),
-        Partial::new(MatrixName::Kc, 3, 5, 23, 75),
-        Partial::new(MatrixName::K1, 4, 2, 23, 76).negative(),
-        Partial::new(MatrixName::K1, 4, 4, 23, 77).negative(),
-        Partial::new(MatrixName::K1, 5, 2, 23, 78).negative(),
-        Partial::new(MatrixName::K1, 5, 3, 23, 79).negative(),
-        Partial::new(MatrixName::K1, 5, 5, 23, 80).negative(),
-        Partial::new(MatrixName::K0, 2, 3, 24, 81).negative(),
-        Partial::new(MatrixName::K0, 3, 2, 24, 81).negative(),
-        Partial::new(MatrixName::K0, 3, 3, 24, 82).negative(),
-        Partial::new(MatrixName::K0, 2, 3, 25, 83),
-        Partial::new(MatrixName::K0, 3, 2, 25, 83),
+        Partial::new(MatrixName::M, 0, 0, 0, 2), Partial::new(MatrixName::M, 0, 1, 0, 41),
+        Partial::new(MatrixName::M, 0, 2, 0, 26), Partial::new(MatrixName::M, 0, 3, 0, 54),
+        Partial::new(MatrixName::M, 1, 0, 0, 41), Partial::new(MatrixName::M, 1, 1, 0, 48),
+        Partial::new(MatrixName::M, 1, 2, 0, 49).negative(),
+        Partial::new(MatrixName::M, 1, 3, 0, 55), Partial::new(MatrixName::M, 2, 0, 0, 26),
+        Partial::new(MatrixName::M, 2, 1, 0, 49).negative(),
+        Partial::new(MatrixName::M, 2, 2, 0, 47),
+        Partial::new(MatrixName::M, 2, 3, 0, 56).negative(),
+        Partial::new(MatrixName::M, 3, 0, 0, 54), Partial::new(MatrixName::M, 3, 1, 0, 55),
+        Partial::new(MatrixName::M, 3, 2, 0, 56).negative(),
+        Partial::new(MatrixName::M, 3, 3, 0, 68), Partial::new(MatrixName::C1, 0, 1, 0, 2),
+        Partial::new(MatrixName::C1, 1, 1, 0, 41), Partial::new(MatrixName::C1, 2, 1, 0, 26),
+        Partial::new(MatrixName::C1, 3, 1, 0, 54),
+        Partial::new(MatrixName::K0, 2, 2, 0, 26).negative(),
+        Partial::new(MatrixName::K0, 2, 3, 0, 69), Partial::new(MatrixName::K0, 3, 2, 0, 69),
+        Partial::new(MatrixName::K0, 3, 3, 0, 70), Partial::new(MatrixName::M, 0, 0, 1, 2),
+        Partial::new(MatrixName::M, 0, 2, 1, 1), Partial::new(MatrixName::M, 2, 0, 1, 1),
+        Partial::new(MatrixName::M, 2, 2, 1, 7), Partial::new(MatrixName::C1, 0, 1, 1, 2),
+        Partial::new(MatrixName::C1, 2, 1, 1, 1),
+        Partial::new(MatrixName::K0, 2, 2, 1, 1).negative(),
+        Partial::new(MatrixName::M, 2, 2, 2, 2), Partial::new(MatrixName::M, 1, 1, 3, 2),
+        Partial::new(MatrixName::M, 1, 2, 4, 3), Partial::new(MatrixName::M, 2, 1, 4, 3),
+        Partial::new(MatrixName::M, 1, 1, 5, 27),
+        Partial::new(MatrixName::M, 1, 2, 5, 29).negative(),
+        Partial::new(MatrixName::M, 2, 1, 5, 29).negative(),
+        Partial::new(MatrixName::M, 2, 2, 5, 28), Partial::new(MatrixName::M, 1, 1, 6, 28),
+        Partial::new(MatrixName::M, 1, 2, 6, 29), Partial::new(MatrixName::M, 1, 3, 6, 61),
+        Partial::new(MatrixName::M, 2, 1, 6, 29), Partial::new(MatrixName::M, 2, 2, 6, 27),
+        Partial::new(MatrixName::M, 2, 3, 6, 63), Partial::new(MatrixName::M, 3, 1, 6, 61),
+        Partial::new(MatrixName::M, 3, 2, 6, 63), Partial::new(MatrixName::M, 3, 3, 6, 2),
+        Partial::new(MatrixName::C1, 1, 2, 7, 5).negative(),
+        Partial::new(MatrixName::C1, 1, 3, 7, 30).negative(),
+        Partial::new(MatrixName::C1, 2, 1, 7, 5),
+        Partial::new(MatrixName::C1, 2, 3, 7, 32),
+        Partial::new(MatrixName::C1, 3, 1, 7, 30),
+        Partial::new(MatrixName::C1, 3, 2, 7, 32).negative(),
+        Partial::new(MatrixName::C1, 1, 2, 8, 6).negative(),
+        Partial::new(MatrixName::C1, 2, 1, 8, 6), Partial::new(MatrixName::M, 0, 1, 9, 37),
+        Partial::new(MatrixName::M, 0, 2, 9, 38), Partial::new(MatrixName::M, 1, 0, 9, 37),
+        Partial::new(MatrixName::M, 1, 1, 9, 72).negative(),
+        Partial::new(MatrixName::M, 1, 2, 9, 65), Partial::new(MatrixName::M, 1, 3, 9, 82),
+        Partial::new(MatrixName::M, 2, 0, 9, 38), Partial::new(MatrixName::M, 2, 1, 9, 65),
+        Partial::new(MatrixName::M, 2, 2, 9, 67), Partial::new(MatrixName::M, 2, 3, 9, 83),
+        Partial::new(MatrixName::M, 3, 1, 9, 82), Partial::new(MatrixName::M, 3, 2, 9, 83),
+        Partial::new(MatrixName::C0, 5, 1, 9, 51).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 9, 37),
+        Partial::new(MatrixName::C1, 2, 1, 9, 38),
+        Partial::new(MatrixName::Kc, 1, 5, 9, 51),
+        Partial::new(MatrixName::K0, 2, 2, 9, 38).negative(),
+        Partial::new(MatrixName::C0, 4, 1, 10, 10),
+        Partial::new(MatrixName::Kc, 1, 4, 10, 10).negative(),
+        Partial::new(MatrixName::M, 0, 1, 11, 37), Partial::new(MatrixName::M, 0, 2, 11, 38),
+        Partial::new(MatrixName::M, 0, 3, 11, 75), Partial::new(MatrixName::M, 1, 0, 11, 37),
+        Partial::new(MatrixName::M, 1, 1, 11, 72).negative(),
+        Partial::new(MatrixName::M, 1, 2, 11, 65),
+        Partial::new(MatrixName::M, 1, 3, 11, 79).negative(),
+        Partial::new(MatrixName::M, 2, 0, 11, 38), Partial::new(MatrixName::M, 2, 1, 11, 65),
+        Partial::new(MatrixName::M, 2, 2, 11, 67), Partial::new(MatrixName::M, 2, 3, 11, 81),
+        Partial::new(MatrixName::M, 3, 0, 11, 75),
+        Partial::new(MatrixName::M, 3, 1, 11, 79).negative(),
+        Partial::new(MatrixName::M, 3, 2, 11, 81),
+        Partial::new(MatrixName::M, 3, 3, 11, 59).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 11, 37),
+        Partial::new(MatrixName::C1, 2, 1, 11, 38),
+        Partial::new(MatrixName::C1, 3, 1, 11, 75),
+        Partial::new(MatrixName::K0, 2, 2, 11, 38).negative(),
+        Partial::new(MatrixName::K0, 2, 3, 11, 76).negative(),
+        Partial::new(MatrixName::K0, 3, 2, 11, 76).negative(),
+        Partial::new(MatrixName::K0, 3, 3, 11, 77).negative(),
+        Partial::new(MatrixName::M, 0, 1, 12, 38).negative(),
+        Partial::new(MatrixName::M, 0, 2, 12, 37),
+        Partial::new(MatrixName::M, 1, 0, 12, 38).negative(),
+        Partial::new(MatrixName::M, 1, 1, 12, 66),
+        Partial::new(MatrixName::M, 1, 2, 12, 71).negative(),
+        Partial::new(MatrixName::M, 1, 3, 12, 80),
+        Partial::new(MatrixName::M, 2, 0, 12, 37),
+        Partial::new(MatrixName::M, 2, 1, 12, 71).negative(),
+        Partial::new(MatrixName::M, 2, 2, 12, 52),
+        Partial::new(MatrixName::M, 2, 3, 12, 78).negative(),
+        Partial::new(MatrixName::M, 3, 1, 12, 80),
+        Partial::new(MatrixName::M, 3, 2, 12, 78).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 12, 38).negative(),
+        Partial::new(MatrixName::C1, 2, 1, 12, 37),
+        Partial::new(MatrixName::K0, 2, 2, 12, 37).negative(),
+        Partial::new(MatrixName::M, 0, 2, 13, 0), Partial::new(MatrixName::M, 2, 0, 13, 0),
+        Partial::new(MatrixName::M, 2, 2, 13, 8), Partial::new(MatrixName::C1, 2, 1, 13, 0),
+        Partial::new(MatrixName::K0, 2, 2, 13, 0).negative(),
+        Partial::new(MatrixName::C1, 1, 2, 14, 22),
+        Partial::new(MatrixName::C1, 1, 3, 14, 42),
+        Partial::new(MatrixName::C1, 2, 1, 14, 22).negative(),
+        Partial::new(MatrixName::C1, 2, 3, 14, 33).negative(),
+        Partial::new(MatrixName::C1, 3, 1, 14, 42).negative(),
+        Partial::new(MatrixName::C1, 3, 2, 14, 33),
+        Partial::new(MatrixName::C1, 1, 2, 15, 15),
+        Partial::new(MatrixName::C1, 2, 1, 15, 15).negative(),
+        Partial::new(MatrixName::C0, 5, 1, 16, 51),
+        Partial::new(MatrixName::C0, 5, 3, 16, 12),
+        Partial::new(MatrixName::Kc, 1, 5, 16, 51).negative(),
+        Partial::new(MatrixName::Kc, 3, 5, 16, 12).negative(),
+        Partial::new(MatrixName::K0, 2, 3, 16, 23).negative(),
+        Partial::new(MatrixName::K0, 3, 2, 16, 23).negative(),
+        Partial::new(MatrixName::K0, 3, 3, 16, 34).negative(),
+        Partial::new(MatrixName::M, 0, 1, 17, 45).negative(),
+        Partial::new(MatrixName::M, 0, 2, 17, 44).negative(),
+        Partial::new(MatrixName::M, 1, 0, 17, 45).negative(),
+        Partial::new(MatrixName::M, 1, 1, 17, 60),
+        Partial::new(MatrixName::M, 1, 2, 17, 58),
+        Partial::new(MatrixName::M, 1, 3, 17, 64),
+        Partial::new(MatrixName::M, 2, 0, 17, 44).negative(),
+        Partial::new(MatrixName::M, 2, 1, 17, 58),
+        Partial::new(MatrixName::M, 2, 2, 17, 60).negative(),
+        Partial::new(MatrixName::M, 2, 3, 17, 62),
+        Partial::new(MatrixName::M, 3, 1, 17, 64),
+        Partial::new(MatrixName::M, 3, 2, 17, 62),
+        Partial::new(MatrixName::C0, 5, 1, 17, 57).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 45).negative(),
+        Partial::new(MatrixName::C1, 1, 3, 17, 31).negative(),
+        Partial::new(MatrixName::C1, 2, 1, 17, 44).negative(),
+        Partial::new(MatrixName::C1, 2, 3, 17, 43).negative(),
+        Partial::new(MatrixName::C1, 3, 1, 17, 31), Partial::new(MatrixName::C1, 3, 2, 17, 43),
+        Partial::new(MatrixName::Kc, 1, 5, 17, 57), Partial::new(MatrixName::K0, 2, 2, 17, 44),
+        Partial::new(MatrixName::K0, 3, 3, 17, 73), Partial::new(MatrixName::K1, 5, 3, 17, 40),
+        Partial::new(MatrixName::C0, 5, 0, 18, 4).negative(),
+        Partial::new(MatrixName::C0, 5, 1, 18, 50).negative(),
+        Partial::new(MatrixName::C0, 5, 3, 18, 9), Partial::new(MatrixName::C0, 5, 5, 18, 4),
+        Partial::new(MatrixName::Kc, 0, 5, 18, 4), Partial::new(MatrixName::Kc, 1, 5, 18, 50),
+        Partial::new(MatrixName::Kc, 3, 5, 18, 9).negative(),
+        Partial::new(MatrixName::K1, 5, 3, 18, 35), Partial::new(MatrixName::K1, 5, 5, 18, 13),
+        Partial::new(MatrixName::K1, 5, 2, 19, 4), Partial::new(MatrixName::K1, 5, 3, 19, 39),
+        Partial::new(MatrixName::C0, 4, 0, 20, 4).negative(),
+        Partial::new(MatrixName::C0, 4, 1, 20, 11),
+        Partial::new(MatrixName::C0, 4, 4, 20, 4),
+        Partial::new(MatrixName::Kc, 0, 4, 20, 4),
+        Partial::new(MatrixName::Kc, 1, 4, 20, 11).negative(),
+        Partial::new(MatrixName::K1, 4, 4, 20, 13), Partial::new(MatrixName::K1, 4, 2, 21, 4),
+        Partial::new(MatrixName::C0, 3, 3, 22, 2), Partial::new(MatrixName::C0, 4, 0, 23, 17),
+        Partial::new(MatrixName::C0, 4, 1, 23, 18).negative(),
+        Partial::new(MatrixName::C0, 4, 4, 23, 17).negative(),
+        Partial::new(MatrixName::C0, 5, 0, 23, 16),
+        Partial::new(MatrixName::C0, 5, 1, 23, 53),
+        Partial::new(MatrixName::C0, 5, 3, 23, 19).negative(),
+        Partial::new(MatrixName::C0, 5, 5, 23, 16).negative(),
+        Partial::new(MatrixName::Kc, 0, 4, 23, 17).negative(),
+        Partial::new(MatrixName::Kc, 0, 5, 23, 16).negative(),
+        Partial::new(MatrixName::Kc, 1, 4, 23, 18),
+        Partial::new(MatrixName::Kc, 1, 5, 23, 53).negative(),
+        Partial::new(MatrixName::Kc, 3, 5, 23, 19),
+        Partial::new(MatrixName::K1, 4, 2, 23, 14).negative(),
+        Partial::new(MatrixName::K1, 4, 4, 23, 24).negative(),
+        Partial::new(MatrixName::K1, 5, 2, 23, 21).negative(),
+        Partial::new(MatrixName::K1, 5, 3, 23, 46).negative(),
+        Partial::new(MatrixName::K1, 5, 5, 23, 25).negative(),
+        Partial::new(MatrixName::K0, 2, 3, 24, 20).negative(),
+        Partial::new(MatrixName::K0, 3, 2, 24, 20).negative(),
+        Partial::new(MatrixName::K0, 3, 3, 24, 36).negative(),
+        Partial::new(MatrixName::K0, 2, 3, 25, 74),
+        Partial::new(MatrixName::K0, 3, 2, 25, 74),
         Partial::new(MatrixName::K0, 3, 3, 25, 84),
     ];
 }

@@ -99,19 +99,65 @@ impl<T: Number> Pendulum<T> {
     /// 1 addition and 3 multiplications: 4 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
+    ///
+    /// Where they are stored, [`Self::write_matrices_and_derivatives`] takes less time.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (PendulumMatrices<T>, PendulumDerivatives<T>) {
-        let M_11_m = self.l * self.l;
-        let M_11 = self.m * M_11_m;
-        let K0_11 = self.m * self.l;
-        let M_11_l = K0_11 + K0_11;
-        (
-            PendulumMatrices::from_entries([M_11, self.c, K0_11]),
-            PendulumDerivatives {
-                values: [M_11_m, self.l, M_11_l, self.m, self.m.like(1.0)],
+        let zero = self.m.like(0.0);
+        let mut matrices = PendulumMatrices::from_entries([zero; 3]);
+        let mut derivatives = PendulumDerivatives {
+            values: [zero; 5],
+        };
+        self.each_result(
+            #[inline(always)]
+            |position, value| matrices.set_entry(position, value),
+            #[inline(always)]
+            |position, value| derivatives.values[position] = value,
+        );
+        (matrices, derivatives)
+    }
+
+    /// Writes the coefficient matrices and their derivatives over others, each as soon as it is computed.
+    ///
+    /// They are those of [`Self::matrices_and_derivatives`], to the last bit. That function has more results than a
+    /// processor has registers, and moves them twice.
+    #[inline(always)]
+    pub fn write_matrices_and_derivatives(
+        &self,
+        matrices: &mut PendulumMatrices<T>,
+        derivatives: &mut PendulumDerivatives<T>,
+    ) {
+        *matrices = PendulumMatrices::from_entries([self.m.like(0.0); 3]);
+        self.each_result(
+            #[inline(always)]
+            |position, value| {
+                matrices.set_entry(position, value);
+                carvallo::write_now();
             },
-        )
+            #[inline(always)]
+            |position, value| {
+                derivatives.values[position] = value;
+                carvallo::write_now();
+            },
+        );
+    }
+
+    /// The program: gives each entry that differs, and each value of the derivatives, to a function with its position.
+    #[inline(always)]
+    fn each_result(&self, mut put_entry: impl FnMut(usize, T), mut put_derivative: impl FnMut(usize, T)) {
+        put_entry(1, self.c);
+        put_derivative(0, self.m);
+        put_derivative(1, self.l);
+        put_derivative(2, self.m.like(1.0));
+        let M_11_m = self.l * self.l;
+        put_derivative(3, M_11_m);
+        let M_11 = self.m * M_11_m;
+        put_entry(0, M_11);
+        let K0_11 = self.m * self.l;
+        put_entry(2, K0_11);
+        let M_11_l = K0_11 + K0_11;
+        put_derivative(4, M_11_l);
     }
 }
 
@@ -191,6 +237,23 @@ impl<T: Number> PendulumMatrices<T> {
     #[inline(always)]
     fn distinct_entries(&self) -> [T; 3] {
         [self.m[0][0], self.c0[0][0], self.k0[0][0]]
+    }
+
+    /// Sets the entry at a position among those that differ, wherever it stands.
+    #[inline(always)]
+    fn set_entry(&mut self, position: usize, entry: T) {
+        match position {
+            0 => {
+                self.m[0][0] = entry;
+            }
+            1 => {
+                self.c0[0][0] = entry;
+            }
+            2 => {
+                self.k0[0][0] = entry;
+            }
+            _ => {}
+        }
     }
 
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
@@ -393,20 +456,17 @@ impl<T: Scalar> Differentiable<1> for Pendulum<T> {
 }
 
 impl<T: Number> EvaluatorWithDerivatives<T, 1> for Pendulum<T> {
-    type Derivatives = [T; 5];
-
     #[inline(always)]
-    fn entries_and_derivatives(&self) -> ([T; 3], [T; 5]) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        (PendulumMatrices::distinct_entries(&matrices), derivatives.values)
+    fn each_result(&self, put_entry: impl FnMut(usize, T), put_derivative: impl FnMut(usize, T)) {
+        self.each_result(put_entry, put_derivative);
     }
 }
 
 impl PendulumDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 5] = &[
-        Partial::new(MatrixName::M, 0, 0, 0, 0), Partial::new(MatrixName::K0, 0, 0, 0, 1),
-        Partial::new(MatrixName::M, 0, 0, 1, 2), Partial::new(MatrixName::K0, 0, 0, 1, 3),
-        Partial::new(MatrixName::C0, 0, 0, 2, 4),
+        Partial::new(MatrixName::M, 0, 0, 0, 3), Partial::new(MatrixName::K0, 0, 0, 0, 1),
+        Partial::new(MatrixName::M, 0, 0, 1, 4), Partial::new(MatrixName::K0, 0, 0, 1, 0),
+        Partial::new(MatrixName::C0, 0, 0, 2, 2),
     ];
 }

@@ -326,234 +326,380 @@ pub struct RearSteeredDerivatives<T = f64> {
 
 impl<T: Number> RearSteered<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 103 additions, 184 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 297 operations.
+    /// 93 additions, 175 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 278 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
+    ///
+    /// Where they are stored, [`Self::write_matrices_and_derivatives`] takes less time.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (RearSteeredMatrices<T>, RearSteeredDerivatives<T>) {
-        let t3 = self.zH * self.mH;
-        let t8 = self.rF * self.mF;
-        let t12 = self.IFxx + self.zH * t3 + self.IHxx + self.rF * t8;
-        let t17 = self.rR * self.mR;
-        let t21 = self.zB * self.mB;
-        let M_11 = t12 + self.IRxx + self.IBxx + self.rR * t17 + self.zB * t21;
-        let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t31 = self.w.like(1.0) / self.w;
-        let C1_12_IBxz = cos_lam * t31;
-        let yaw_by_delta = self.c * C1_12_IBxz;
-        let t39 = t21 * self.xB - self.IHxz - self.IBxz;
-        let t43 = self.c + self.w - self.xH;
-        let t45 = yaw_by_delta * self.xH;
-        let t46 = t45 - cos_lam * t43;
-        let t49 = t12 * sin_lam;
-        let t50 = t3 * t46 - t49;
-        let t51 = cos_lam * self.IHxz;
-        let M_12 = yaw_by_delta * t39 + t50 - t51;
-        let wz_delta2_delta = cos_lam + yaw_by_delta;
-        let t55 = self.IHxz * sin_lam;
-        let t57 = self.IFxx + self.IHzz;
-        let t59 = t55 + wz_delta2_delta * t57;
-        let t63 = self.mB * self.xB;
-        let t66 = self.IRxx + self.IBzz + self.xB * t63;
-        let t67 = yaw_by_delta * t66;
-        let t69 = self.zH * sin_lam;
-        let K0_12_mH = t46 - t69;
-        let t71 = t69 - K0_12_mH;
-        let t72 = self.mH * t71;
-        let M_22 = wz_delta2_delta * (t55 + t59) + yaw_by_delta * t67 + sin_lam * t49
-            - t46 * t72;
         let zero = self.w.like(0.0);
-        let K0_11 = t3 + t21 - t8 - t17;
-        let t85 = t39 + self.c * K0_11 + t3 * self.xH;
-        let t86 = C1_12_IBxz * t85;
-        let t88 = self.w.like(1.0) / self.rF;
-        let h_spin_R = self.IFyy * t88;
-        let t91 = self.w.like(1.0) / self.rR;
-        let t92 = self.IRyy * t91;
-        let t93 = h_spin_R + t92;
-        let t94 = yaw_by_delta * t93;
-        let t95 = cos_lam * h_spin_R;
-        let t96 = t94 + t95;
-        let t97 = t8 * cos_lam;
-        let C1_12 = t96 + t97 - t86;
-        let K0_12_mF = self.rF * sin_lam;
-        let t101 = self.mF * K0_12_mF;
-        let t102 = self.mH * K0_12_mH;
-        let M_22_wz_delta2_delta = self.xH * t102;
-        let t104 = C1_12_IBxz * t63;
-        let M_12_zB = self.c * t104;
-        let K0_12 = t101 + t102 + M_12_zB;
-        let t109 = t59 + t67;
-        let t112 = t31 * (M_22_wz_delta2_delta + self.c * K0_12 + t109);
-        let t113 = t101 + t112;
-        let t116 = K0_11 - t93;
-        let K2_12 = C1_12_IBxz * t116;
-        let t118 = sin_lam * h_spin_R;
-        let t119 = K0_12 + t118;
-        let K2_22 = C1_12_IBxz * t119;
-        let t122 = cos_lam + t31 * t45;
-        let t124 = t31 * yaw_by_delta;
-        let t126 = t3 * t122 + t39 * t124;
-        let M_22_yaw_by_delta = t109 + t109;
-        let t129 = t102 + t102;
-        let t131 = t124 * M_22_yaw_by_delta + t122 * t129;
-        let C1_21_w = t31 * t94;
-        let C1_12_w = t31 * t86 - C1_21_w;
-        let t135 = self.mH * t122;
-        let t136 = C1_12_IBxz * self.xH;
-        let t137 = yaw_by_delta + t136;
-        let t139 = t57 + t66;
-        let t141 = M_12_zB + C1_12_IBxz * t139;
-        let C1_22_w = t135 * t137 + t124 * t141 + C1_12_IBxz * t112;
-        let t147 = t135 + t31 * M_12_zB;
-        let K0_22_w = sin_lam * t147;
-        let t149 = t31 * K2_12;
-        let t152 = C1_12_IBxz * (t147 + t31 * t119);
-        let t154 = cos_lam - t136;
-        let M_12_c = C1_12_IBxz * t39 - t3 * t154;
-        let M_22_c = C1_12_IBxz * M_22_yaw_by_delta - t129 * t154;
-        let t160 = C1_12_IBxz * t93;
-        let t161 = self.mH * t154;
-        let t162 = self.c + self.xH;
-        let t166 = C1_12_IBxz * (K0_12 + t141 - t161 * t162);
-        let K0_12_c = t104 - t161;
-        let t171 = t31 * sin_lam;
-        let t172 = self.c * t171;
-        let t174 = self.xH * t172 - t43 * sin_lam;
-        let t177 = t12 * cos_lam;
-        let M_12_lam = t55 - t3 * t174 - t39 * t172 - t177;
-        let t181 = wz_delta2_delta + wz_delta2_delta;
-        let t185 = self.mH * t174;
-        let t188 = t185 + t3 * cos_lam;
-        let t196 = t71 * t185 - cos_lam * (t50 - self.IHxz * t181) - t46 * t188
-            - sin_lam * (t59 + t59 - t177);
-        let M_22_lam = t196 - M_22_yaw_by_delta * t172;
-        let C1_21_lam = t118 + t93 * t172;
-        let t202 = t101 + C1_21_lam - t85 * t171;
-        let ay_all1_delta = t139 * t171;
-        let K0_12_lam = t97 - t188 - t63 * t172;
-        let t215 = t97
-            + t31
-                * (t51 - self.xH * t188 - self.c * (ay_all1_delta - K0_12_lam)
-                    - sin_lam * t57);
-        let C1_22_lam = sin_lam * t113 - cos_lam * t215;
-        let t221 = sin_lam * K0_12_lam + cos_lam * K0_12;
-        let t222 = t116 * t171;
-        let K2_22_lam = C1_12_IBxz * (t95 + K0_12_lam) - t119 * t171;
-        let M_11_rR = t17 + t17;
-        let t230 = C1_12_IBxz * (self.mR - t91 * t92);
-        let C1_12_rR = self.c * t230;
-        let C1_12_IRyy = yaw_by_delta * t91;
-        let C1_21_rR = t92 * C1_12_IRyy;
-        let M_11_mR = self.rR * self.rR;
-        let C1_12_mR = self.rR * yaw_by_delta;
-        let t236 = self.rR * C1_12_IBxz;
-        let M_22_IRxx = yaw_by_delta * yaw_by_delta;
-        let t239 = cos_lam * t124;
-        let t240 = C1_12_IBxz * t91;
-        let K2_12_mB = self.zB * C1_12_IBxz;
-        let t242 = self.mB * K2_12_mB;
-        let M_12_xB = self.c * t242;
-        let M_22_xB = yaw_by_delta * (M_12_zB + M_12_zB);
-        let t246 = self.c + self.xB;
-        let K2_22_xB = self.mB * t239;
-        let t249 = (self.xB + t246) * K2_22_xB;
-        let K2_12_zB = self.mB * C1_12_IBxz;
-        let K0_12_xB = self.c * K2_12_zB;
-        let t252 = sin_lam * K0_12_xB;
-        let M_11_zB = t21 + t21;
-        let t254 = t104 + K0_12_xB;
-        let M_11_mB = self.zB * self.zB;
-        let K0_12_mB = yaw_by_delta * self.xB;
-        let M_12_mB = self.zB * K0_12_mB;
-        let M_22_mB = K0_12_mB * K0_12_mB;
-        let t259 = K2_12_mB * t246;
-        let K2_22_mB = C1_12_IBxz * K0_12_mB;
-        let t261 = t246 * K2_22_mB;
-        let t262 = sin_lam * K0_12_mB;
-        let M_12_xH = t3 * wz_delta2_delta;
-        let M_22_xH = t102 * t181;
-        let K2_12_zH = self.mH * C1_12_IBxz;
-        let t266 = self.zH * K2_12_zH;
-        let K0_12_xH = self.mH * wz_delta2_delta;
-        let t270 = t137 * K0_12_xH + K0_12_mH * K2_12_zH;
-        let t271 = sin_lam * K0_12_xH;
-        let K2_22_xH = wz_delta2_delta * K2_12_zH;
-        let M_11_zH = t3 + t3;
-        let t274 = sin_lam * t129;
-        let t275 = self.mH * t137;
-        let C1_22_zH = sin_lam * t275;
-        let t277 = self.mH * sin_lam;
-        let K0_22_zH = sin_lam * t277;
-        let t279 = sin_lam * K2_12_zH;
-        let M_11_mH = self.zH * self.zH;
-        let M_12_mH = self.zH * K0_12_mH;
-        let M_22_mH = K0_12_mH * K0_12_mH;
-        let t283 = self.zH * t137;
-        let K2_22_mH = C1_12_IBxz * K0_12_mH;
-        let t285 = t162 * K2_22_mH;
-        let t286 = sin_lam * K0_12_mH;
-        let K2_12_mH = self.zH * C1_12_IBxz;
-        let M_22_ay_all1_delta = sin_lam * sin_lam;
-        let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-        let t290 = C1_12_IBxz * wz_delta2_delta;
-        let M_22_IHxz = sin_lam * t181;
-        let K2_22_h_spin_R = C1_12_IBxz * sin_lam;
-        let ay_all1_delta_rF = t8 + t8;
-        let t294 = t101 + t101;
-        let M_22_rF = sin_lam * t294;
-        let t296 = t88 * h_spin_R;
-        let t297 = self.mF - t296;
-        let C1_12_rF = wz_delta2_delta * t297;
-        let C1_21_rF = wz_delta2_delta * t296;
-        let K0_12_rF = self.mF * sin_lam;
-        let t301 = wz_delta2_delta * K0_12_rF;
-        let t302 = sin_lam * K0_12_rF;
-        let t303 = C1_12_IBxz * t297;
-        let K2_22_rF = K2_22_h_spin_R * t297;
-        let ay_all1_delta_mF = self.rF * self.rF;
-        let t306 = sin_lam * ay_all1_delta_mF;
-        let t307 = sin_lam * K0_12_mF;
-        let M_22_mF = self.rF * t307;
-        let C1_12_mF = self.rF * wz_delta2_delta;
-        let t310 = wz_delta2_delta * K0_12_mF;
-        let t311 = self.rF * C1_12_IBxz;
-        let K2_22_mF = C1_12_IBxz * K0_12_mF;
-        let M_22_IFxx = M_22_ay_all1_delta + M_22_IHzz;
-        let C1_12_IFyy = wz_delta2_delta * t88;
-        let t315 = C1_12_IBxz * t88;
-        let K2_22_IFyy = sin_lam * t315;
-        let C1_21 = -t96;
-        let C1_22 = -(cos_lam * t113);
-        let K0_22 = -(sin_lam * K0_12);
-        let K0_22_c = -(sin_lam * K0_12_c);
-        let t321 = -(C1_12_IBxz * K0_12_c);
-        (
-            RearSteeredMatrices::from_entries([
-                M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
-                K2_12, zero, K2_22,
-            ]),
-            RearSteeredDerivatives {
-                values: [
-                    t126, t131, C1_12_w, C1_21_w, C1_22_w, t147, K0_22_w, t149, t152, M_12_c,
-                    M_22_c, K2_12, t160, t166, K0_12_c, K0_22_c, t321, M_12_lam, M_22_lam, t202,
-                    C1_21_lam, C1_22_lam, K0_12_lam, t221, t222, K2_22_lam, M_11_rR, C1_12_rR,
-                    C1_21_rR, self.mR, t230, M_11_mR, C1_12_mR, self.rR, t236, self.w.like(1.0),
-                    M_22_IRxx, t239, C1_12_IRyy, t240, M_12_xB, M_22_xB, t242, t249, K0_12_xB, t252,
-                    K2_22_xB, M_11_zB, M_12_zB, t254, self.mB, K2_12_zB, M_11_mB, M_12_mB, M_22_mB,
-                    t259, t261, self.zB, K0_12_mB, t262, K2_12_mB, K2_22_mB, yaw_by_delta,
-                    C1_12_IBxz, M_12_xH, M_22_xH, t266, t270, K0_12_xH, t271, K2_22_xH, M_11_zH,
-                    t72, t274, t275, C1_22_zH, self.mH, t277, K0_22_zH, K2_12_zH, t279, M_11_mH,
-                    M_12_mH, M_22_mH, t283, t285, self.zH, K0_12_mH, t286, K2_12_mH, K2_22_mH,
-                    sin_lam, M_22_ay_all1_delta, M_22_IHzz, t290, wz_delta2_delta, M_22_IHxz,
-                    K2_22_h_spin_R, ay_all1_delta_rF, t294, M_22_rF, C1_12_rF, C1_21_rF, t301,
-                    self.mF, K0_12_rF, t302, t303, K2_22_rF, ay_all1_delta_mF, t306, M_22_mF,
-                    C1_12_mF, t310, self.rF, K0_12_mF, t307, t311, K2_22_mF, M_22_IFxx, C1_12_IFyy,
-                    t315, K2_22_IFyy,
-                ],
+        let mut matrices = RearSteeredMatrices::from_entries([zero; 16]);
+        let mut derivatives = RearSteeredDerivatives {
+            values: [zero; 123],
+        };
+        self.each_result(
+            #[inline(always)]
+            |position, value| matrices.set_entry(position, value),
+            #[inline(always)]
+            |position, value| derivatives.values[position] = value,
+        );
+        (matrices, derivatives)
+    }
+
+    /// Writes the coefficient matrices and their derivatives over others, each as soon as it is computed.
+    ///
+    /// They are those of [`Self::matrices_and_derivatives`], to the last bit. That function has more results than a
+    /// processor has registers, and moves them twice.
+    #[inline(always)]
+    pub fn write_matrices_and_derivatives(
+        &self,
+        matrices: &mut RearSteeredMatrices<T>,
+        derivatives: &mut RearSteeredDerivatives<T>,
+    ) {
+        *matrices = RearSteeredMatrices::from_entries([self.w.like(0.0); 16]);
+        self.each_result(
+            #[inline(always)]
+            |position, value| {
+                matrices.set_entry(position, value);
+                carvallo::write_now();
             },
-        )
+            #[inline(always)]
+            |position, value| {
+                derivatives.values[position] = value;
+                carvallo::write_now();
+            },
+        );
+    }
+
+    /// The program: gives each entry that differs, and each value of the derivatives, to a function with its position.
+    #[inline(always)]
+    fn each_result(&self, mut put_entry: impl FnMut(usize, T), mut put_derivative: impl FnMut(usize, T)) {
+        put_derivative(0, self.rR);
+        put_derivative(1, self.mR);
+        put_derivative(2, self.zB);
+        put_derivative(3, self.mB);
+        put_derivative(4, self.zH);
+        put_derivative(5, self.mH);
+        put_derivative(6, self.rF);
+        put_derivative(7, self.mF);
+        put_derivative(8, self.w.like(1.0));
+        let (sin_lam, cos_lam) = self.lam.sin_cos();
+        put_derivative(9, sin_lam);
+        let M_11_mH = self.zH * self.zH;
+        put_derivative(10, M_11_mH);
+        let ay_all1_delta_mF = self.rF * self.rF;
+        put_derivative(11, ay_all1_delta_mF);
+        let t31 = self.IHxx + self.IFxx + self.mF * ay_all1_delta_mF;
+        let M_11_mB = self.zB * self.zB;
+        put_derivative(12, M_11_mB);
+        let M_11_mR = self.rR * self.rR;
+        put_derivative(13, M_11_mR);
+        let t34 = self.mB * self.xB;
+        let t37 = self.zB * t34 - self.IHxz - self.IBxz;
+        let M_11 = self.mH * M_11_mH + self.IRxx + self.IBxx + t31 + self.mB * M_11_mB
+            + self.mR * M_11_mR;
+        put_entry(0, M_11);
+        let t46 = self.w.like(1.0) / self.w;
+        let t47 = self.IFxx + self.IHzz;
+        let t50 = self.IRxx + self.IBzz + self.xB * t34;
+        let t51 = self.c * t46;
+        let t52 = self.w.like(1.0) / self.rF;
+        let t53 = self.w.like(1.0) / self.rR;
+        let t54 = self.mB * self.zB;
+        let M_11_zB = t54 + t54;
+        put_derivative(14, M_11_zB);
+        let t56 = self.mF * self.rF;
+        let ay_all1_delta_rF = t56 + t56;
+        put_derivative(15, ay_all1_delta_rF);
+        let h_spin_R = self.IFyy * t52;
+        let t59 = self.IRyy * t53;
+        let t60 = self.mH * self.zH;
+        let M_11_zH = t60 + t60;
+        put_derivative(16, M_11_zH);
+        let t62 = self.xH * t51;
+        let t63 = self.mR * self.rR;
+        let M_11_rR = t63 + t63;
+        put_derivative(17, M_11_rR);
+        let K0_11 = t54 - (t56 + t63 - t60);
+        put_entry(6, K0_11);
+        let t68 = h_spin_R + t59;
+        let t70 = t37 + self.xH * t60;
+        let t73 = self.c + self.w - self.xH - t62;
+        let t74 = t56 + h_spin_R;
+        let t75 = self.c + self.xH;
+        let t76 = self.xB + self.c;
+        let t78 = self.mF - t52 * h_spin_R;
+        let t79 = t51 * t68;
+        let t80 = t68 - K0_11;
+        let C1_12_IBxz = cos_lam * t46;
+        put_derivative(18, C1_12_IBxz);
+        let t82 = self.zH * sin_lam;
+        let t83 = self.IHxz * cos_lam;
+        let t84 = self.IHxz * sin_lam;
+        let t85 = cos_lam * t74;
+        let t86 = sin_lam * t74;
+        let ay_all1_delta = sin_lam * t56;
+        let t88 = cos_lam * t56;
+        let t89 = h_spin_R + t79;
+        let t90 = self.mH * cos_lam;
+        let t92 = t70 - self.c * t80;
+        let t93 = cos_lam + cos_lam;
+        let t94 = cos_lam * t60;
+        let C1_21_w = C1_12_IBxz * t79;
+        put_derivative(19, C1_21_w);
+        let M_12_c = C1_12_IBxz * t70 - t94;
+        put_derivative(20, M_12_c);
+        let t98 = C1_12_IBxz * t68;
+        put_derivative(21, t98);
+        let C1_21_lam = sin_lam * t89;
+        put_derivative(22, C1_21_lam);
+        let C1_21 = -(cos_lam * t89);
+        put_entry(4, C1_21);
+        let t102 = self.rR * C1_12_IBxz;
+        put_derivative(23, t102);
+        let t103 = C1_12_IBxz * t53;
+        put_derivative(24, t103);
+        let t104 = C1_12_IBxz * t54;
+        put_derivative(25, t104);
+        let t105 = t46 * t94;
+        put_derivative(26, t105);
+        let t106 = ay_all1_delta + ay_all1_delta;
+        put_derivative(27, t106);
+        let t107 = self.rF * C1_12_IBxz;
+        put_derivative(28, t107);
+        let yaw_by_delta = self.c * C1_12_IBxz;
+        put_derivative(29, yaw_by_delta);
+        let M_12_xB = yaw_by_delta * t54;
+        put_derivative(30, M_12_xB);
+        let C1_12_mR = self.rR * yaw_by_delta;
+        put_derivative(31, C1_12_mR);
+        let t111 = t37 * yaw_by_delta;
+        let t113 = cos_lam * t73 + t82;
+        put_derivative(32, t113);
+        let wz_delta2_delta = cos_lam + yaw_by_delta;
+        put_derivative(33, wz_delta2_delta);
+        let M_12_xH = wz_delta2_delta * t60;
+        put_derivative(34, M_12_xH);
+        let C1_12_rF = wz_delta2_delta * t78;
+        put_derivative(35, C1_12_rF);
+        let t117 = C1_12_IBxz * t78;
+        put_derivative(36, t117);
+        let K2_22_rF = sin_lam * t117;
+        put_derivative(37, K2_22_rF);
+        let C1_12_mF = self.rF * wz_delta2_delta;
+        put_derivative(38, C1_12_mF);
+        let t121 = t84 + t47 * wz_delta2_delta;
+        let t123 = self.mH * (t82 + t113);
+        put_derivative(39, t123);
+        let M_22_mH = t113 * t113;
+        put_derivative(40, M_22_mH);
+        let K0_22_mH = sin_lam * t113;
+        put_derivative(41, K0_22_mH);
+        let t126 = self.zH * t113;
+        put_derivative(42, t126);
+        let t127 = self.mH * t113;
+        let t128 = C1_12_IBxz * t92;
+        let C1_12 = t85 - t128;
+        put_entry(3, C1_12);
+        let C1_12_w = t46 * t128;
+        put_derivative(43, C1_12_w);
+        let t134 = t31 * sin_lam + self.mH * t126 + t83;
+        let t136 = t121 + yaw_by_delta * t50;
+        let M_12_zB = t34 * yaw_by_delta;
+        put_derivative(44, M_12_zB);
+        let t140 = M_12_zB + C1_12_IBxz * (t47 + t50);
+        let t141 = M_12_zB - t127;
+        let K0_12 = ay_all1_delta + t141;
+        put_entry(7, K0_12);
+        let t144 = t46 * (t141 + t86);
+        let C1_12_c = C1_12_IBxz * t80;
+        put_derivative(45, C1_12_c);
+        let K2_12_w = t46 * C1_12_c;
+        put_derivative(46, K2_12_w);
+        let K2_12 = -C1_12_c;
+        put_entry(9, K2_12);
+        let K2_12_zH = self.mH * C1_12_IBxz;
+        put_derivative(47, K2_12_zH);
+        let t150 = t62 * K2_12_zH + t90;
+        let t153 = K2_12_zH * (wz_delta2_delta * t75 - t113);
+        put_derivative(48, t153);
+        let t154 = C1_12_IBxz * t113;
+        put_derivative(49, t154);
+        let C1_22_mH = t75 * t154;
+        put_derivative(50, C1_22_mH);
+        let t159 = t121 + t73 * t127 + t51 * t136;
+        let t162 = t46 * (t136 - self.xH * t127);
+        let M_12 = t111 - t134;
+        put_entry(1, M_12);
+        let t166 = self.zH * t150 + t46 * t111;
+        put_derivative(51, t166);
+        let t168 = t134 + t51 * t83;
+        let K2_22 = cos_lam * t144;
+        put_entry(10, K2_22);
+        let t171 = t150 + t46 * M_12_zB;
+        put_derivative(52, t171);
+        let t172 = t46 * sin_lam;
+        let C1_12_lam = t92 * t172 - t86;
+        put_derivative(53, C1_12_lam);
+        let K2_12_lam = t80 * t172;
+        put_derivative(54, K2_12_lam);
+        let K0_22_w = sin_lam * t171;
+        put_derivative(55, K0_22_w);
+        let t178 = C1_12_IBxz * (t144 + t171);
+        put_derivative(56, t178);
+        let K2_22_h_spin_R = cos_lam * t172;
+        put_derivative(57, K2_22_h_spin_R);
+        let t180 = self.c * t172;
+        let K0_22 = -(sin_lam * K0_12);
+        put_entry(8, K0_22);
+        let t183 = t51 * t140;
+        let t185 = t90 - self.xH * K2_12_zH;
+        let C1_22_c = C1_12_IBxz * (t75 * t185 - K0_12 - t140);
+        put_derivative(58, C1_22_c);
+        let M_22 = cos_lam * t159 + sin_lam * t168;
+        put_entry(2, M_22);
+        let t195 = (t51 * t162 - t127) * t93;
+        put_derivative(59, t195);
+        let M_22_c = t93 * (t127 + t162);
+        put_derivative(60, M_22_c);
+        let t199 = t162 + t51 * K0_12;
+        let K0_12_xH = t90 + t51 * t90;
+        put_derivative(61, K0_12_xH);
+        let t202 = sin_lam * K0_12_xH;
+        put_derivative(62, t202);
+        let t203 = K2_12_zH * t75;
+        put_derivative(63, t203);
+        let C1_22_zH = sin_lam * t203;
+        put_derivative(64, C1_22_zH);
+        let C1_22_w = C1_12_IBxz * (t199 + t150 * t75 + t183);
+        put_derivative(65, C1_22_w);
+        let t209 = ay_all1_delta + t199;
+        let K2_12_zB = self.mB * C1_12_IBxz;
+        put_derivative(66, K2_12_zB);
+        let t211 = self.xB * K2_12_zB;
+        let K0_12_c = t211 - t185;
+        put_derivative(67, K0_12_c);
+        let t213 = t185 - t211;
+        let t214 = self.mH * sin_lam;
+        put_derivative(68, t214);
+        let M_22_yaw_by_delta = t94 - t73 * t214;
+        let t217 = C1_12_IBxz * t214;
+        put_derivative(69, t217);
+        let K0_22_c = sin_lam * t213;
+        put_derivative(70, K0_22_c);
+        let t219 = C1_12_IBxz * t213;
+        put_derivative(71, t219);
+        let C1_22 = -(cos_lam * t209);
+        put_entry(5, C1_22);
+        let C1_22_lam = sin_lam * (t209 + t183 + C1_12_IBxz * t47)
+            + C1_12_IBxz * (t75 * M_22_yaw_by_delta - t83) - wz_delta2_delta * t88;
+        put_derivative(72, C1_22_lam);
+        let M_12_lam = t84 - t31 * cos_lam - t37 * t180 - self.zH * M_22_yaw_by_delta;
+        put_derivative(73, M_12_lam);
+        let t239 = M_22_yaw_by_delta + t34 * t180;
+        let t240 = sin_lam + sin_lam;
+        let M_22_lam = t168 * t93 - t159 * t240;
+        put_derivative(74, M_22_lam);
+        let t247 = sin_lam * t144 + C1_12_IBxz * (t239 - t85);
+        put_derivative(75, t247);
+        let K0_12_lam = t88 - t239;
+        put_derivative(76, K0_12_lam);
+        let M_22_rF = ay_all1_delta * t240;
+        put_derivative(77, M_22_rF);
+        let M_22_zH = t127 * t240;
+        put_derivative(78, M_22_zH);
+        let M_22_IHxz = wz_delta2_delta * t240;
+        put_derivative(79, M_22_IHxz);
+        let K0_22_lam = -(cos_lam * K0_12 + sin_lam * K0_12_lam);
+        put_derivative(80, K0_22_lam);
+        let t256 = wz_delta2_delta * t127;
+        let t257 = t256 + t256;
+        put_derivative(81, t257);
+        let t260 = C1_12_IBxz * (self.mR - t53 * t59);
+        put_derivative(82, t260);
+        let C1_12_IRyy = yaw_by_delta * t53;
+        put_derivative(83, C1_12_IRyy);
+        let C1_21_rR = t59 * C1_12_IRyy;
+        put_derivative(84, C1_21_rR);
+        let t263 = C1_12_IBxz * yaw_by_delta;
+        put_derivative(85, t263);
+        let M_22_IRxx = self.c * t263;
+        put_derivative(86, M_22_IRxx);
+        let K2_22_xB = self.mB * t263;
+        put_derivative(87, K2_22_xB);
+        let C1_12_rR = self.c * t260;
+        put_derivative(88, C1_12_rR);
+        let K2_22_mB = self.xB * t263;
+        put_derivative(89, K2_22_mB);
+        let t268 = t76 * K2_22_mB;
+        put_derivative(90, t268);
+        let K0_12_xB = self.mB * yaw_by_delta;
+        put_derivative(91, K0_12_xB);
+        let t270 = sin_lam * K0_12_xB;
+        put_derivative(92, t270);
+        let K0_12_mB = self.xB * yaw_by_delta;
+        put_derivative(93, K0_12_mB);
+        let M_12_mB = self.zB * K0_12_mB;
+        put_derivative(94, M_12_mB);
+        let M_22_mB = K0_12_mB * K0_12_mB;
+        put_derivative(95, M_22_mB);
+        let t274 = sin_lam * K0_12_mB;
+        put_derivative(96, t274);
+        let t275 = K0_12_xB * K0_12_mB;
+        let M_22_xB = t275 + t275;
+        put_derivative(97, M_22_xB);
+        let t277 = t211 + K0_12_xB;
+        put_derivative(98, t277);
+        let t279 = yaw_by_delta * (t211 + t277);
+        put_derivative(99, t279);
+        let K2_12_mB = self.zB * C1_12_IBxz;
+        put_derivative(100, K2_12_mB);
+        let t281 = t76 * K2_12_mB;
+        put_derivative(101, t281);
+        let t282 = C1_12_IBxz * wz_delta2_delta;
+        put_derivative(102, t282);
+        let K2_22_xH = self.mH * t282;
+        put_derivative(103, K2_22_xH);
+        let M_22_ay_all1_delta = sin_lam * sin_lam;
+        put_derivative(104, M_22_ay_all1_delta);
+        let M_22_mF = ay_all1_delta_mF * M_22_ay_all1_delta;
+        put_derivative(105, M_22_mF);
+        let K0_22_zH = self.mH * M_22_ay_all1_delta;
+        put_derivative(106, K0_22_zH);
+        let K2_12_mH = self.zH * C1_12_IBxz;
+        put_derivative(107, K2_12_mH);
+        let t288 = t75 * K2_12_mH;
+        put_derivative(108, t288);
+        let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+        put_derivative(109, M_22_IHzz);
+        let M_22_IFxx = M_22_ay_all1_delta + M_22_IHzz;
+        put_derivative(110, M_22_IFxx);
+        let C1_12_IFyy = wz_delta2_delta * t52;
+        put_derivative(111, C1_12_IFyy);
+        let C1_21_rF = h_spin_R * C1_12_IFyy;
+        put_derivative(112, C1_21_rF);
+        let K0_12_rF = self.mF * sin_lam;
+        put_derivative(113, K0_12_rF);
+        let t294 = wz_delta2_delta * K0_12_rF;
+        put_derivative(114, t294);
+        let t295 = sin_lam * K0_12_rF;
+        put_derivative(115, t295);
+        let K0_12_mF = self.rF * sin_lam;
+        put_derivative(116, K0_12_mF);
+        let t297 = self.rF * K0_12_mF;
+        put_derivative(117, t297);
+        let t298 = wz_delta2_delta * K0_12_mF;
+        put_derivative(118, t298);
+        let t299 = sin_lam * K0_12_mF;
+        put_derivative(119, t299);
+        let K2_22_mF = C1_12_IBxz * K0_12_mF;
+        put_derivative(120, K2_22_mF);
+        let t301 = C1_12_IBxz * t52;
+        put_derivative(121, t301);
+        let K2_22_IFyy = sin_lam * t301;
+        put_derivative(122, K2_22_IFyy);
     }
 }
 
@@ -670,6 +816,49 @@ impl<T: Number> RearSteeredMatrices<T> {
             self.m[0][0], self.m[0][1], self.m[1][1], self.c1[0][1], self.c1[1][0], self.c1[1][1],
             self.k0[0][0], self.k0[0][1], self.k0[1][1], self.k2[0][1], self.k2[1][1],
         ]
+    }
+
+    /// Sets the entry at a position among those that differ, wherever it stands.
+    #[inline(always)]
+    fn set_entry(&mut self, position: usize, entry: T) {
+        match position {
+            0 => {
+                self.m[0][0] = entry;
+            }
+            1 => {
+                self.m[0][1] = entry;
+                self.m[1][0] = entry;
+            }
+            2 => {
+                self.m[1][1] = entry;
+            }
+            3 => {
+                self.c1[0][1] = entry;
+            }
+            4 => {
+                self.c1[1][0] = entry;
+            }
+            5 => {
+                self.c1[1][1] = entry;
+            }
+            6 => {
+                self.k0[0][0] = entry;
+            }
+            7 => {
+                self.k0[0][1] = entry;
+                self.k0[1][0] = entry;
+            }
+            8 => {
+                self.k0[1][1] = entry;
+            }
+            9 => {
+                self.k2[0][1] = entry;
+            }
+            10 => {
+                self.k2[1][1] = entry;
+            }
+            _ => {}
+        }
     }
 
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
@@ -1158,157 +1347,151 @@ impl<T: Scalar> Differentiable<2> for RearSteered<T> {
 }
 
 impl<T: Number> EvaluatorWithDerivatives<T, 2> for RearSteered<T> {
-    type Derivatives = [T; 123];
-
     #[inline(always)]
-    fn entries_and_derivatives(&self) -> ([T; 11], [T; 123]) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        (RearSteeredMatrices::distinct_entries(&matrices), derivatives.values)
+    fn each_result(&self, put_entry: impl FnMut(usize, T), put_derivative: impl FnMut(usize, T)) {
+        self.each_result(put_entry, put_derivative);
     }
 }
 
 impl RearSteeredDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 158] = &[
-        Partial::new(MatrixName::M, 0, 1, 0, 0).negative(),
-        Partial::new(MatrixName::M, 1, 0, 0, 0).negative(),
-        Partial::new(MatrixName::M, 1, 1, 0, 1).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 0, 2), Partial::new(MatrixName::C1, 1, 0, 0, 3),
-        Partial::new(MatrixName::C1, 1, 1, 0, 4),
-        Partial::new(MatrixName::K0, 0, 1, 0, 5).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 0, 5).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 0, 6),
-        Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 0, 8).negative(),
-        Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
-        Partial::new(MatrixName::M, 1, 1, 1, 10),
-        Partial::new(MatrixName::C1, 0, 1, 1, 11).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 13).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 1, 14),
-        Partial::new(MatrixName::K0, 1, 0, 1, 14),
-        Partial::new(MatrixName::K0, 1, 1, 1, 15),
-        Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
-        Partial::new(MatrixName::M, 0, 1, 2, 17),
-        Partial::new(MatrixName::M, 1, 0, 2, 17),
-        Partial::new(MatrixName::M, 1, 1, 2, 18),
-        Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
-        Partial::new(MatrixName::K0, 0, 1, 2, 22), Partial::new(MatrixName::K0, 1, 0, 2, 22),
-        Partial::new(MatrixName::K0, 1, 1, 2, 23).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 2, 24).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 2, 25), Partial::new(MatrixName::M, 0, 0, 4, 26),
-        Partial::new(MatrixName::C1, 0, 1, 4, 27), Partial::new(MatrixName::C1, 1, 0, 4, 28),
-        Partial::new(MatrixName::K0, 0, 0, 4, 29).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 4, 30).negative(),
-        Partial::new(MatrixName::M, 0, 0, 5, 31),
-        Partial::new(MatrixName::C1, 0, 1, 5, 32),
-        Partial::new(MatrixName::K0, 0, 0, 5, 33).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 5, 34).negative(),
-        Partial::new(MatrixName::M, 0, 0, 6, 35),
-        Partial::new(MatrixName::M, 1, 1, 6, 36),
-        Partial::new(MatrixName::C1, 1, 1, 6, 37).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 7, 38),
-        Partial::new(MatrixName::C1, 1, 0, 7, 38).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 7, 39).negative(),
-        Partial::new(MatrixName::M, 0, 1, 8, 40),
-        Partial::new(MatrixName::M, 1, 0, 8, 40),
-        Partial::new(MatrixName::M, 1, 1, 8, 41),
-        Partial::new(MatrixName::C1, 0, 1, 8, 42).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 8, 43).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 8, 44),
-        Partial::new(MatrixName::K0, 1, 0, 8, 44),
-        Partial::new(MatrixName::K0, 1, 1, 8, 45).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 8, 46), Partial::new(MatrixName::M, 0, 0, 9, 47),
-        Partial::new(MatrixName::M, 0, 1, 9, 48), Partial::new(MatrixName::M, 1, 0, 9, 48),
-        Partial::new(MatrixName::C1, 0, 1, 9, 49).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 9, 50), Partial::new(MatrixName::K2, 0, 1, 9, 51),
-        Partial::new(MatrixName::M, 0, 0, 10, 52), Partial::new(MatrixName::M, 0, 1, 10, 53),
-        Partial::new(MatrixName::M, 1, 0, 10, 53), Partial::new(MatrixName::M, 1, 1, 10, 54),
-        Partial::new(MatrixName::C1, 0, 1, 10, 55).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 10, 56).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 10, 57),
-        Partial::new(MatrixName::K0, 0, 1, 10, 58),
-        Partial::new(MatrixName::K0, 1, 0, 10, 58),
-        Partial::new(MatrixName::K0, 1, 1, 10, 59).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 10, 60), Partial::new(MatrixName::K2, 1, 1, 10, 61),
-        Partial::new(MatrixName::M, 0, 0, 11, 35), Partial::new(MatrixName::M, 1, 1, 13, 36),
-        Partial::new(MatrixName::C1, 1, 1, 13, 37).negative(),
-        Partial::new(MatrixName::M, 0, 1, 14, 62).negative(),
-        Partial::new(MatrixName::M, 1, 0, 14, 62).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 14, 63), Partial::new(MatrixName::M, 0, 1, 15, 64),
-        Partial::new(MatrixName::M, 1, 0, 15, 64), Partial::new(MatrixName::M, 1, 1, 15, 65),
-        Partial::new(MatrixName::C1, 0, 1, 15, 66).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 15, 67).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 15, 68),
-        Partial::new(MatrixName::K0, 1, 0, 15, 68),
-        Partial::new(MatrixName::K0, 1, 1, 15, 69).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 15, 70),
-        Partial::new(MatrixName::M, 0, 0, 16, 71),
-        Partial::new(MatrixName::M, 0, 1, 16, 72).negative(),
-        Partial::new(MatrixName::M, 1, 0, 16, 72).negative(),
-        Partial::new(MatrixName::M, 1, 1, 16, 73).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 16, 74).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 16, 75),
-        Partial::new(MatrixName::K0, 0, 0, 16, 76),
-        Partial::new(MatrixName::K0, 0, 1, 16, 77).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 16, 77).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 16, 78),
-        Partial::new(MatrixName::K2, 0, 1, 16, 79),
-        Partial::new(MatrixName::K2, 1, 1, 16, 80).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 81), Partial::new(MatrixName::M, 0, 1, 17, 82),
-        Partial::new(MatrixName::M, 1, 0, 17, 82), Partial::new(MatrixName::M, 1, 1, 17, 83),
-        Partial::new(MatrixName::C1, 0, 1, 17, 84).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 17, 85).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 17, 86),
-        Partial::new(MatrixName::K0, 0, 1, 17, 87),
-        Partial::new(MatrixName::K0, 1, 0, 17, 87),
-        Partial::new(MatrixName::K0, 1, 1, 17, 88).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 17, 89),
-        Partial::new(MatrixName::K2, 1, 1, 17, 90),
-        Partial::new(MatrixName::M, 0, 0, 18, 35),
-        Partial::new(MatrixName::M, 0, 1, 18, 91).negative(),
-        Partial::new(MatrixName::M, 1, 0, 18, 91).negative(),
-        Partial::new(MatrixName::M, 1, 1, 18, 92),
-        Partial::new(MatrixName::M, 1, 1, 20, 93),
-        Partial::new(MatrixName::C1, 1, 1, 20, 94).negative(),
-        Partial::new(MatrixName::M, 0, 1, 21, 95).negative(),
-        Partial::new(MatrixName::M, 1, 0, 21, 95).negative(),
-        Partial::new(MatrixName::M, 1, 1, 21, 96),
-        Partial::new(MatrixName::C1, 0, 1, 21, 63),
-        Partial::new(MatrixName::C1, 1, 1, 21, 97).negative(),
-        Partial::new(MatrixName::M, 0, 0, 22, 98),
-        Partial::new(MatrixName::M, 0, 1, 22, 99).negative(),
-        Partial::new(MatrixName::M, 1, 0, 22, 99).negative(),
-        Partial::new(MatrixName::M, 1, 1, 22, 100),
-        Partial::new(MatrixName::C1, 0, 1, 22, 101),
-        Partial::new(MatrixName::C1, 1, 0, 22, 102),
-        Partial::new(MatrixName::C1, 1, 1, 22, 103).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 22, 104).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 22, 105),
-        Partial::new(MatrixName::K0, 1, 0, 22, 105),
-        Partial::new(MatrixName::K0, 1, 1, 22, 106).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 107).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 22, 108),
-        Partial::new(MatrixName::M, 0, 0, 23, 109),
-        Partial::new(MatrixName::M, 0, 1, 23, 110).negative(),
-        Partial::new(MatrixName::M, 1, 0, 23, 110).negative(),
-        Partial::new(MatrixName::M, 1, 1, 23, 111),
-        Partial::new(MatrixName::C1, 0, 1, 23, 112),
-        Partial::new(MatrixName::C1, 1, 1, 23, 113).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 23, 114).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 23, 115),
-        Partial::new(MatrixName::K0, 1, 0, 23, 115),
-        Partial::new(MatrixName::K0, 1, 1, 23, 116).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 23, 117).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 23, 118),
-        Partial::new(MatrixName::M, 0, 0, 24, 35),
-        Partial::new(MatrixName::M, 0, 1, 24, 91).negative(),
-        Partial::new(MatrixName::M, 1, 0, 24, 91).negative(),
-        Partial::new(MatrixName::M, 1, 1, 24, 119),
-        Partial::new(MatrixName::C1, 1, 1, 24, 94).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 25, 120),
-        Partial::new(MatrixName::C1, 1, 0, 25, 120).negative(),
+        Partial::new(MatrixName::M, 0, 1, 0, 51).negative(),
+        Partial::new(MatrixName::M, 1, 0, 0, 51).negative(),
+        Partial::new(MatrixName::M, 1, 1, 0, 59).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 0, 43), Partial::new(MatrixName::C1, 1, 0, 0, 19),
+        Partial::new(MatrixName::C1, 1, 1, 0, 65),
+        Partial::new(MatrixName::K0, 0, 1, 0, 52).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 0, 52).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 0, 55),
+        Partial::new(MatrixName::K2, 0, 1, 0, 46),
+        Partial::new(MatrixName::K2, 1, 1, 0, 56).negative(),
+        Partial::new(MatrixName::M, 0, 1, 1, 20), Partial::new(MatrixName::M, 1, 0, 1, 20),
+        Partial::new(MatrixName::M, 1, 1, 1, 60), Partial::new(MatrixName::C1, 0, 1, 1, 45),
+        Partial::new(MatrixName::C1, 1, 0, 1, 21).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 1, 58), Partial::new(MatrixName::K0, 0, 1, 1, 67),
+        Partial::new(MatrixName::K0, 1, 0, 1, 67), Partial::new(MatrixName::K0, 1, 1, 1, 70),
+        Partial::new(MatrixName::K2, 1, 1, 1, 71).negative(),
+        Partial::new(MatrixName::M, 0, 1, 2, 73), Partial::new(MatrixName::M, 1, 0, 2, 73),
+        Partial::new(MatrixName::M, 1, 1, 2, 74), Partial::new(MatrixName::C1, 0, 1, 2, 53),
+        Partial::new(MatrixName::C1, 1, 0, 2, 22), Partial::new(MatrixName::C1, 1, 1, 2, 72),
+        Partial::new(MatrixName::K0, 0, 1, 2, 76), Partial::new(MatrixName::K0, 1, 0, 2, 76),
+        Partial::new(MatrixName::K0, 1, 1, 2, 80), Partial::new(MatrixName::K2, 0, 1, 2, 54),
+        Partial::new(MatrixName::K2, 1, 1, 2, 75).negative(),
+        Partial::new(MatrixName::M, 0, 0, 4, 17), Partial::new(MatrixName::C1, 0, 1, 4, 88),
+        Partial::new(MatrixName::C1, 1, 0, 4, 84),
+        Partial::new(MatrixName::K0, 0, 0, 4, 1).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 4, 82).negative(),
+        Partial::new(MatrixName::M, 0, 0, 5, 13),
+        Partial::new(MatrixName::C1, 0, 1, 5, 31),
+        Partial::new(MatrixName::K0, 0, 0, 5, 0).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 5, 23).negative(),
+        Partial::new(MatrixName::M, 0, 0, 6, 8),
+        Partial::new(MatrixName::M, 1, 1, 6, 86),
+        Partial::new(MatrixName::C1, 1, 1, 6, 85).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 7, 83),
+        Partial::new(MatrixName::C1, 1, 0, 7, 83).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 7, 24).negative(),
+        Partial::new(MatrixName::M, 0, 1, 8, 30),
+        Partial::new(MatrixName::M, 1, 0, 8, 30),
+        Partial::new(MatrixName::M, 1, 1, 8, 97),
+        Partial::new(MatrixName::C1, 0, 1, 8, 25).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 8, 99).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 8, 91),
+        Partial::new(MatrixName::K0, 1, 0, 8, 91),
+        Partial::new(MatrixName::K0, 1, 1, 8, 92).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 8, 87), Partial::new(MatrixName::M, 0, 0, 9, 14),
+        Partial::new(MatrixName::M, 0, 1, 9, 44), Partial::new(MatrixName::M, 1, 0, 9, 44),
+        Partial::new(MatrixName::C1, 0, 1, 9, 98).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 9, 3), Partial::new(MatrixName::K2, 0, 1, 9, 66),
+        Partial::new(MatrixName::M, 0, 0, 10, 12), Partial::new(MatrixName::M, 0, 1, 10, 94),
+        Partial::new(MatrixName::M, 1, 0, 10, 94), Partial::new(MatrixName::M, 1, 1, 10, 95),
+        Partial::new(MatrixName::C1, 0, 1, 10, 101).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 10, 90).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 10, 2),
+        Partial::new(MatrixName::K0, 0, 1, 10, 93),
+        Partial::new(MatrixName::K0, 1, 0, 10, 93),
+        Partial::new(MatrixName::K0, 1, 1, 10, 96).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 10, 100), Partial::new(MatrixName::K2, 1, 1, 10, 89),
+        Partial::new(MatrixName::M, 0, 0, 11, 8), Partial::new(MatrixName::M, 1, 1, 13, 86),
+        Partial::new(MatrixName::C1, 1, 1, 13, 85).negative(),
+        Partial::new(MatrixName::M, 0, 1, 14, 29).negative(),
+        Partial::new(MatrixName::M, 1, 0, 14, 29).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 14, 18),
+        Partial::new(MatrixName::M, 0, 1, 15, 34),
+        Partial::new(MatrixName::M, 1, 0, 15, 34),
+        Partial::new(MatrixName::M, 1, 1, 15, 81).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 15, 26).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 15, 48).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 15, 61),
+        Partial::new(MatrixName::K0, 1, 0, 15, 61),
+        Partial::new(MatrixName::K0, 1, 1, 15, 62).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 15, 103),
+        Partial::new(MatrixName::M, 0, 0, 16, 16),
+        Partial::new(MatrixName::M, 0, 1, 16, 39).negative(),
+        Partial::new(MatrixName::M, 1, 0, 16, 39).negative(),
+        Partial::new(MatrixName::M, 1, 1, 16, 78),
+        Partial::new(MatrixName::C1, 0, 1, 16, 63).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 16, 64),
+        Partial::new(MatrixName::K0, 0, 0, 16, 5),
+        Partial::new(MatrixName::K0, 0, 1, 16, 68).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 16, 68).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 16, 106),
+        Partial::new(MatrixName::K2, 0, 1, 16, 47),
+        Partial::new(MatrixName::K2, 1, 1, 16, 69).negative(),
+        Partial::new(MatrixName::M, 0, 0, 17, 10),
+        Partial::new(MatrixName::M, 0, 1, 17, 42).negative(),
+        Partial::new(MatrixName::M, 1, 0, 17, 42).negative(),
+        Partial::new(MatrixName::M, 1, 1, 17, 40),
+        Partial::new(MatrixName::C1, 0, 1, 17, 108).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 50),
+        Partial::new(MatrixName::K0, 0, 0, 17, 4),
+        Partial::new(MatrixName::K0, 0, 1, 17, 32).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 17, 32).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 17, 41),
+        Partial::new(MatrixName::K2, 0, 1, 17, 107),
+        Partial::new(MatrixName::K2, 1, 1, 17, 49).negative(),
+        Partial::new(MatrixName::M, 0, 0, 18, 8),
+        Partial::new(MatrixName::M, 0, 1, 18, 9).negative(),
+        Partial::new(MatrixName::M, 1, 0, 18, 9).negative(),
+        Partial::new(MatrixName::M, 1, 1, 18, 104), Partial::new(MatrixName::M, 1, 1, 20, 109),
+        Partial::new(MatrixName::C1, 1, 1, 20, 102).negative(),
+        Partial::new(MatrixName::M, 0, 1, 21, 33).negative(),
+        Partial::new(MatrixName::M, 1, 0, 21, 33).negative(),
+        Partial::new(MatrixName::M, 1, 1, 21, 79),
+        Partial::new(MatrixName::C1, 0, 1, 21, 18),
+        Partial::new(MatrixName::C1, 1, 1, 21, 57).negative(),
+        Partial::new(MatrixName::M, 0, 0, 22, 15),
+        Partial::new(MatrixName::M, 0, 1, 22, 27).negative(),
+        Partial::new(MatrixName::M, 1, 0, 22, 27).negative(),
+        Partial::new(MatrixName::M, 1, 1, 22, 77),
+        Partial::new(MatrixName::C1, 0, 1, 22, 35),
+        Partial::new(MatrixName::C1, 1, 0, 22, 112),
+        Partial::new(MatrixName::C1, 1, 1, 22, 114).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 22, 7).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 22, 113),
+        Partial::new(MatrixName::K0, 1, 0, 22, 113),
+        Partial::new(MatrixName::K0, 1, 1, 22, 115).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 22, 36).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 22, 37),
+        Partial::new(MatrixName::M, 0, 0, 23, 11),
+        Partial::new(MatrixName::M, 0, 1, 23, 117).negative(),
+        Partial::new(MatrixName::M, 1, 0, 23, 117).negative(),
+        Partial::new(MatrixName::M, 1, 1, 23, 105),
+        Partial::new(MatrixName::C1, 0, 1, 23, 38),
+        Partial::new(MatrixName::C1, 1, 1, 23, 118).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 23, 6).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 23, 116),
+        Partial::new(MatrixName::K0, 1, 0, 23, 116),
+        Partial::new(MatrixName::K0, 1, 1, 23, 119).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 23, 28).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 23, 120), Partial::new(MatrixName::M, 0, 0, 24, 8),
+        Partial::new(MatrixName::M, 0, 1, 24, 9).negative(),
+        Partial::new(MatrixName::M, 1, 0, 24, 9).negative(),
+        Partial::new(MatrixName::M, 1, 1, 24, 110),
+        Partial::new(MatrixName::C1, 1, 1, 24, 102).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 25, 111),
+        Partial::new(MatrixName::C1, 1, 0, 25, 111).negative(),
         Partial::new(MatrixName::K2, 0, 1, 25, 121).negative(),
         Partial::new(MatrixName::K2, 1, 1, 25, 122),
     ];

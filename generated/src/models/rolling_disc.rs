@@ -587,31 +587,77 @@ impl<T: Number> RollingDisc<T> {
     /// 4 additions, 5 multiplications, 1 division and 2 negations: 12 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
+    ///
+    /// Where they are stored, [`Self::write_matrices_and_derivatives`] takes less time.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (RollingDiscMatrices<T>, RollingDiscDerivatives<T>) {
-        let t3 = self.r * self.m;
-        let Jxx_all = self.It + self.r * t3;
         let zero = self.r.like(0.0);
-        let C1_12_Ia = self.r.like(1.0) / self.r;
-        let h_spin_D = self.Ia * C1_12_Ia;
-        let C1_12 = t3 + h_spin_D;
-        let M_11_r = t3 + t3;
-        let C1_21_r = C1_12_Ia * h_spin_D;
-        let C1_12_r = self.m - C1_21_r;
-        let M_11_m = self.r * self.r;
-        let C1_21 = -h_spin_D;
-        let K0_11 = -t3;
-        (
-            RollingDiscMatrices::from_entries([
-                Jxx_all, zero, zero, self.It, zero, C1_12, C1_21, zero, K0_11, zero, zero, zero,
-            ]),
-            RollingDiscDerivatives {
-                values: [
-                    M_11_r, C1_12_r, C1_21_r, self.m, M_11_m, self.r, C1_12_Ia, self.r.like(1.0),
-                ],
+        let mut matrices = RollingDiscMatrices::from_entries([zero; 12]);
+        let mut derivatives = RollingDiscDerivatives {
+            values: [zero; 8],
+        };
+        self.each_result(
+            #[inline(always)]
+            |position, value| matrices.set_entry(position, value),
+            #[inline(always)]
+            |position, value| derivatives.values[position] = value,
+        );
+        (matrices, derivatives)
+    }
+
+    /// Writes the coefficient matrices and their derivatives over others, each as soon as it is computed.
+    ///
+    /// They are those of [`Self::matrices_and_derivatives`], to the last bit. That function has more results than a
+    /// processor has registers, and moves them twice.
+    #[inline(always)]
+    pub fn write_matrices_and_derivatives(
+        &self,
+        matrices: &mut RollingDiscMatrices<T>,
+        derivatives: &mut RollingDiscDerivatives<T>,
+    ) {
+        *matrices = RollingDiscMatrices::from_entries([self.r.like(0.0); 12]);
+        self.each_result(
+            #[inline(always)]
+            |position, value| {
+                matrices.set_entry(position, value);
+                carvallo::write_now();
             },
-        )
+            #[inline(always)]
+            |position, value| {
+                derivatives.values[position] = value;
+                carvallo::write_now();
+            },
+        );
+    }
+
+    /// The program: gives each entry that differs, and each value of the derivatives, to a function with its position.
+    #[inline(always)]
+    fn each_result(&self, mut put_entry: impl FnMut(usize, T), mut put_derivative: impl FnMut(usize, T)) {
+        put_entry(1, self.It);
+        put_derivative(0, self.r);
+        put_derivative(1, self.m);
+        put_derivative(2, self.r.like(1.0));
+        let t6 = self.r * self.m;
+        let Jxx_all = self.It + self.r * t6;
+        put_entry(0, Jxx_all);
+        let C1_12_Ia = self.r.like(1.0) / self.r;
+        put_derivative(3, C1_12_Ia);
+        let M_11_r = t6 + t6;
+        put_derivative(4, M_11_r);
+        let M_11_m = self.r * self.r;
+        put_derivative(5, M_11_m);
+        let K0_11 = -t6;
+        put_entry(4, K0_11);
+        let h_spin_D = self.Ia * C1_12_Ia;
+        let C1_12 = t6 + h_spin_D;
+        put_entry(2, C1_12);
+        let C1_21_r = C1_12_Ia * h_spin_D;
+        put_derivative(6, C1_21_r);
+        let C1_21 = -h_spin_D;
+        put_entry(3, C1_21);
+        let C1_12_r = self.m - C1_21_r;
+        put_derivative(7, C1_12_r);
     }
 }
 
@@ -707,6 +753,29 @@ impl<T: Number> RollingDiscMatrices<T> {
     #[inline(always)]
     fn distinct_entries(&self) -> [T; 5] {
         [self.m[0][0], self.m[1][1], self.c1[0][1], self.c1[1][0], self.k0[0][0]]
+    }
+
+    /// Sets the entry at a position among those that differ, wherever it stands.
+    #[inline(always)]
+    fn set_entry(&mut self, position: usize, entry: T) {
+        match position {
+            0 => {
+                self.m[0][0] = entry;
+            }
+            1 => {
+                self.m[1][1] = entry;
+            }
+            2 => {
+                self.c1[0][1] = entry;
+            }
+            3 => {
+                self.c1[1][0] = entry;
+            }
+            4 => {
+                self.k0[0][0] = entry;
+            }
+            _ => {}
+        }
     }
 
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
@@ -962,25 +1031,22 @@ impl<T: Scalar> Differentiable<2> for RollingDisc<T> {
 }
 
 impl<T: Number> EvaluatorWithDerivatives<T, 2> for RollingDisc<T> {
-    type Derivatives = [T; 8];
-
     #[inline(always)]
-    fn entries_and_derivatives(&self) -> ([T; 5], [T; 8]) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        (RollingDiscMatrices::distinct_entries(&matrices), derivatives.values)
+    fn each_result(&self, put_entry: impl FnMut(usize, T), put_derivative: impl FnMut(usize, T)) {
+        self.each_result(put_entry, put_derivative);
     }
 }
 
 impl RollingDiscDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 11] = &[
-        Partial::new(MatrixName::M, 0, 0, 0, 0), Partial::new(MatrixName::C1, 0, 1, 0, 1),
-        Partial::new(MatrixName::C1, 1, 0, 0, 2),
-        Partial::new(MatrixName::K0, 0, 0, 0, 3).negative(),
-        Partial::new(MatrixName::M, 0, 0, 1, 4), Partial::new(MatrixName::C1, 0, 1, 1, 5),
-        Partial::new(MatrixName::K0, 0, 0, 1, 5).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 2, 6),
-        Partial::new(MatrixName::C1, 1, 0, 2, 6).negative(),
-        Partial::new(MatrixName::M, 0, 0, 3, 7), Partial::new(MatrixName::M, 1, 1, 3, 7),
+        Partial::new(MatrixName::M, 0, 0, 0, 4), Partial::new(MatrixName::C1, 0, 1, 0, 7),
+        Partial::new(MatrixName::C1, 1, 0, 0, 6),
+        Partial::new(MatrixName::K0, 0, 0, 0, 1).negative(),
+        Partial::new(MatrixName::M, 0, 0, 1, 5), Partial::new(MatrixName::C1, 0, 1, 1, 0),
+        Partial::new(MatrixName::K0, 0, 0, 1, 0).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 2, 3),
+        Partial::new(MatrixName::C1, 1, 0, 2, 3).negative(),
+        Partial::new(MatrixName::M, 0, 0, 3, 2), Partial::new(MatrixName::M, 1, 1, 3, 2),
     ];
 }

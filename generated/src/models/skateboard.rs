@@ -272,58 +272,118 @@ impl<T: Number> Skateboard<T> {
     /// 12 additions, 32 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 52 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
+    ///
+    /// Where they are stored, [`Self::write_matrices_and_derivatives`] takes less time.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (SkateboardMatrices<T>, SkateboardDerivatives<T>) {
-        let M_11_m = self.h * self.h;
-        let M_11 = self.Ixx + self.m * M_11_m;
-        let (lateral_per_v_deltaR, cos_lamR) = self.lamR.sin_cos();
-        let t8 = self.L.like(1.0) / cos_lamR;
-        let t10 = t8 * lateral_per_v_deltaR;
-        let t13 = self.L.like(1.0) / self.L;
-        let (sin_lamF, cos_lamF) = self.lamF.sin_cos();
-        let t16 = self.L.like(1.0) / cos_lamF;
-        let t18 = t16 * sin_lamF;
-        let C1_11_Ixz = t13 * (t10 + t18);
-        let t22 = self.x * C1_11_Ixz - t10;
-        let C1_11_m = self.h * t22;
-        let C1_11 = self.m * C1_11_m + C1_11_Ixz * self.Ixz;
-        let Kc_11_kF = t16 * t16;
-        let t30 = self.kF * Kc_11_kF;
-        let Kc_11_kR = t8 * t8;
-        let t33 = self.kR * Kc_11_kR;
-        let Kc_11 = t30 + t33;
-        let P_gamma_lateral = self.m * self.h;
-        let K2_11_h = self.m * C1_11_Ixz;
-        let K2_11 = self.h * K2_11_h;
-        let t40 = t13 * (self.Ixz + self.x * P_gamma_lateral);
-        let t41 = C1_11_Ixz * t40;
-        let t42 = t13 * K2_11;
-        let t45 = t16 * (cos_lamF + sin_lamF * t18);
-        let C1_11_lamF = t40 * t45;
-        let t47 = t18 * t30;
-        let Kc_11_lamF = t47 + t47;
-        let t49 = t13 * P_gamma_lateral;
-        let K2_11_lamF = t45 * t49;
-        let t53 = self.L.like(1.0) + t10 * t10;
-        let C1_11_lamR = t53 * (t40 - P_gamma_lateral);
-        let t56 = t10 * t33;
-        let Kc_11_lamR = t56 + t56;
-        let K2_11_lamR = t49 * t53;
-        let K2_11_m = self.h * C1_11_Ixz;
-        let M_11_h = P_gamma_lateral + P_gamma_lateral;
-        let C1_11_h = self.m * t22;
-        let K0_11 = -P_gamma_lateral;
-        (
-            SkateboardMatrices::from_entries([M_11, C1_11, Kc_11, K0_11, K2_11]),
-            SkateboardDerivatives {
-                values: [
-                    t41, t42, C1_11_lamF, Kc_11_lamF, K2_11_lamF, C1_11_lamR, Kc_11_lamR,
-                    K2_11_lamR, Kc_11_kF, Kc_11_kR, M_11_m, C1_11_m, self.h, K2_11_m, K2_11, M_11_h,
-                    C1_11_h, self.m, K2_11_h, self.L.like(1.0), C1_11_Ixz,
-                ],
+        let zero = self.L.like(0.0);
+        let mut matrices = SkateboardMatrices::from_entries([zero; 5]);
+        let mut derivatives = SkateboardDerivatives {
+            values: [zero; 21],
+        };
+        self.each_result(
+            #[inline(always)]
+            |position, value| matrices.set_entry(position, value),
+            #[inline(always)]
+            |position, value| derivatives.values[position] = value,
+        );
+        (matrices, derivatives)
+    }
+
+    /// Writes the coefficient matrices and their derivatives over others, each as soon as it is computed.
+    ///
+    /// They are those of [`Self::matrices_and_derivatives`], to the last bit. That function has more results than a
+    /// processor has registers, and moves them twice.
+    #[inline(always)]
+    pub fn write_matrices_and_derivatives(
+        &self,
+        matrices: &mut SkateboardMatrices<T>,
+        derivatives: &mut SkateboardDerivatives<T>,
+    ) {
+        *matrices = SkateboardMatrices::from_entries([self.L.like(0.0); 5]);
+        self.each_result(
+            #[inline(always)]
+            |position, value| {
+                matrices.set_entry(position, value);
+                carvallo::write_now();
             },
-        )
+            #[inline(always)]
+            |position, value| {
+                derivatives.values[position] = value;
+                carvallo::write_now();
+            },
+        );
+    }
+
+    /// The program: gives each entry that differs, and each value of the derivatives, to a function with its position.
+    #[inline(always)]
+    fn each_result(&self, mut put_entry: impl FnMut(usize, T), mut put_derivative: impl FnMut(usize, T)) {
+        put_derivative(0, self.m);
+        put_derivative(1, self.h);
+        put_derivative(2, self.L.like(1.0));
+        let (lateral_per_v_deltaR, cos_lamR) = self.lamR.sin_cos();
+        let (sin_lamF, cos_lamF) = self.lamF.sin_cos();
+        let M_11_m = self.h * self.h;
+        put_derivative(3, M_11_m);
+        let M_11 = self.Ixx + self.m * M_11_m;
+        put_entry(0, M_11);
+        let t18 = self.L.like(1.0) / self.L;
+        let P_gamma_lateral = self.m * self.h;
+        let M_11_h = P_gamma_lateral + P_gamma_lateral;
+        put_derivative(4, M_11_h);
+        let K0_11 = -P_gamma_lateral;
+        put_entry(3, K0_11);
+        let t24 = t18 * (self.Ixz + self.x * P_gamma_lateral);
+        let t25 = t18 * P_gamma_lateral;
+        let t26 = self.L.like(1.0) / cos_lamR;
+        let t27 = self.L.like(1.0) / cos_lamF;
+        let t28 = t26 * lateral_per_v_deltaR;
+        let Kc_11_kR = t26 * t26;
+        put_derivative(5, Kc_11_kR);
+        let t30 = self.kR * Kc_11_kR;
+        let t32 = self.L.like(1.0) + t28 * t28;
+        let t33 = t27 * sin_lamF;
+        let Kc_11_kF = t27 * t27;
+        put_derivative(6, Kc_11_kF);
+        let t35 = t28 * t30;
+        let C1_11_Ixz = t18 * (t28 + t33);
+        put_derivative(7, C1_11_Ixz);
+        let t38 = self.kF * Kc_11_kF;
+        let t41 = t27 * (cos_lamF + sin_lamF * t33);
+        let C1_11_lamR = t32 * (t24 - P_gamma_lateral);
+        put_derivative(8, C1_11_lamR);
+        let Kc_11_lamR = t35 + t35;
+        put_derivative(9, Kc_11_lamR);
+        let K2_11_lamR = t25 * t32;
+        put_derivative(10, K2_11_lamR);
+        let Kc_11 = t38 + t30;
+        put_entry(2, Kc_11);
+        let t47 = t33 * t38;
+        let t49 = self.x * C1_11_Ixz - t28;
+        let K2_11_h = self.m * C1_11_Ixz;
+        put_derivative(11, K2_11_h);
+        let t51 = C1_11_Ixz * t24;
+        put_derivative(12, t51);
+        let Kc_11_lamF = t47 + t47;
+        put_derivative(13, Kc_11_lamF);
+        let K2_11_m = self.h * C1_11_Ixz;
+        put_derivative(14, K2_11_m);
+        let K2_11 = self.h * K2_11_h;
+        put_entry(4, K2_11);
+        put_derivative(15, K2_11);
+        let C1_11_lamF = t24 * t41;
+        put_derivative(16, C1_11_lamF);
+        let K2_11_lamF = t41 * t25;
+        put_derivative(17, K2_11_lamF);
+        let C1_11_m = self.h * t49;
+        put_derivative(18, C1_11_m);
+        let t58 = t18 * K2_11;
+        put_derivative(19, t58);
+        let C1_11_h = self.m * t49;
+        put_derivative(20, C1_11_h);
+        let C1_11 = self.m * C1_11_m + C1_11_Ixz * self.Ixz;
+        put_entry(1, C1_11);
     }
 }
 
@@ -422,6 +482,29 @@ impl<T: Number> SkateboardMatrices<T> {
     #[inline(always)]
     fn distinct_entries(&self) -> [T; 5] {
         [self.m[0][0], self.c1[0][0], self.kc[0][0], self.k0[0][0], self.k2[0][0]]
+    }
+
+    /// Sets the entry at a position among those that differ, wherever it stands.
+    #[inline(always)]
+    fn set_entry(&mut self, position: usize, entry: T) {
+        match position {
+            0 => {
+                self.m[0][0] = entry;
+            }
+            1 => {
+                self.c1[0][0] = entry;
+            }
+            2 => {
+                self.kc[0][0] = entry;
+            }
+            3 => {
+                self.k0[0][0] = entry;
+            }
+            4 => {
+                self.k2[0][0] = entry;
+            }
+            _ => {}
+        }
     }
 
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
@@ -844,31 +927,27 @@ impl<T: Scalar> Differentiable<1> for Skateboard<T> {
 }
 
 impl<T: Number> EvaluatorWithDerivatives<T, 1> for Skateboard<T> {
-    type Derivatives = [T; 21];
-
     #[inline(always)]
-    fn entries_and_derivatives(&self) -> ([T; 5], [T; 21]) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        (SkateboardMatrices::distinct_entries(&matrices), derivatives.values)
+    fn each_result(&self, put_entry: impl FnMut(usize, T), put_derivative: impl FnMut(usize, T)) {
+        self.each_result(put_entry, put_derivative);
     }
 }
 
 impl SkateboardDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 21] = &[
-        Partial::new(MatrixName::C1, 0, 0, 0, 0).negative(),
-        Partial::new(MatrixName::K2, 0, 0, 0, 1).negative(),
-        Partial::new(MatrixName::C1, 0, 0, 3, 2), Partial::new(MatrixName::Kc, 0, 0, 3, 3),
-        Partial::new(MatrixName::K2, 0, 0, 3, 4), Partial::new(MatrixName::C1, 0, 0, 4, 5),
-        Partial::new(MatrixName::Kc, 0, 0, 4, 6), Partial::new(MatrixName::K2, 0, 0, 4, 7),
-        Partial::new(MatrixName::Kc, 0, 0, 5, 8), Partial::new(MatrixName::Kc, 0, 0, 6, 9),
-        Partial::new(MatrixName::M, 0, 0, 7, 10), Partial::new(MatrixName::C1, 0, 0, 7, 11),
-        Partial::new(MatrixName::K0, 0, 0, 7, 12).negative(),
-        Partial::new(MatrixName::K2, 0, 0, 7, 13), Partial::new(MatrixName::C1, 0, 0, 8, 14),
-        Partial::new(MatrixName::M, 0, 0, 9, 15), Partial::new(MatrixName::C1, 0, 0, 9, 16),
-        Partial::new(MatrixName::K0, 0, 0, 9, 17).negative(),
-        Partial::new(MatrixName::K2, 0, 0, 9, 18),
-        Partial::new(MatrixName::M, 0, 0, 10, 19),
-        Partial::new(MatrixName::C1, 0, 0, 13, 20),
+        Partial::new(MatrixName::C1, 0, 0, 0, 12).negative(),
+        Partial::new(MatrixName::K2, 0, 0, 0, 19).negative(),
+        Partial::new(MatrixName::C1, 0, 0, 3, 16), Partial::new(MatrixName::Kc, 0, 0, 3, 13),
+        Partial::new(MatrixName::K2, 0, 0, 3, 17), Partial::new(MatrixName::C1, 0, 0, 4, 8),
+        Partial::new(MatrixName::Kc, 0, 0, 4, 9), Partial::new(MatrixName::K2, 0, 0, 4, 10),
+        Partial::new(MatrixName::Kc, 0, 0, 5, 6), Partial::new(MatrixName::Kc, 0, 0, 6, 5),
+        Partial::new(MatrixName::M, 0, 0, 7, 3), Partial::new(MatrixName::C1, 0, 0, 7, 18),
+        Partial::new(MatrixName::K0, 0, 0, 7, 1).negative(),
+        Partial::new(MatrixName::K2, 0, 0, 7, 14), Partial::new(MatrixName::C1, 0, 0, 8, 15),
+        Partial::new(MatrixName::M, 0, 0, 9, 4), Partial::new(MatrixName::C1, 0, 0, 9, 20),
+        Partial::new(MatrixName::K0, 0, 0, 9, 0).negative(),
+        Partial::new(MatrixName::K2, 0, 0, 9, 11), Partial::new(MatrixName::M, 0, 0, 10, 2),
+        Partial::new(MatrixName::C1, 0, 0, 13, 7),
     ];
 }

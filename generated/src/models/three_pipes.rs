@@ -156,67 +156,136 @@ impl<T: Number> ThreePipes<T> {
     /// 7 additions, 30 multiplications and 3 negations: 40 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
+    ///
+    /// Where they are stored, [`Self::write_matrices_and_derivatives`] takes less time.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (ThreePipesMatrices<T>, ThreePipesDerivatives<T>) {
-        let t2 = self.m + self.f;
+        let zero = self.l.like(0.0);
+        let mut matrices = ThreePipesMatrices::from_entries([zero; 54]);
+        let mut derivatives = ThreePipesDerivatives {
+            values: [zero; 25],
+        };
+        self.each_result(
+            #[inline(always)]
+            |position, value| matrices.set_entry(position, value),
+            #[inline(always)]
+            |position, value| derivatives.values[position] = value,
+        );
+        (matrices, derivatives)
+    }
+
+    /// Writes the coefficient matrices and their derivatives over others, each as soon as it is computed.
+    ///
+    /// They are those of [`Self::matrices_and_derivatives`], to the last bit. That function has more results than a
+    /// processor has registers, and moves them twice.
+    #[inline(always)]
+    pub fn write_matrices_and_derivatives(
+        &self,
+        matrices: &mut ThreePipesMatrices<T>,
+        derivatives: &mut ThreePipesDerivatives<T>,
+    ) {
+        *matrices = ThreePipesMatrices::from_entries([self.l.like(0.0); 54]);
+        self.each_result(
+            #[inline(always)]
+            |position, value| {
+                matrices.set_entry(position, value);
+                carvallo::write_now();
+            },
+            #[inline(always)]
+            |position, value| {
+                derivatives.values[position] = value;
+                carvallo::write_now();
+            },
+        );
+    }
+
+    /// The program: gives each entry that differs, and each value of the derivatives, to a function with its position.
+    #[inline(always)]
+    fn each_result(&self, mut put_entry: impl FnMut(usize, T), mut put_derivative: impl FnMut(usize, T)) {
+        put_entry(7, self.c);
+        put_entry(12, self.k);
+        put_derivative(0, self.l);
+        put_derivative(1, self.f);
+        put_derivative(2, self.l.like(2.0));
+        put_derivative(3, self.l.like(1.0));
+        put_derivative(4, self.l.like(-1.0));
+        let t17 = self.m + self.f;
         let weight_m = self.l * self.l;
+        put_derivative(5, weight_m);
         let inertia_m = self.l * weight_m;
         let M_11_m = inertia_m * self.l.like(2.3333333333333335);
-        let M_11 = t2 * M_11_m;
-        let K0_33_l = t2 * self.l;
+        put_derivative(6, M_11_m);
+        let K0_33_l = t17 * self.l;
+        put_derivative(7, K0_33_l);
         let K0_22_m = weight_m * self.l.like(1.5);
+        put_derivative(8, K0_22_m);
         let M_12 = K0_33_l * K0_22_m;
+        put_entry(1, M_12);
+        let K0_22 = t17 * K0_22_m;
+        put_entry(14, K0_22);
         let weight = self.l * K0_33_l;
+        put_derivative(9, weight);
+        let M_11 = t17 * M_11_m;
+        put_entry(0, M_11);
         let K0_33 = self.l.like(0.5) * weight;
-        let M_13 = self.l * K0_33;
-        let M_22_m = inertia_m * self.l.like(1.3333333333333333);
-        let M_22 = t2 * M_22_m;
-        let M_33_m = inertia_m * self.l.like(0.3333333333333333);
-        let M_33 = t2 * M_33_m;
+        put_entry(15, K0_33);
         let C0_11 = self.c + self.c;
-        let zero = self.l.like(0.0);
-        let C1_11 = self.f * weight_m;
-        let C1_12 = C1_11 + C1_11;
+        put_entry(5, C0_11);
         let Kc_11 = self.k + self.k;
+        put_entry(10, Kc_11);
         let K0_11 = weight * self.l.like(2.5);
-        let K0_22 = t2 * K0_22_m;
-        let K2_13 = self.f * self.l;
+        put_entry(13, K0_11);
         let inertia_l = weight * self.l.like(3.0);
-        let M_11_l = self.l.like(2.3333333333333335) * inertia_l;
-        let M_12_l = self.l.like(1.5) * inertia_l;
-        let M_13_l = self.l.like(0.5) * inertia_l;
-        let M_22_l = self.l.like(1.3333333333333333) * inertia_l;
-        let C1_11_l = K2_13 + K2_13;
-        let C1_12_l = K2_13 * self.l.like(4.0);
         let weight_l = K0_33_l + K0_33_l;
         let K0_11_l = self.l.like(2.5) * weight_l;
+        put_derivative(10, K0_11_l);
         let K0_22_l = self.l.like(1.5) * weight_l;
+        put_derivative(11, K0_22_l);
+        let M_13 = self.l * K0_33;
+        put_entry(2, M_13);
+        let M_22_m = inertia_m * self.l.like(1.3333333333333333);
+        put_derivative(12, M_22_m);
+        let M_22 = t17 * M_22_m;
+        put_entry(3, M_22);
+        let M_33_m = inertia_m * self.l.like(0.3333333333333333);
+        put_derivative(13, M_33_m);
+        let M_33 = t17 * M_33_m;
+        put_entry(4, M_33);
+        let C1_11 = self.f * weight_m;
+        put_entry(8, C1_11);
+        let C1_12 = C1_11 + C1_11;
+        put_entry(9, C1_12);
+        let K2_13 = self.f * self.l;
+        put_entry(17, K2_13);
+        let M_11_l = self.l.like(2.3333333333333335) * inertia_l;
+        put_derivative(14, M_11_l);
+        let M_12_l = self.l.like(1.5) * inertia_l;
+        put_derivative(15, M_12_l);
+        let M_13_l = self.l.like(0.5) * inertia_l;
+        put_derivative(16, M_13_l);
+        let M_22_l = self.l.like(1.3333333333333333) * inertia_l;
+        put_derivative(17, M_22_l);
+        let C1_11_l = K2_13 + K2_13;
+        put_derivative(18, C1_11_l);
+        let C1_12_l = K2_13 * self.l.like(4.0);
+        put_derivative(19, C1_12_l);
         let M_12_m = inertia_m * self.l.like(1.5);
+        put_derivative(20, M_12_m);
         let K0_33_m = weight_m * self.l.like(0.5);
+        put_derivative(21, K0_33_m);
         let M_13_m = self.l * K0_33_m;
+        put_derivative(22, M_13_m);
         let K0_11_m = weight_m * self.l.like(2.5);
+        put_derivative(23, K0_11_m);
         let C1_12_f = weight_m + weight_m;
+        put_derivative(24, C1_12_f);
         let C0_12 = -self.c;
+        put_entry(6, C0_12);
         let Kc_12 = -self.k;
+        put_entry(11, Kc_12);
         let K2_11 = -K2_13;
-        (
-            ThreePipesMatrices::from_entries([
-                M_11, M_12, M_13, M_12, M_22, M_13, M_13, M_13, M_33, C0_11, C0_12, zero, C0_12,
-                C0_11, C0_12, zero, C0_12, self.c, C1_11, C1_12, C1_12, zero, C1_11, C1_12, zero,
-                zero, C1_11, Kc_11, Kc_12, zero, Kc_12, Kc_11, Kc_12, zero, Kc_12, self.k, K0_11,
-                zero, zero, zero, K0_22, zero, zero, zero, K0_33, K2_11, zero, K2_13, zero, K2_11,
-                K2_13, zero, zero, zero,
-            ]),
-            ThreePipesDerivatives {
-                values: [
-                    M_11_l, M_12_l, M_13_l, M_22_l, weight, C1_11_l, C1_12_l, K0_11_l, K0_22_l,
-                    K0_33_l, self.f, M_11_m, M_12_m, M_13_m, M_22_m, M_33_m, K0_11_m, K0_22_m,
-                    K0_33_m, weight_m, C1_12_f, self.l, self.l.like(2.0), self.l.like(-1.0),
-                    self.l.like(1.0),
-                ],
-            },
-        )
+        put_entry(16, K2_11);
     }
 }
 
@@ -306,6 +375,86 @@ impl<T: Number> ThreePipesMatrices<T> {
             self.kc[0][1], self.kc[2][2], self.k0[0][0], self.k0[1][1], self.k0[2][2],
             self.k2[0][0], self.k2[0][2],
         ]
+    }
+
+    /// Sets the entry at a position among those that differ, wherever it stands.
+    #[inline(always)]
+    fn set_entry(&mut self, position: usize, entry: T) {
+        match position {
+            0 => {
+                self.m[0][0] = entry;
+            }
+            1 => {
+                self.m[0][1] = entry;
+                self.m[1][0] = entry;
+            }
+            2 => {
+                self.m[0][2] = entry;
+                self.m[1][2] = entry;
+                self.m[2][0] = entry;
+                self.m[2][1] = entry;
+            }
+            3 => {
+                self.m[1][1] = entry;
+            }
+            4 => {
+                self.m[2][2] = entry;
+            }
+            5 => {
+                self.c0[0][0] = entry;
+                self.c0[1][1] = entry;
+            }
+            6 => {
+                self.c0[0][1] = entry;
+                self.c0[1][0] = entry;
+                self.c0[1][2] = entry;
+                self.c0[2][1] = entry;
+            }
+            7 => {
+                self.c0[2][2] = entry;
+            }
+            8 => {
+                self.c1[0][0] = entry;
+                self.c1[1][1] = entry;
+                self.c1[2][2] = entry;
+            }
+            9 => {
+                self.c1[0][1] = entry;
+                self.c1[0][2] = entry;
+                self.c1[1][2] = entry;
+            }
+            10 => {
+                self.kc[0][0] = entry;
+                self.kc[1][1] = entry;
+            }
+            11 => {
+                self.kc[0][1] = entry;
+                self.kc[1][0] = entry;
+                self.kc[1][2] = entry;
+                self.kc[2][1] = entry;
+            }
+            12 => {
+                self.kc[2][2] = entry;
+            }
+            13 => {
+                self.k0[0][0] = entry;
+            }
+            14 => {
+                self.k0[1][1] = entry;
+            }
+            15 => {
+                self.k0[2][2] = entry;
+            }
+            16 => {
+                self.k2[0][0] = entry;
+                self.k2[1][1] = entry;
+            }
+            17 => {
+                self.k2[0][2] = entry;
+                self.k2[1][2] = entry;
+            }
+            _ => {}
+        }
     }
 
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
@@ -604,56 +753,53 @@ impl<T: Scalar> Differentiable<3> for ThreePipes<T> {
 }
 
 impl<T: Number> EvaluatorWithDerivatives<T, 3> for ThreePipes<T> {
-    type Derivatives = [T; 25];
-
     #[inline(always)]
-    fn entries_and_derivatives(&self) -> ([T; 18], [T; 25]) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        (ThreePipesMatrices::distinct_entries(&matrices), derivatives.values)
+    fn each_result(&self, put_entry: impl FnMut(usize, T), put_derivative: impl FnMut(usize, T)) {
+        self.each_result(put_entry, put_derivative);
     }
 }
 
 impl ThreePipesDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 70] = &[
-        Partial::new(MatrixName::M, 0, 0, 0, 0), Partial::new(MatrixName::M, 0, 1, 0, 1),
-        Partial::new(MatrixName::M, 0, 2, 0, 2), Partial::new(MatrixName::M, 1, 0, 0, 1),
-        Partial::new(MatrixName::M, 1, 1, 0, 3), Partial::new(MatrixName::M, 1, 2, 0, 2),
-        Partial::new(MatrixName::M, 2, 0, 0, 2), Partial::new(MatrixName::M, 2, 1, 0, 2),
-        Partial::new(MatrixName::M, 2, 2, 0, 4), Partial::new(MatrixName::C1, 0, 0, 0, 5),
-        Partial::new(MatrixName::C1, 0, 1, 0, 6), Partial::new(MatrixName::C1, 0, 2, 0, 6),
-        Partial::new(MatrixName::C1, 1, 1, 0, 5), Partial::new(MatrixName::C1, 1, 2, 0, 6),
-        Partial::new(MatrixName::C1, 2, 2, 0, 5), Partial::new(MatrixName::K0, 0, 0, 0, 7),
-        Partial::new(MatrixName::K0, 1, 1, 0, 8), Partial::new(MatrixName::K0, 2, 2, 0, 9),
-        Partial::new(MatrixName::K2, 0, 0, 0, 10).negative(),
-        Partial::new(MatrixName::K2, 0, 2, 0, 10),
-        Partial::new(MatrixName::K2, 1, 1, 0, 10).negative(),
-        Partial::new(MatrixName::K2, 1, 2, 0, 10), Partial::new(MatrixName::M, 0, 0, 1, 11),
-        Partial::new(MatrixName::M, 0, 1, 1, 12), Partial::new(MatrixName::M, 0, 2, 1, 13),
-        Partial::new(MatrixName::M, 1, 0, 1, 12), Partial::new(MatrixName::M, 1, 1, 1, 14),
-        Partial::new(MatrixName::M, 1, 2, 1, 13), Partial::new(MatrixName::M, 2, 0, 1, 13),
-        Partial::new(MatrixName::M, 2, 1, 1, 13), Partial::new(MatrixName::M, 2, 2, 1, 15),
-        Partial::new(MatrixName::K0, 0, 0, 1, 16), Partial::new(MatrixName::K0, 1, 1, 1, 17),
-        Partial::new(MatrixName::K0, 2, 2, 1, 18), Partial::new(MatrixName::M, 0, 0, 2, 11),
-        Partial::new(MatrixName::M, 0, 1, 2, 12), Partial::new(MatrixName::M, 0, 2, 2, 13),
-        Partial::new(MatrixName::M, 1, 0, 2, 12), Partial::new(MatrixName::M, 1, 1, 2, 14),
-        Partial::new(MatrixName::M, 1, 2, 2, 13), Partial::new(MatrixName::M, 2, 0, 2, 13),
-        Partial::new(MatrixName::M, 2, 1, 2, 13), Partial::new(MatrixName::M, 2, 2, 2, 15),
-        Partial::new(MatrixName::C1, 0, 0, 2, 19), Partial::new(MatrixName::C1, 0, 1, 2, 20),
-        Partial::new(MatrixName::C1, 0, 2, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 19),
-        Partial::new(MatrixName::C1, 1, 2, 2, 20), Partial::new(MatrixName::C1, 2, 2, 2, 19),
-        Partial::new(MatrixName::K0, 0, 0, 2, 16), Partial::new(MatrixName::K0, 1, 1, 2, 17),
-        Partial::new(MatrixName::K0, 2, 2, 2, 18),
-        Partial::new(MatrixName::K2, 0, 0, 2, 21).negative(),
-        Partial::new(MatrixName::K2, 0, 2, 2, 21),
-        Partial::new(MatrixName::K2, 1, 1, 2, 21).negative(),
-        Partial::new(MatrixName::K2, 1, 2, 2, 21), Partial::new(MatrixName::Kc, 0, 0, 3, 22),
-        Partial::new(MatrixName::Kc, 0, 1, 3, 23), Partial::new(MatrixName::Kc, 1, 0, 3, 23),
-        Partial::new(MatrixName::Kc, 1, 1, 3, 22), Partial::new(MatrixName::Kc, 1, 2, 3, 23),
-        Partial::new(MatrixName::Kc, 2, 1, 3, 23), Partial::new(MatrixName::Kc, 2, 2, 3, 24),
-        Partial::new(MatrixName::C0, 0, 0, 4, 22), Partial::new(MatrixName::C0, 0, 1, 4, 23),
-        Partial::new(MatrixName::C0, 1, 0, 4, 23), Partial::new(MatrixName::C0, 1, 1, 4, 22),
-        Partial::new(MatrixName::C0, 1, 2, 4, 23), Partial::new(MatrixName::C0, 2, 1, 4, 23),
-        Partial::new(MatrixName::C0, 2, 2, 4, 24),
+        Partial::new(MatrixName::M, 0, 0, 0, 14), Partial::new(MatrixName::M, 0, 1, 0, 15),
+        Partial::new(MatrixName::M, 0, 2, 0, 16), Partial::new(MatrixName::M, 1, 0, 0, 15),
+        Partial::new(MatrixName::M, 1, 1, 0, 17), Partial::new(MatrixName::M, 1, 2, 0, 16),
+        Partial::new(MatrixName::M, 2, 0, 0, 16), Partial::new(MatrixName::M, 2, 1, 0, 16),
+        Partial::new(MatrixName::M, 2, 2, 0, 9), Partial::new(MatrixName::C1, 0, 0, 0, 18),
+        Partial::new(MatrixName::C1, 0, 1, 0, 19), Partial::new(MatrixName::C1, 0, 2, 0, 19),
+        Partial::new(MatrixName::C1, 1, 1, 0, 18), Partial::new(MatrixName::C1, 1, 2, 0, 19),
+        Partial::new(MatrixName::C1, 2, 2, 0, 18), Partial::new(MatrixName::K0, 0, 0, 0, 10),
+        Partial::new(MatrixName::K0, 1, 1, 0, 11), Partial::new(MatrixName::K0, 2, 2, 0, 7),
+        Partial::new(MatrixName::K2, 0, 0, 0, 1).negative(),
+        Partial::new(MatrixName::K2, 0, 2, 0, 1),
+        Partial::new(MatrixName::K2, 1, 1, 0, 1).negative(),
+        Partial::new(MatrixName::K2, 1, 2, 0, 1), Partial::new(MatrixName::M, 0, 0, 1, 6),
+        Partial::new(MatrixName::M, 0, 1, 1, 20), Partial::new(MatrixName::M, 0, 2, 1, 22),
+        Partial::new(MatrixName::M, 1, 0, 1, 20), Partial::new(MatrixName::M, 1, 1, 1, 12),
+        Partial::new(MatrixName::M, 1, 2, 1, 22), Partial::new(MatrixName::M, 2, 0, 1, 22),
+        Partial::new(MatrixName::M, 2, 1, 1, 22), Partial::new(MatrixName::M, 2, 2, 1, 13),
+        Partial::new(MatrixName::K0, 0, 0, 1, 23), Partial::new(MatrixName::K0, 1, 1, 1, 8),
+        Partial::new(MatrixName::K0, 2, 2, 1, 21), Partial::new(MatrixName::M, 0, 0, 2, 6),
+        Partial::new(MatrixName::M, 0, 1, 2, 20), Partial::new(MatrixName::M, 0, 2, 2, 22),
+        Partial::new(MatrixName::M, 1, 0, 2, 20), Partial::new(MatrixName::M, 1, 1, 2, 12),
+        Partial::new(MatrixName::M, 1, 2, 2, 22), Partial::new(MatrixName::M, 2, 0, 2, 22),
+        Partial::new(MatrixName::M, 2, 1, 2, 22), Partial::new(MatrixName::M, 2, 2, 2, 13),
+        Partial::new(MatrixName::C1, 0, 0, 2, 5), Partial::new(MatrixName::C1, 0, 1, 2, 24),
+        Partial::new(MatrixName::C1, 0, 2, 2, 24), Partial::new(MatrixName::C1, 1, 1, 2, 5),
+        Partial::new(MatrixName::C1, 1, 2, 2, 24), Partial::new(MatrixName::C1, 2, 2, 2, 5),
+        Partial::new(MatrixName::K0, 0, 0, 2, 23), Partial::new(MatrixName::K0, 1, 1, 2, 8),
+        Partial::new(MatrixName::K0, 2, 2, 2, 21),
+        Partial::new(MatrixName::K2, 0, 0, 2, 0).negative(),
+        Partial::new(MatrixName::K2, 0, 2, 2, 0),
+        Partial::new(MatrixName::K2, 1, 1, 2, 0).negative(),
+        Partial::new(MatrixName::K2, 1, 2, 2, 0), Partial::new(MatrixName::Kc, 0, 0, 3, 2),
+        Partial::new(MatrixName::Kc, 0, 1, 3, 4), Partial::new(MatrixName::Kc, 1, 0, 3, 4),
+        Partial::new(MatrixName::Kc, 1, 1, 3, 2), Partial::new(MatrixName::Kc, 1, 2, 3, 4),
+        Partial::new(MatrixName::Kc, 2, 1, 3, 4), Partial::new(MatrixName::Kc, 2, 2, 3, 3),
+        Partial::new(MatrixName::C0, 0, 0, 4, 2), Partial::new(MatrixName::C0, 0, 1, 4, 4),
+        Partial::new(MatrixName::C0, 1, 0, 4, 4), Partial::new(MatrixName::C0, 1, 1, 4, 2),
+        Partial::new(MatrixName::C0, 1, 2, 4, 4), Partial::new(MatrixName::C0, 2, 1, 4, 4),
+        Partial::new(MatrixName::C0, 2, 2, 4, 3),
     ];
 }

@@ -118,30 +118,76 @@ impl<T: Number> TowedWheel<T> {
     /// 3 additions and 6 multiplications: 9 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
+    ///
+    /// Where they are stored, [`Self::write_matrices_and_derivatives`] takes less time.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (TowedWheelMatrices<T>, TowedWheelDerivatives<T>) {
-        let M_11_m = self.a * self.a;
-        let M_11 = self.I + self.m * M_11_m;
         let zero = self.m.like(0.0);
-        let C1_11 = self.m * self.a;
-        let Kc_11_k = self.l * self.l;
-        let Kc_11 = self.k * Kc_11_k;
-        let Kc_12 = self.k * self.l;
-        let Kc_11_l = Kc_12 + Kc_12;
-        let M_11_a = C1_11 + C1_11;
-        (
-            TowedWheelMatrices::from_entries([
-                M_11, zero, zero, zero, zero, zero, zero, self.m.like(1.0), C1_11, zero, zero, zero,
-                Kc_11, Kc_12, zero, zero, zero, zero, self.m.like(-1.0), zero,
-            ]),
-            TowedWheelDerivatives {
-                values: [
-                    M_11_m, self.a, self.m.like(1.0), Kc_11_l, self.k, M_11_a, self.m, Kc_11_k,
-                    self.l,
-                ],
+        let mut matrices = TowedWheelMatrices::from_entries([zero; 20]);
+        let mut derivatives = TowedWheelDerivatives {
+            values: [zero; 9],
+        };
+        self.each_result(
+            #[inline(always)]
+            |position, value| matrices.set_entry(position, value),
+            #[inline(always)]
+            |position, value| derivatives.values[position] = value,
+        );
+        (matrices, derivatives)
+    }
+
+    /// Writes the coefficient matrices and their derivatives over others, each as soon as it is computed.
+    ///
+    /// They are those of [`Self::matrices_and_derivatives`], to the last bit. That function has more results than a
+    /// processor has registers, and moves them twice.
+    #[inline(always)]
+    pub fn write_matrices_and_derivatives(
+        &self,
+        matrices: &mut TowedWheelMatrices<T>,
+        derivatives: &mut TowedWheelDerivatives<T>,
+    ) {
+        *matrices = TowedWheelMatrices::from_entries([self.m.like(0.0); 20]);
+        self.each_result(
+            #[inline(always)]
+            |position, value| {
+                matrices.set_entry(position, value);
+                carvallo::write_now();
             },
-        )
+            #[inline(always)]
+            |position, value| {
+                derivatives.values[position] = value;
+                carvallo::write_now();
+            },
+        );
+    }
+
+    /// The program: gives each entry that differs, and each value of the derivatives, to a function with its position.
+    #[inline(always)]
+    fn each_result(&self, mut put_entry: impl FnMut(usize, T), mut put_derivative: impl FnMut(usize, T)) {
+        put_entry(1, self.m.like(1.0));
+        put_entry(5, self.m.like(-1.0));
+        put_derivative(0, self.m);
+        put_derivative(1, self.l);
+        put_derivative(2, self.a);
+        put_derivative(3, self.k);
+        put_derivative(4, self.m.like(1.0));
+        let M_11_m = self.a * self.a;
+        put_derivative(5, M_11_m);
+        let M_11 = self.I + self.m * M_11_m;
+        put_entry(0, M_11);
+        let C1_11 = self.m * self.a;
+        put_entry(2, C1_11);
+        let Kc_11_k = self.l * self.l;
+        put_derivative(6, Kc_11_k);
+        let Kc_11 = self.k * Kc_11_k;
+        put_entry(3, Kc_11);
+        let Kc_12 = self.k * self.l;
+        put_entry(4, Kc_12);
+        let Kc_11_l = Kc_12 + Kc_12;
+        put_derivative(7, Kc_11_l);
+        let M_11_a = C1_11 + C1_11;
+        put_derivative(8, M_11_a);
     }
 }
 
@@ -226,6 +272,32 @@ impl<T: Number> TowedWheelMatrices<T> {
         [
             self.m[0][0], self.c0[1][1], self.c1[0][0], self.kc[0][0], self.kc[0][1], self.k1[1][0],
         ]
+    }
+
+    /// Sets the entry at a position among those that differ, wherever it stands.
+    #[inline(always)]
+    fn set_entry(&mut self, position: usize, entry: T) {
+        match position {
+            0 => {
+                self.m[0][0] = entry;
+            }
+            1 => {
+                self.c0[1][1] = entry;
+            }
+            2 => {
+                self.c1[0][0] = entry;
+            }
+            3 => {
+                self.kc[0][0] = entry;
+            }
+            4 => {
+                self.kc[0][1] = entry;
+            }
+            5 => {
+                self.k1[1][0] = entry;
+            }
+            _ => {}
+        }
     }
 
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
@@ -454,22 +526,19 @@ impl<T: Scalar> Differentiable<2> for TowedWheel<T> {
 }
 
 impl<T: Number> EvaluatorWithDerivatives<T, 2> for TowedWheel<T> {
-    type Derivatives = [T; 9];
-
     #[inline(always)]
-    fn entries_and_derivatives(&self) -> ([T; 6], [T; 9]) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        (TowedWheelMatrices::distinct_entries(&matrices), derivatives.values)
+    fn each_result(&self, put_entry: impl FnMut(usize, T), put_derivative: impl FnMut(usize, T)) {
+        self.each_result(put_entry, put_derivative);
     }
 }
 
 impl TowedWheelDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 9] = &[
-        Partial::new(MatrixName::M, 0, 0, 0, 0), Partial::new(MatrixName::C1, 0, 0, 0, 1),
-        Partial::new(MatrixName::M, 0, 0, 1, 2), Partial::new(MatrixName::Kc, 0, 0, 2, 3),
-        Partial::new(MatrixName::Kc, 0, 1, 2, 4), Partial::new(MatrixName::M, 0, 0, 3, 5),
-        Partial::new(MatrixName::C1, 0, 0, 3, 6), Partial::new(MatrixName::Kc, 0, 0, 4, 7),
-        Partial::new(MatrixName::Kc, 0, 1, 4, 8),
+        Partial::new(MatrixName::M, 0, 0, 0, 5), Partial::new(MatrixName::C1, 0, 0, 0, 2),
+        Partial::new(MatrixName::M, 0, 0, 1, 4), Partial::new(MatrixName::Kc, 0, 0, 2, 7),
+        Partial::new(MatrixName::Kc, 0, 1, 2, 3), Partial::new(MatrixName::M, 0, 0, 3, 8),
+        Partial::new(MatrixName::C1, 0, 0, 3, 0), Partial::new(MatrixName::Kc, 0, 0, 4, 6),
+        Partial::new(MatrixName::Kc, 0, 1, 4, 1),
     ];
 }

@@ -147,52 +147,116 @@ impl<T: Number> TwoPipes<T> {
     /// 6 additions, 20 multiplications and 3 negations: 29 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
+    ///
+    /// Where they are stored, [`Self::write_matrices_and_derivatives`] takes less time.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (TwoPipesMatrices<T>, TwoPipesDerivatives<T>) {
-        let t2 = self.m + self.f;
+        let zero = self.l.like(0.0);
+        let mut matrices = TwoPipesMatrices::from_entries([zero; 24]);
+        let mut derivatives = TwoPipesDerivatives {
+            values: [zero; 19],
+        };
+        self.each_result(
+            #[inline(always)]
+            |position, value| matrices.set_entry(position, value),
+            #[inline(always)]
+            |position, value| derivatives.values[position] = value,
+        );
+        (matrices, derivatives)
+    }
+
+    /// Writes the coefficient matrices and their derivatives over others, each as soon as it is computed.
+    ///
+    /// They are those of [`Self::matrices_and_derivatives`], to the last bit. That function has more results than a
+    /// processor has registers, and moves them twice.
+    #[inline(always)]
+    pub fn write_matrices_and_derivatives(
+        &self,
+        matrices: &mut TwoPipesMatrices<T>,
+        derivatives: &mut TwoPipesDerivatives<T>,
+    ) {
+        *matrices = TwoPipesMatrices::from_entries([self.l.like(0.0); 24]);
+        self.each_result(
+            #[inline(always)]
+            |position, value| {
+                matrices.set_entry(position, value);
+                carvallo::write_now();
+            },
+            #[inline(always)]
+            |position, value| {
+                derivatives.values[position] = value;
+                carvallo::write_now();
+            },
+        );
+    }
+
+    /// The program: gives each entry that differs, and each value of the derivatives, to a function with its position.
+    #[inline(always)]
+    fn each_result(&self, mut put_entry: impl FnMut(usize, T), mut put_derivative: impl FnMut(usize, T)) {
+        put_entry(5, self.c);
+        put_entry(10, self.k);
+        put_derivative(0, self.l);
+        put_derivative(1, self.f);
+        put_derivative(2, self.l.like(2.0));
+        put_derivative(3, self.l.like(1.0));
+        put_derivative(4, self.l.like(-1.0));
+        let t15 = self.m + self.f;
         let weight_m = self.l * self.l;
+        put_derivative(5, weight_m);
         let inertia_m = self.l * weight_m;
         let M_11_m = inertia_m * self.l.like(1.3333333333333333);
-        let M_11 = t2 * M_11_m;
+        put_derivative(6, M_11_m);
         let K0_22_m = weight_m * self.l.like(0.5);
-        let K0_22 = t2 * K0_22_m;
-        let M_12 = self.l * K0_22;
+        put_derivative(7, K0_22_m);
+        let K0_22 = t15 * K0_22_m;
+        put_entry(12, K0_22);
         let M_22_m = inertia_m * self.l.like(0.3333333333333333);
-        let M_22 = t2 * M_22_m;
-        let C0_11 = self.c + self.c;
-        let K2_12 = self.f * self.l;
-        let C1_11 = self.l * K2_12;
-        let C1_12 = C1_11 + C1_11;
-        let zero = self.l.like(0.0);
-        let Kc_11 = self.k + self.k;
-        let K0_22_l = t2 * self.l;
-        let weight = self.l * K0_22_l;
-        let K0_11 = weight * self.l.like(1.5);
-        let M_11_l = weight * self.l.like(4.0);
-        let M_12_l = K0_22 * self.l.like(3.0);
-        let C1_11_l = K2_12 + K2_12;
-        let C1_12_l = K2_12 * self.l.like(4.0);
-        let K0_11_l = K0_22_l * self.l.like(3.0);
+        put_derivative(8, M_22_m);
         let M_12_m = inertia_m * self.l.like(0.5);
+        put_derivative(9, M_12_m);
+        let C0_11 = self.c + self.c;
+        put_entry(3, C0_11);
+        let M_11 = t15 * M_11_m;
+        put_entry(0, M_11);
+        let M_12 = self.l * K0_22;
+        put_entry(1, M_12);
+        let M_22 = t15 * M_22_m;
+        put_entry(2, M_22);
+        let K2_12 = self.f * self.l;
+        put_entry(14, K2_12);
+        let C1_11 = self.l * K2_12;
+        put_entry(6, C1_11);
+        let C1_12 = C1_11 + C1_11;
+        put_entry(7, C1_12);
+        let Kc_11 = self.k + self.k;
+        put_entry(8, Kc_11);
+        let K0_22_l = t15 * self.l;
+        put_derivative(10, K0_22_l);
+        let weight = self.l * K0_22_l;
+        put_derivative(11, weight);
+        let K0_11 = weight * self.l.like(1.5);
+        put_entry(11, K0_11);
+        let M_11_l = weight * self.l.like(4.0);
+        put_derivative(12, M_11_l);
+        let M_12_l = K0_22 * self.l.like(3.0);
+        put_derivative(13, M_12_l);
+        let C1_11_l = K2_12 + K2_12;
+        put_derivative(14, C1_11_l);
+        let C1_12_l = K2_12 * self.l.like(4.0);
+        put_derivative(15, C1_12_l);
+        let K0_11_l = K0_22_l * self.l.like(3.0);
+        put_derivative(16, K0_11_l);
         let K0_11_m = weight_m * self.l.like(1.5);
+        put_derivative(17, K0_11_m);
         let C1_12_f = weight_m + weight_m;
+        put_derivative(18, C1_12_f);
         let C0_12 = -self.c;
+        put_entry(4, C0_12);
         let Kc_12 = -self.k;
+        put_entry(9, Kc_12);
         let K2_11 = -K2_12;
-        (
-            TwoPipesMatrices::from_entries([
-                M_11, M_12, M_12, M_22, C0_11, C0_12, C0_12, self.c, C1_11, C1_12, zero, C1_11,
-                Kc_11, Kc_12, Kc_12, self.k, K0_11, zero, zero, K0_22, K2_11, K2_12, zero, zero,
-            ]),
-            TwoPipesDerivatives {
-                values: [
-                    M_11_l, M_12_l, weight, C1_11_l, C1_12_l, K0_11_l, K0_22_l, self.f, M_11_m,
-                    M_12_m, M_22_m, K0_11_m, K0_22_m, weight_m, C1_12_f, self.l, self.l.like(2.0),
-                    self.l.like(-1.0), self.l.like(1.0),
-                ],
-            },
-        )
+        put_entry(13, K2_11);
     }
 }
 
@@ -281,6 +345,63 @@ impl<T: Number> TwoPipesMatrices<T> {
             self.c1[0][0], self.c1[0][1], self.kc[0][0], self.kc[0][1], self.kc[1][1],
             self.k0[0][0], self.k0[1][1], self.k2[0][0], self.k2[0][1],
         ]
+    }
+
+    /// Sets the entry at a position among those that differ, wherever it stands.
+    #[inline(always)]
+    fn set_entry(&mut self, position: usize, entry: T) {
+        match position {
+            0 => {
+                self.m[0][0] = entry;
+            }
+            1 => {
+                self.m[0][1] = entry;
+                self.m[1][0] = entry;
+            }
+            2 => {
+                self.m[1][1] = entry;
+            }
+            3 => {
+                self.c0[0][0] = entry;
+            }
+            4 => {
+                self.c0[0][1] = entry;
+                self.c0[1][0] = entry;
+            }
+            5 => {
+                self.c0[1][1] = entry;
+            }
+            6 => {
+                self.c1[0][0] = entry;
+                self.c1[1][1] = entry;
+            }
+            7 => {
+                self.c1[0][1] = entry;
+            }
+            8 => {
+                self.kc[0][0] = entry;
+            }
+            9 => {
+                self.kc[0][1] = entry;
+                self.kc[1][0] = entry;
+            }
+            10 => {
+                self.kc[1][1] = entry;
+            }
+            11 => {
+                self.k0[0][0] = entry;
+            }
+            12 => {
+                self.k0[1][1] = entry;
+            }
+            13 => {
+                self.k2[0][0] = entry;
+            }
+            14 => {
+                self.k2[0][1] = entry;
+            }
+            _ => {}
+        }
     }
 
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
@@ -519,37 +640,34 @@ impl<T: Scalar> Differentiable<2> for TwoPipes<T> {
 }
 
 impl<T: Number> EvaluatorWithDerivatives<T, 2> for TwoPipes<T> {
-    type Derivatives = [T; 19];
-
     #[inline(always)]
-    fn entries_and_derivatives(&self) -> ([T; 15], [T; 19]) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        (TwoPipesMatrices::distinct_entries(&matrices), derivatives.values)
+    fn each_result(&self, put_entry: impl FnMut(usize, T), put_derivative: impl FnMut(usize, T)) {
+        self.each_result(put_entry, put_derivative);
     }
 }
 
 impl TwoPipesDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 36] = &[
-        Partial::new(MatrixName::M, 0, 0, 0, 0), Partial::new(MatrixName::M, 0, 1, 0, 1),
-        Partial::new(MatrixName::M, 1, 0, 0, 1), Partial::new(MatrixName::M, 1, 1, 0, 2),
-        Partial::new(MatrixName::C1, 0, 0, 0, 3), Partial::new(MatrixName::C1, 0, 1, 0, 4),
-        Partial::new(MatrixName::C1, 1, 1, 0, 3), Partial::new(MatrixName::K0, 0, 0, 0, 5),
-        Partial::new(MatrixName::K0, 1, 1, 0, 6),
-        Partial::new(MatrixName::K2, 0, 0, 0, 7).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 0, 7), Partial::new(MatrixName::M, 0, 0, 1, 8),
+        Partial::new(MatrixName::M, 0, 0, 0, 12), Partial::new(MatrixName::M, 0, 1, 0, 13),
+        Partial::new(MatrixName::M, 1, 0, 0, 13), Partial::new(MatrixName::M, 1, 1, 0, 11),
+        Partial::new(MatrixName::C1, 0, 0, 0, 14), Partial::new(MatrixName::C1, 0, 1, 0, 15),
+        Partial::new(MatrixName::C1, 1, 1, 0, 14), Partial::new(MatrixName::K0, 0, 0, 0, 16),
+        Partial::new(MatrixName::K0, 1, 1, 0, 10),
+        Partial::new(MatrixName::K2, 0, 0, 0, 1).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 0, 1), Partial::new(MatrixName::M, 0, 0, 1, 6),
         Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
-        Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::K0, 0, 0, 1, 11),
-        Partial::new(MatrixName::K0, 1, 1, 1, 12), Partial::new(MatrixName::M, 0, 0, 2, 8),
+        Partial::new(MatrixName::M, 1, 1, 1, 8), Partial::new(MatrixName::K0, 0, 0, 1, 17),
+        Partial::new(MatrixName::K0, 1, 1, 1, 7), Partial::new(MatrixName::M, 0, 0, 2, 6),
         Partial::new(MatrixName::M, 0, 1, 2, 9), Partial::new(MatrixName::M, 1, 0, 2, 9),
-        Partial::new(MatrixName::M, 1, 1, 2, 10), Partial::new(MatrixName::C1, 0, 0, 2, 13),
-        Partial::new(MatrixName::C1, 0, 1, 2, 14), Partial::new(MatrixName::C1, 1, 1, 2, 13),
-        Partial::new(MatrixName::K0, 0, 0, 2, 11), Partial::new(MatrixName::K0, 1, 1, 2, 12),
-        Partial::new(MatrixName::K2, 0, 0, 2, 15).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 2, 15), Partial::new(MatrixName::Kc, 0, 0, 3, 16),
-        Partial::new(MatrixName::Kc, 0, 1, 3, 17), Partial::new(MatrixName::Kc, 1, 0, 3, 17),
-        Partial::new(MatrixName::Kc, 1, 1, 3, 18), Partial::new(MatrixName::C0, 0, 0, 4, 16),
-        Partial::new(MatrixName::C0, 0, 1, 4, 17), Partial::new(MatrixName::C0, 1, 0, 4, 17),
-        Partial::new(MatrixName::C0, 1, 1, 4, 18),
+        Partial::new(MatrixName::M, 1, 1, 2, 8), Partial::new(MatrixName::C1, 0, 0, 2, 5),
+        Partial::new(MatrixName::C1, 0, 1, 2, 18), Partial::new(MatrixName::C1, 1, 1, 2, 5),
+        Partial::new(MatrixName::K0, 0, 0, 2, 17), Partial::new(MatrixName::K0, 1, 1, 2, 7),
+        Partial::new(MatrixName::K2, 0, 0, 2, 0).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 2, 0), Partial::new(MatrixName::Kc, 0, 0, 3, 2),
+        Partial::new(MatrixName::Kc, 0, 1, 3, 4), Partial::new(MatrixName::Kc, 1, 0, 3, 4),
+        Partial::new(MatrixName::Kc, 1, 1, 3, 3), Partial::new(MatrixName::C0, 0, 0, 4, 2),
+        Partial::new(MatrixName::C0, 0, 1, 4, 4), Partial::new(MatrixName::C0, 1, 0, 4, 4),
+        Partial::new(MatrixName::C0, 1, 1, 4, 3),
     ];
 }

@@ -138,41 +138,89 @@ impl<T: Number> TypicalSection<T> {
     /// 4 additions, 16 multiplications and 1 negation: 21 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
+    ///
+    /// Where they are stored, [`Self::write_matrices_and_derivatives`] takes less time.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (TypicalSectionMatrices<T>, TypicalSectionDerivatives<T>) {
-        let t4 = self.e - self.a;
-        let M_12_b = self.m * t4;
-        let imbalance = self.b * M_12_b;
         let zero = self.m.like(0.0);
-        let t14 = self.m.like(3.141592653589793) + self.m.like(3.141592653589793);
-        let t15 = self.s * t14;
-        let lift_rho = self.b * t15;
-        let lift = self.rho * lift_rho;
-        let t19 = self.a + self.m.like(0.5);
-        let t20 = self.b * lift;
-        let M_12_m = self.b * t4;
-        let lift_b = self.rho * t15;
-        let arm = self.b * t19;
-        let t26 = lift_b * arm;
-        let t27 = t26 + t26;
-        let lift_s = self.b * self.rho * t14;
-        let t30 = arm * lift_s;
-        let M_12_e = self.m * self.b;
-        let t32 = lift_rho * arm;
-        let K2_22 = -(t19 * t20);
-        (
-            TypicalSectionMatrices::from_entries([
-                self.m, imbalance, imbalance, self.I, self.kh, zero, zero, self.ktheta, zero, lift,
-                zero, K2_22,
-            ]),
-            TypicalSectionDerivatives {
-                values: [
-                    self.m.like(1.0), M_12_m, M_12_b, lift_b, t27, lift_s, t30, M_12_e, t20,
-                    lift_rho, t32,
-                ],
+        let mut matrices = TypicalSectionMatrices::from_entries([zero; 12]);
+        let mut derivatives = TypicalSectionDerivatives {
+            values: [zero; 11],
+        };
+        self.each_result(
+            #[inline(always)]
+            |position, value| matrices.set_entry(position, value),
+            #[inline(always)]
+            |position, value| derivatives.values[position] = value,
+        );
+        (matrices, derivatives)
+    }
+
+    /// Writes the coefficient matrices and their derivatives over others, each as soon as it is computed.
+    ///
+    /// They are those of [`Self::matrices_and_derivatives`], to the last bit. That function has more results than a
+    /// processor has registers, and moves them twice.
+    #[inline(always)]
+    pub fn write_matrices_and_derivatives(
+        &self,
+        matrices: &mut TypicalSectionMatrices<T>,
+        derivatives: &mut TypicalSectionDerivatives<T>,
+    ) {
+        *matrices = TypicalSectionMatrices::from_entries([self.m.like(0.0); 12]);
+        self.each_result(
+            #[inline(always)]
+            |position, value| {
+                matrices.set_entry(position, value);
+                carvallo::write_now();
             },
-        )
+            #[inline(always)]
+            |position, value| {
+                derivatives.values[position] = value;
+                carvallo::write_now();
+            },
+        );
+    }
+
+    /// The program: gives each entry that differs, and each value of the derivatives, to a function with its position.
+    #[inline(always)]
+    fn each_result(&self, mut put_entry: impl FnMut(usize, T), mut put_derivative: impl FnMut(usize, T)) {
+        put_entry(0, self.m);
+        put_entry(2, self.I);
+        put_entry(3, self.kh);
+        put_entry(4, self.ktheta);
+        put_derivative(0, self.m.like(1.0));
+        let t13 = self.e - self.a;
+        let M_12_m = t13 * self.b;
+        put_derivative(1, M_12_m);
+        let imbalance = self.m * M_12_m;
+        put_entry(1, imbalance);
+        let t16 = self.m.like(3.141592653589793) + self.m.like(3.141592653589793);
+        let t17 = self.rho * t16;
+        let lift_b = self.s * t17;
+        put_derivative(2, lift_b);
+        let t19 = self.a + self.m.like(0.5);
+        let arm = self.b * t19;
+        let M_12_b = self.m * t13;
+        put_derivative(3, M_12_b);
+        let lift_s = self.b * t17;
+        put_derivative(4, lift_s);
+        let M_12_e = self.m * self.b;
+        put_derivative(5, M_12_e);
+        let lift = self.b * lift_b;
+        put_entry(5, lift);
+        let t25 = arm * lift_s;
+        put_derivative(6, t25);
+        let lift_rho = self.b * self.s * t16;
+        put_derivative(7, lift_rho);
+        let t28 = arm * lift_rho;
+        put_derivative(8, t28);
+        let t30 = lift * (t19 + t19);
+        put_derivative(9, t30);
+        let t31 = self.b * lift;
+        put_derivative(10, t31);
+        let K2_22 = -(lift * arm);
+        put_entry(6, K2_22);
     }
 }
 
@@ -262,6 +310,36 @@ impl<T: Number> TypicalSectionMatrices<T> {
             self.m[0][0], self.m[0][1], self.m[1][1], self.kc[0][0], self.kc[1][1], self.k2[0][1],
             self.k2[1][1],
         ]
+    }
+
+    /// Sets the entry at a position among those that differ, wherever it stands.
+    #[inline(always)]
+    fn set_entry(&mut self, position: usize, entry: T) {
+        match position {
+            0 => {
+                self.m[0][0] = entry;
+            }
+            1 => {
+                self.m[0][1] = entry;
+                self.m[1][0] = entry;
+            }
+            2 => {
+                self.m[1][1] = entry;
+            }
+            3 => {
+                self.kc[0][0] = entry;
+            }
+            4 => {
+                self.kc[1][1] = entry;
+            }
+            5 => {
+                self.k2[0][1] = entry;
+            }
+            6 => {
+                self.k2[1][1] = entry;
+            }
+            _ => {}
+        }
     }
 
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
@@ -502,12 +580,9 @@ impl<T: Scalar> Differentiable<2> for TypicalSection<T> {
 }
 
 impl<T: Number> EvaluatorWithDerivatives<T, 2> for TypicalSection<T> {
-    type Derivatives = [T; 11];
-
     #[inline(always)]
-    fn entries_and_derivatives(&self) -> ([T; 7], [T; 11]) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        (TypicalSectionMatrices::distinct_entries(&matrices), derivatives.values)
+    fn each_result(&self, put_entry: impl FnMut(usize, T), put_derivative: impl FnMut(usize, T)) {
+        self.each_result(put_entry, put_derivative);
     }
 }
 
@@ -516,17 +591,17 @@ impl TypicalSectionDerivatives {
     pub const PARTIALS: &'static [Partial; 19] = &[
         Partial::new(MatrixName::M, 0, 0, 0, 0), Partial::new(MatrixName::M, 0, 1, 0, 1),
         Partial::new(MatrixName::M, 1, 0, 0, 1), Partial::new(MatrixName::M, 1, 1, 1, 0),
-        Partial::new(MatrixName::M, 0, 1, 2, 2), Partial::new(MatrixName::M, 1, 0, 2, 2),
-        Partial::new(MatrixName::K2, 0, 1, 2, 3),
-        Partial::new(MatrixName::K2, 1, 1, 2, 4).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 3, 5),
+        Partial::new(MatrixName::M, 0, 1, 2, 3), Partial::new(MatrixName::M, 1, 0, 2, 3),
+        Partial::new(MatrixName::K2, 0, 1, 2, 2),
+        Partial::new(MatrixName::K2, 1, 1, 2, 9).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 3, 4),
         Partial::new(MatrixName::K2, 1, 1, 3, 6).negative(),
-        Partial::new(MatrixName::M, 0, 1, 4, 7).negative(),
-        Partial::new(MatrixName::M, 1, 0, 4, 7).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 4, 8).negative(),
-        Partial::new(MatrixName::M, 0, 1, 5, 7), Partial::new(MatrixName::M, 1, 0, 5, 7),
+        Partial::new(MatrixName::M, 0, 1, 4, 5).negative(),
+        Partial::new(MatrixName::M, 1, 0, 4, 5).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 4, 10).negative(),
+        Partial::new(MatrixName::M, 0, 1, 5, 5), Partial::new(MatrixName::M, 1, 0, 5, 5),
         Partial::new(MatrixName::Kc, 0, 0, 6, 0), Partial::new(MatrixName::Kc, 1, 1, 7, 0),
-        Partial::new(MatrixName::K2, 0, 1, 8, 9),
-        Partial::new(MatrixName::K2, 1, 1, 8, 10).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 8, 7),
+        Partial::new(MatrixName::K2, 1, 1, 8, 8).negative(),
     ];
 }

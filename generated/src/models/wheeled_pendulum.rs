@@ -1440,52 +1440,106 @@ impl<T: Number> WheeledPendulum<T> {
     /// 21 additions, 16 multiplications, 1 division and 2 negations: 40 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
+    ///
+    /// Where they are stored, [`Self::write_matrices_and_derivatives`] takes less time.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WheeledPendulumMatrices<T>, WheeledPendulumDerivatives<T>) {
-        let t2 = self.mW + self.mW;
-        let t5 = self.m.like(1.0) / self.r;
-        let t6 = t5 + t5;
-        let M_11_Ia = t5 * t6;
-        let t8 = self.Ia * M_11_Ia;
-        let t9 = t2 + t8;
-        let M_11 = self.m + t9;
-        let t12 = self.m * self.l;
-        let t13 = self.m + t2;
-        let t15 = t12 + self.r * t13;
-        let t16 = self.Ia * t6;
         let zero = self.m.like(0.0);
-        let t19 = self.r + self.l;
-        let M_22 = self.Ia + self.Ia + t12 * t19 + self.r * t15 + self.Iyy;
-        let t29 = t9 * self.b;
-        let M_33 = self.Ir + self.Ir + self.b * t29 + self.Izz;
-        let M_22_m = t19 * t19;
-        let t37 = self.m * t19;
-        let M_22_l = t37 + t37;
-        let t40 = self.r + self.r;
-        let M_22_mW = self.r * t40;
-        let t42 = self.b * self.b;
-        let M_33_mW = t42 + t42;
-        let M_33_Ia = M_11_Ia * t42;
-        let t45 = M_11_Ia * t16;
-        let M_12_r = t8 - t13;
-        let M_22_r = t15 + t15;
-        let t48 = t42 * t45;
-        let M_33_b = t29 + t29;
-        let M_12 = -(t15 + t16);
-        let K0_22 = -t12;
-        (
-            WheeledPendulumMatrices::from_entries([
-                M_11, M_12, zero, M_12, M_22, zero, zero, zero, M_33, zero, zero, zero, zero, K0_22,
-                zero, zero, zero, zero,
-            ]),
-            WheeledPendulumDerivatives {
-                values: [
-                    self.m.like(1.0), t19, M_22_m, self.l, self.m, M_22_l, self.m.like(2.0), t40,
-                    M_22_mW, M_33_mW, M_11_Ia, t6, M_33_Ia, t45, M_12_r, M_22_r, t48, M_33_b,
-                ],
+        let mut matrices = WheeledPendulumMatrices::from_entries([zero; 18]);
+        let mut derivatives = WheeledPendulumDerivatives {
+            values: [zero; 18],
+        };
+        self.each_result(
+            #[inline(always)]
+            |position, value| matrices.set_entry(position, value),
+            #[inline(always)]
+            |position, value| derivatives.values[position] = value,
+        );
+        (matrices, derivatives)
+    }
+
+    /// Writes the coefficient matrices and their derivatives over others, each as soon as it is computed.
+    ///
+    /// They are those of [`Self::matrices_and_derivatives`], to the last bit. That function has more results than a
+    /// processor has registers, and moves them twice.
+    #[inline(always)]
+    pub fn write_matrices_and_derivatives(
+        &self,
+        matrices: &mut WheeledPendulumMatrices<T>,
+        derivatives: &mut WheeledPendulumDerivatives<T>,
+    ) {
+        *matrices = WheeledPendulumMatrices::from_entries([self.m.like(0.0); 18]);
+        self.each_result(
+            #[inline(always)]
+            |position, value| {
+                matrices.set_entry(position, value);
+                carvallo::write_now();
             },
-        )
+            #[inline(always)]
+            |position, value| {
+                derivatives.values[position] = value;
+                carvallo::write_now();
+            },
+        );
+    }
+
+    /// The program: gives each entry that differs, and each value of the derivatives, to a function with its position.
+    #[inline(always)]
+    fn each_result(&self, mut put_entry: impl FnMut(usize, T), mut put_derivative: impl FnMut(usize, T)) {
+        put_derivative(0, self.m);
+        put_derivative(1, self.l);
+        put_derivative(2, self.m.like(1.0));
+        put_derivative(3, self.m.like(2.0));
+        let t12 = self.mW + self.mW;
+        let t13 = self.m.like(1.0) / self.r;
+        let t14 = self.m * self.l;
+        let t15 = self.m + t12;
+        let t17 = t14 + self.r * t15;
+        let t18 = t13 + t13;
+        put_derivative(4, t18);
+        let K0_22 = -t14;
+        put_entry(4, K0_22);
+        let t20 = self.r + self.l;
+        put_derivative(5, t20);
+        let M_22_m = t20 * t20;
+        put_derivative(6, M_22_m);
+        let t22 = self.m * t20;
+        let M_22_l = t22 + t22;
+        put_derivative(7, M_22_l);
+        let t24 = self.r + self.r;
+        put_derivative(8, t24);
+        let M_22_mW = self.r * t24;
+        put_derivative(9, M_22_mW);
+        let t26 = self.b * self.b;
+        let M_33_mW = t26 + t26;
+        put_derivative(10, M_33_mW);
+        let M_11_Ia = t13 * t18;
+        put_derivative(11, M_11_Ia);
+        let t29 = self.Ia * t18;
+        let M_22 = self.Ia + self.Ia + t14 * t20 + self.r * t17 + self.Iyy;
+        put_entry(2, M_22);
+        let M_22_r = t17 + t17;
+        put_derivative(12, M_22_r);
+        let t37 = self.Ia * M_11_Ia;
+        let M_12 = -(t17 + t29);
+        put_entry(1, M_12);
+        let M_33_Ia = M_11_Ia * t26;
+        put_derivative(13, M_33_Ia);
+        let t41 = M_11_Ia * t29;
+        put_derivative(14, t41);
+        let t42 = t12 + t37;
+        let M_12_r = t37 - t15;
+        put_derivative(15, M_12_r);
+        let t44 = t26 * t41;
+        put_derivative(16, t44);
+        let M_11 = self.m + t42;
+        put_entry(0, M_11);
+        let t46 = t42 * self.b;
+        let M_33 = self.Ir + self.Ir + self.b * t46 + self.Izz;
+        put_entry(3, M_33);
+        let M_33_b = t46 + t46;
+        put_derivative(17, M_33_b);
     }
 }
 
@@ -1595,6 +1649,30 @@ impl<T: Number> WheeledPendulumMatrices<T> {
     #[inline(always)]
     fn distinct_entries(&self) -> [T; 5] {
         [self.m[0][0], self.m[0][1], self.m[1][1], self.m[2][2], self.k0[1][1]]
+    }
+
+    /// Sets the entry at a position among those that differ, wherever it stands.
+    #[inline(always)]
+    fn set_entry(&mut self, position: usize, entry: T) {
+        match position {
+            0 => {
+                self.m[0][0] = entry;
+            }
+            1 => {
+                self.m[0][1] = entry;
+                self.m[1][0] = entry;
+            }
+            2 => {
+                self.m[1][1] = entry;
+            }
+            3 => {
+                self.m[2][2] = entry;
+            }
+            4 => {
+                self.k0[1][1] = entry;
+            }
+            _ => {}
+        }
     }
 
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
@@ -1981,35 +2059,31 @@ impl<T: Scalar> Differentiable<3> for WheeledPendulum<T> {
 }
 
 impl<T: Number> EvaluatorWithDerivatives<T, 3> for WheeledPendulum<T> {
-    type Derivatives = [T; 18];
-
     #[inline(always)]
-    fn entries_and_derivatives(&self) -> ([T; 5], [T; 18]) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        (WheeledPendulumMatrices::distinct_entries(&matrices), derivatives.values)
+    fn each_result(&self, put_entry: impl FnMut(usize, T), put_derivative: impl FnMut(usize, T)) {
+        self.each_result(put_entry, put_derivative);
     }
 }
 
 impl WheeledPendulumDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 28] = &[
-        Partial::new(MatrixName::M, 0, 0, 0, 0), Partial::new(MatrixName::M, 0, 1, 0, 1).negative(),
-        Partial::new(MatrixName::M, 1, 0, 0, 1).negative(), Partial::new(MatrixName::M, 1, 1, 0, 2),
-        Partial::new(MatrixName::K0, 1, 1, 0, 3).negative(),
-        Partial::new(MatrixName::M, 0, 1, 1, 4).negative(),
-        Partial::new(MatrixName::M, 1, 0, 1, 4).negative(), Partial::new(MatrixName::M, 1, 1, 1, 5),
-        Partial::new(MatrixName::K0, 1, 1, 1, 4).negative(),
-        Partial::new(MatrixName::M, 1, 1, 2, 0), Partial::new(MatrixName::M, 2, 2, 3, 0),
-        Partial::new(MatrixName::M, 0, 0, 4, 6), Partial::new(MatrixName::M, 0, 1, 4, 7).negative(),
-        Partial::new(MatrixName::M, 1, 0, 4, 7).negative(), Partial::new(MatrixName::M, 1, 1, 4, 8),
-        Partial::new(MatrixName::M, 2, 2, 4, 9), Partial::new(MatrixName::M, 0, 0, 5, 10),
-        Partial::new(MatrixName::M, 0, 1, 5, 11).negative(),
-        Partial::new(MatrixName::M, 1, 0, 5, 11).negative(),
-        Partial::new(MatrixName::M, 1, 1, 5, 6), Partial::new(MatrixName::M, 2, 2, 5, 12),
-        Partial::new(MatrixName::M, 2, 2, 6, 6),
-        Partial::new(MatrixName::M, 0, 0, 7, 13).negative(),
-        Partial::new(MatrixName::M, 0, 1, 7, 14), Partial::new(MatrixName::M, 1, 0, 7, 14),
-        Partial::new(MatrixName::M, 1, 1, 7, 15),
+        Partial::new(MatrixName::M, 0, 0, 0, 2), Partial::new(MatrixName::M, 0, 1, 0, 5).negative(),
+        Partial::new(MatrixName::M, 1, 0, 0, 5).negative(), Partial::new(MatrixName::M, 1, 1, 0, 6),
+        Partial::new(MatrixName::K0, 1, 1, 0, 1).negative(),
+        Partial::new(MatrixName::M, 0, 1, 1, 0).negative(),
+        Partial::new(MatrixName::M, 1, 0, 1, 0).negative(), Partial::new(MatrixName::M, 1, 1, 1, 7),
+        Partial::new(MatrixName::K0, 1, 1, 1, 0).negative(),
+        Partial::new(MatrixName::M, 1, 1, 2, 2), Partial::new(MatrixName::M, 2, 2, 3, 2),
+        Partial::new(MatrixName::M, 0, 0, 4, 3), Partial::new(MatrixName::M, 0, 1, 4, 8).negative(),
+        Partial::new(MatrixName::M, 1, 0, 4, 8).negative(), Partial::new(MatrixName::M, 1, 1, 4, 9),
+        Partial::new(MatrixName::M, 2, 2, 4, 10), Partial::new(MatrixName::M, 0, 0, 5, 11),
+        Partial::new(MatrixName::M, 0, 1, 5, 4).negative(),
+        Partial::new(MatrixName::M, 1, 0, 5, 4).negative(), Partial::new(MatrixName::M, 1, 1, 5, 3),
+        Partial::new(MatrixName::M, 2, 2, 5, 13), Partial::new(MatrixName::M, 2, 2, 6, 3),
+        Partial::new(MatrixName::M, 0, 0, 7, 14).negative(),
+        Partial::new(MatrixName::M, 0, 1, 7, 15), Partial::new(MatrixName::M, 1, 0, 7, 15),
+        Partial::new(MatrixName::M, 1, 1, 7, 12),
         Partial::new(MatrixName::M, 2, 2, 7, 16).negative(),
         Partial::new(MatrixName::M, 2, 2, 8, 17),
     ];

@@ -134,37 +134,85 @@ impl<T: Number> Wheelset<T> {
     /// 4 additions, 9 multiplications, 1 division and 1 negation: 15 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
+    ///
+    /// Where they are stored, [`Self::write_matrices_and_derivatives`] takes less time.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WheelsetMatrices<T>, WheelsetDerivatives<T>) {
         let zero = self.m.like(0.0);
-        let Cm1_11 = self.f22 + self.f22;
-        let t7 = self.b + self.b;
-        let Cm1_22_f11 = self.b * t7;
-        let Cm1_22 = self.f11 * Cm1_22_f11;
-        let t13 = self.m.like(1.0) / self.r;
-        let t14 = self.lam * t13;
-        let Kc_21_f11 = t7 * t14;
-        let Kc_21 = self.f11 * Kc_21_f11;
-        let t20 = self.f11 * t7;
-        let Cm1_22_b = t20 + t20;
-        let t22 = self.f11 * t14;
-        let Kc_21_b = t22 + t22;
-        let Kc_21_lam = t13 * t20;
-        let t25 = t14 * Kc_21_lam;
-        let Kc_12 = -Cm1_11;
-        (
-            WheelsetMatrices::from_entries([
-                self.m, zero, zero, self.I, Cm1_11, zero, zero, Cm1_22, self.ky, Kc_12, Kc_21,
-                self.kpsi,
-            ]),
-            WheelsetDerivatives {
-                values: [
-                    self.m.like(1.0), Cm1_22_f11, Kc_21_f11, self.m.like(2.0), self.m.like(-2.0),
-                    Cm1_22_b, Kc_21_b, Kc_21_lam, t25,
-                ],
+        let mut matrices = WheelsetMatrices::from_entries([zero; 12]);
+        let mut derivatives = WheelsetDerivatives {
+            values: [zero; 9],
+        };
+        self.each_result(
+            #[inline(always)]
+            |position, value| matrices.set_entry(position, value),
+            #[inline(always)]
+            |position, value| derivatives.values[position] = value,
+        );
+        (matrices, derivatives)
+    }
+
+    /// Writes the coefficient matrices and their derivatives over others, each as soon as it is computed.
+    ///
+    /// They are those of [`Self::matrices_and_derivatives`], to the last bit. That function has more results than a
+    /// processor has registers, and moves them twice.
+    #[inline(always)]
+    pub fn write_matrices_and_derivatives(
+        &self,
+        matrices: &mut WheelsetMatrices<T>,
+        derivatives: &mut WheelsetDerivatives<T>,
+    ) {
+        *matrices = WheelsetMatrices::from_entries([self.m.like(0.0); 12]);
+        self.each_result(
+            #[inline(always)]
+            |position, value| {
+                matrices.set_entry(position, value);
+                carvallo::write_now();
             },
-        )
+            #[inline(always)]
+            |position, value| {
+                derivatives.values[position] = value;
+                carvallo::write_now();
+            },
+        );
+    }
+
+    /// The program: gives each entry that differs, and each value of the derivatives, to a function with its position.
+    #[inline(always)]
+    fn each_result(&self, mut put_entry: impl FnMut(usize, T), mut put_derivative: impl FnMut(usize, T)) {
+        put_entry(0, self.m);
+        put_entry(1, self.I);
+        put_entry(4, self.ky);
+        put_entry(7, self.kpsi);
+        put_derivative(0, self.m.like(1.0));
+        put_derivative(1, self.m.like(2.0));
+        put_derivative(2, self.m.like(-2.0));
+        let Cm1_11 = self.f22 + self.f22;
+        put_entry(2, Cm1_11);
+        let t14 = self.b + self.b;
+        let Cm1_22_f11 = self.b * t14;
+        put_derivative(3, Cm1_22_f11);
+        let Cm1_22 = self.f11 * Cm1_22_f11;
+        put_entry(3, Cm1_22);
+        let t17 = self.f11 * t14;
+        let t18 = self.m.like(1.0) / self.r;
+        let Cm1_22_b = t17 + t17;
+        put_derivative(4, Cm1_22_b);
+        let Kc_12 = -Cm1_11;
+        put_entry(5, Kc_12);
+        let Kc_21_lam = t17 * t18;
+        put_derivative(5, Kc_21_lam);
+        let t22 = self.lam * t18;
+        let Kc_21 = self.lam * Kc_21_lam;
+        put_entry(6, Kc_21);
+        let Kc_21_f11 = t14 * t22;
+        put_derivative(6, Kc_21_f11);
+        let t25 = self.f11 * t22;
+        let t26 = Kc_21_lam * t22;
+        put_derivative(7, t26);
+        let Kc_21_b = t25 + t25;
+        put_derivative(8, Kc_21_b);
     }
 }
 
@@ -256,6 +304,38 @@ impl<T: Number> WheelsetMatrices<T> {
             self.m[0][0], self.m[1][1], self.cm1[0][0], self.cm1[1][1], self.kc[0][0],
             self.kc[0][1], self.kc[1][0], self.kc[1][1],
         ]
+    }
+
+    /// Sets the entry at a position among those that differ, wherever it stands.
+    #[inline(always)]
+    fn set_entry(&mut self, position: usize, entry: T) {
+        match position {
+            0 => {
+                self.m[0][0] = entry;
+            }
+            1 => {
+                self.m[1][1] = entry;
+            }
+            2 => {
+                self.cm1[0][0] = entry;
+            }
+            3 => {
+                self.cm1[1][1] = entry;
+            }
+            4 => {
+                self.kc[0][0] = entry;
+            }
+            5 => {
+                self.kc[0][1] = entry;
+            }
+            6 => {
+                self.kc[1][0] = entry;
+            }
+            7 => {
+                self.kc[1][1] = entry;
+            }
+            _ => {}
+        }
     }
 
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
@@ -480,12 +560,9 @@ impl<T: Scalar> Differentiable<2> for Wheelset<T> {
 }
 
 impl<T: Number> EvaluatorWithDerivatives<T, 2> for Wheelset<T> {
-    type Derivatives = [T; 9];
-
     #[inline(always)]
-    fn entries_and_derivatives(&self) -> ([T; 8], [T; 9]) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        (WheelsetMatrices::distinct_entries(&matrices), derivatives.values)
+    fn each_result(&self, put_entry: impl FnMut(usize, T), put_derivative: impl FnMut(usize, T)) {
+        self.each_result(put_entry, put_derivative);
     }
 }
 
@@ -493,11 +570,11 @@ impl WheelsetDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 12] = &[
         Partial::new(MatrixName::M, 0, 0, 0, 0), Partial::new(MatrixName::M, 1, 1, 1, 0),
-        Partial::new(MatrixName::Cm1, 1, 1, 2, 1), Partial::new(MatrixName::Kc, 1, 0, 2, 2),
-        Partial::new(MatrixName::Cm1, 0, 0, 3, 3), Partial::new(MatrixName::Kc, 0, 1, 3, 4),
-        Partial::new(MatrixName::Cm1, 1, 1, 4, 5), Partial::new(MatrixName::Kc, 1, 0, 4, 6),
-        Partial::new(MatrixName::Kc, 1, 0, 5, 7),
-        Partial::new(MatrixName::Kc, 1, 0, 6, 8).negative(),
+        Partial::new(MatrixName::Cm1, 1, 1, 2, 3), Partial::new(MatrixName::Kc, 1, 0, 2, 6),
+        Partial::new(MatrixName::Cm1, 0, 0, 3, 1), Partial::new(MatrixName::Kc, 0, 1, 3, 2),
+        Partial::new(MatrixName::Cm1, 1, 1, 4, 4), Partial::new(MatrixName::Kc, 1, 0, 4, 8),
+        Partial::new(MatrixName::Kc, 1, 0, 5, 5),
+        Partial::new(MatrixName::Kc, 1, 0, 6, 7).negative(),
         Partial::new(MatrixName::Kc, 0, 0, 7, 0), Partial::new(MatrixName::Kc, 1, 1, 8, 0),
     ];
 }

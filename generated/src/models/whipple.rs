@@ -265,244 +265,380 @@ pub struct WhippleDerivatives<T = f64> {
 
 impl<T: Number> Whipple<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 113 additions, 196 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 317 operations.
+    /// 97 additions, 188 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 293 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
+    ///
+    /// Where they are stored, [`Self::write_matrices_and_derivatives`] takes less time.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleMatrices<T>, WhippleDerivatives<T>) {
-        let t5 = self.rF * self.mF;
-        let M_11_mH = self.zH * self.zH;
-        let t13 = self.IFxx + self.IHxx + self.rF * t5 + self.mH * M_11_mH;
-        let M_11_mB = self.zB * self.zB;
-        let t21 = self.rR * self.mR;
-        let M_11 = self.IRxx + t13 + self.mB * M_11_mB + self.IBxx + self.rR * t21;
-        let t31 = self.mH * self.xH;
-        let t33 = self.IHxz - self.zH * t31;
-        let t34 = t5 * self.w + t33;
-        let t36 = self.mB * self.zB;
-        let t40 = t34 + self.IBxz - t36 * self.xB;
-        let (sin_lam, cos_lam) = self.lam.sin_cos();
-        let t44 = self.w.like(1.0) / self.w;
-        let C1_12_IBxz = cos_lam * t44;
-        let mu = self.c * C1_12_IBxz;
-        let t48 = self.mH * self.zH;
-        let t49 = t48 - t5;
-        let t53 = t33 + self.c * t49 + self.w * t48;
-        let t57 = cos_lam * t53 + t13 * sin_lam;
-        let M_12 = t40 * mu + t57;
-        let t63 = self.IFxx + self.IHzz;
-        let t64 = self.w + self.c;
-        let t65 = self.xH - t64;
-        let t66 = self.mH * t65;
-        let t71 = t53 * sin_lam;
-        let t72 = cos_lam * (self.mF * self.c * self.c + t63 + t65 * t66) + t71;
-        let t76 = self.mF * self.w;
-        let t80 = cos_lam * (t63 + t31 * t65 - self.c * t76);
-        let t81 = t34 * sin_lam + t80;
-        let t82 = self.c * cos_lam;
-        let t86 = self.mB * self.xB;
-        let t93 = t44
-            * (self.IRxx + t63 + self.IBzz + self.w * t76 + self.xH * t31
-                + self.xB * t86);
-        let t94 = t82 * t93;
-        let t95 = t81 + t94;
-        let M_22 = sin_lam * t57 + cos_lam * t72 + mu * (t81 + t95);
         let zero = self.w.like(0.0);
-        let t102 = self.w.like(1.0) / self.rF;
-        let SF = self.IFyy * t102;
-        let t105 = self.w.like(1.0) / self.rR;
-        let t106 = self.IRyy * t105;
-        let ST = SF + t106;
-        let t108 = t36 + t49;
-        let t110 = ST + (t21 - t108);
-        let t114 = t40 + self.c * t110 + self.w * SF;
-        let C1_12 = C1_12_IBxz * t114;
-        let t116 = cos_lam * SF;
-        let t117 = C1_12_IBxz * ST;
-        let t118 = self.c * t117;
-        let t120 = t49 * sin_lam;
-        let t124 = self.mF - t44 * (t31 + t76 + t86);
-        let t125 = self.c * t124;
-        let t126 = t125 - t66;
-        let K0_12 = t120 + cos_lam * t126;
-        let t130 = t95 - self.c * K0_12;
-        let C1_22 = C1_12_IBxz * t130;
-        let K0_22 = sin_lam * K0_12;
-        let K2_12 = C1_12_IBxz * t110;
-        let t134 = sin_lam * SF;
-        let t135 = K0_12 - t134;
-        let t136 = C1_12_IBxz * t135;
-        let t138 = t5 * cos_lam;
-        let t139 = t40 * C1_12_IBxz - t138;
-        let t142 = cos_lam * t48;
-        let M_12_w = t142 - self.c * t44 * t139;
-        let t144 = self.rF * sin_lam;
-        let K0_12_mF = t82 - t144 - self.w * mu;
-        let t148 = self.mF * K0_12_mF;
-        let t149 = t44 * t95;
-        let t150 = t148 + t149;
-        let t151 = t150 + t150;
-        let M_12_IHxz = cos_lam + mu;
-        let t154 = self.xH * M_12_IHxz;
-        let t155 = cos_lam * t64;
-        let t156 = self.zH * sin_lam;
-        let t157 = t155 + t156;
-        let t158 = t154 - t157;
-        let t159 = t158 + t158;
-        let t160 = self.mH * t159;
-        let t161 = cos_lam * t160;
-        let t162 = mu * t151 + t161;
-        let t163 = t116 + t138;
-        let t165 = t44 * (C1_12 - t163);
-        let C1_21_w = t44 * t118;
-        let t168 = t44 * (t94 + t130);
-        let t169 = self.mH * cos_lam;
-        let t170 = self.xH + self.c;
-        let t172 = t76 + t125;
-        let C1_22_w = C1_12_IBxz * (mu * t172 - t148 - t168 - t169 * t170);
-        let K0_12_w = t169 - C1_12_IBxz * t125;
-        let t181 = t44 * K2_12;
-        let K2_22_w = t44 * (t136 - cos_lam * K0_12_w);
-        let M_12_c = t139 + t142;
-        let t187 = cos_lam * (t160 - t151);
-        let t188 = cos_lam * C1_12_IBxz;
-        let t189 = self.mH * t170;
-        let C1_22_c = t188 * (t93 - t126 - t172 - t189) - C1_12_IBxz * t120;
-        let K0_12_c = t169 + cos_lam * t124;
-        let K0_22_c = sin_lam * K0_12_c;
-        let t199 = C1_12_IBxz * K0_12_c;
-        let t200 = t44 * sin_lam;
-        let t201 = self.c * t200;
-        let t205 = t71 + t40 * t201 - t13 * cos_lam;
-        let t210 = t34 * t188 - t80 * t200;
-        let t215 = cos_lam * t57 - self.c * (sin_lam * t149 - t210) - sin_lam * t72;
-        let M_22_lam = t215 + t215;
-        let t217 = t114 * t200;
-        let C1_21_lam = t134 + ST * t201;
-        let t222 = t142 - sin_lam * t126;
-        let t223 = t138 - t222;
-        let C1_22_lam = t210 + mu * t223 - sin_lam * t168;
-        let K0_22_lam = cos_lam * K0_12 - sin_lam * t223;
-        let t230 = t110 * t200;
-        let K2_22_lam = C1_12_IBxz * (t163 - t222) + t135 * t200;
-        let M_11_rR = t21 + t21;
-        let K2_12_rR = C1_12_IBxz * (self.mR - t105 * t106);
-        let C1_12_rR = self.c * K2_12_rR;
-        let C1_12_IRyy = mu * t105;
-        let C1_21_rR = t106 * C1_12_IRyy;
-        let M_11_mR = self.rR * self.rR;
-        let C1_12_mR = self.rR * mu;
-        let K2_12_mR = self.rR * C1_12_IBxz;
-        let C1_22_ITzz = C1_12_IBxz * mu;
-        let M_22_ITzz = self.c * C1_22_ITzz;
-        let K2_12_IRyy = C1_12_IBxz * t105;
-        let t249 = self.mB * C1_12_IBxz;
-        let t250 = self.c * t249;
-        let t251 = self.zB * t250;
-        let t252 = self.xB * mu;
-        let t253 = t250 * t252;
-        let M_22_xB = t253 + t253;
-        let t255 = self.zB * t249;
-        let t256 = self.mB * t252;
-        let t257 = self.xB + self.c;
-        let C1_22_xB = C1_12_IBxz * (t256 + t250 * t257);
-        let t261 = sin_lam * t250;
-        let K2_22_xB = self.mB * C1_22_ITzz;
-        let M_11_zB = t36 + t36;
-        let t264 = t249 * t257;
-        let t265 = self.zB * t252;
-        let M_22_mB = t252 * t252;
-        let t267 = self.zB * C1_12_IBxz;
-        let t268 = t257 * t267;
-        let K2_22_mB = self.xB * C1_22_ITzz;
-        let C1_22_mB = t257 * K2_22_mB;
-        let t271 = sin_lam * t252;
-        let t272 = t48 * M_12_IHxz;
-        let t273 = self.mH * C1_12_IBxz;
-        let t274 = self.c * t273;
-        let M_22_xH = t161 + t158 * (t274 + t274);
-        let t278 = self.zH * C1_12_IBxz;
-        let t279 = self.mH * t278;
-        let C1_22_IHzz = C1_12_IBxz * M_12_IHxz;
-        let C1_22_xH = t158 * t273 + t189 * C1_22_IHzz;
-        let t284 = t169 + t274;
-        let t285 = sin_lam * t284;
-        let K2_22_xH = self.mH * C1_22_IHzz;
-        let M_11_zH = t48 + t48;
-        let M_12_zH = self.mH * (t156 - t158);
-        let K0_12_zH = self.mH * sin_lam;
-        let t291 = t159 * K0_12_zH;
-        let t292 = t170 * t273;
-        let t293 = t169 * t200;
-        let t294 = t170 * t293;
-        let K0_22_zH = sin_lam * K0_12_zH;
-        let t296 = self.zH * t158;
-        let M_22_mH = t158 * t158;
-        let t298 = t170 * t278;
-        let K2_22_mH = C1_12_IBxz * t158;
-        let C1_22_mH = t170 * K2_22_mH;
-        let t301 = sin_lam * t158;
-        let M_22_IHxx = sin_lam * sin_lam;
-        let M_22_IHzz = M_22_ITzz + cos_lam * (mu + M_12_IHxz);
-        let t306 = sin_lam + sin_lam;
-        let M_22_IHxz = M_12_IHxz * t306;
-        let K2_22_SF = C1_12_IBxz * sin_lam;
-        let M_11_rF = t5 + t5;
-        let M_12_rF = self.mF * (t144 - K0_12_mF);
-        let t312 = t148 * t306;
-        let ITzz_w = self.mF - t102 * SF;
-        let C1_12_SF = t44 * t155;
-        let C1_12_rF = ITzz_w * C1_12_SF;
-        let t317 = t102 * M_12_IHxz;
-        let C1_21_rF = SF * t317;
-        let t319 = self.mF * sin_lam;
-        let C1_22_rF = C1_12_SF * t319;
-        let t321 = sin_lam * t319;
-        let K2_12_rF = C1_12_IBxz * ITzz_w;
-        let K2_22_rF = sin_lam * K2_12_rF;
-        let M_11_mF = self.rF * self.rF;
-        let t325 = self.rF * K0_12_mF;
-        let M_22_mF = K0_12_mF * K0_12_mF;
-        let C1_12_mF = self.rF * C1_12_SF;
-        let t328 = K0_12_mF * C1_12_SF;
-        let K0_22_mF = sin_lam * K0_12_mF;
-        let K2_12_mF = self.rF * C1_12_IBxz;
-        let t331 = C1_12_IBxz * K0_12_mF;
-        let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let C1_12_IFyy = t102 * C1_12_SF;
-        let K2_12_IFyy = C1_12_IBxz * t102;
-        let K2_22_IFyy = t102 * K2_22_SF;
-        let C1_21 = -(t116 + t118);
-        let K0_11 = t108 - t21;
-        let K2_22 = -t136;
-        let t339 = -(sin_lam * K0_12_w);
-        let K0_12_lam = t222 - t138;
-        let K0_12_mH = t157 - t154;
-        (
-            WhippleMatrices::from_entries([
-                M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
-                K2_12, zero, K2_22,
-            ]),
-            WhippleDerivatives {
-                values: [
-                    M_12_w, t162, t165, C1_21_w, C1_22_w, K0_12_w, t339, t181, K2_22_w, M_12_c,
-                    t187, K2_12, t117, C1_22_c, K0_12_c, K0_22_c, t199, t205, M_22_lam, t217,
-                    C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t230, K2_22_lam, M_11_rR, C1_12_rR,
-                    C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
-                    self.w.like(1.0), M_22_ITzz, C1_22_ITzz, C1_12_IRyy, K2_12_IRyy, t251, M_22_xB,
-                    t255, C1_22_xB, t250, t261, K2_22_xB, M_11_zB, t256, t264, self.mB, t249,
-                    M_11_mB, t265, M_22_mB, t268, C1_22_mB, self.zB, t252, t271, t267, K2_22_mB, mu,
-                    C1_12_IBxz, t272, M_22_xH, t279, C1_22_xH, t284, t285, K2_22_xH, M_11_zH,
-                    M_12_zH, t291, t292, t294, self.mH, K0_12_zH, K0_22_zH, t273, t293, M_11_mH,
-                    t296, M_22_mH, t298, C1_22_mH, self.zH, K0_12_mH, t301, t278, K2_22_mH, sin_lam,
-                    M_22_IHxx, M_22_IHzz, C1_22_IHzz, M_12_IHxz, M_22_IHxz, K2_22_SF, M_11_rF,
-                    M_12_rF, t312, C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t319, t321, K2_12_rF,
-                    K2_22_rF, M_11_mF, t325, M_22_mF, C1_12_mF, t328, self.rF, K0_12_mF, K0_22_mF,
-                    K2_12_mF, t331, M_22_IFxx, C1_12_IFyy, t317, K2_12_IFyy, K2_22_IFyy,
-                ],
+        let mut matrices = WhippleMatrices::from_entries([zero; 16]);
+        let mut derivatives = WhippleDerivatives {
+            values: [zero; 124],
+        };
+        self.each_result(
+            #[inline(always)]
+            |position, value| matrices.set_entry(position, value),
+            #[inline(always)]
+            |position, value| derivatives.values[position] = value,
+        );
+        (matrices, derivatives)
+    }
+
+    /// Writes the coefficient matrices and their derivatives over others, each as soon as it is computed.
+    ///
+    /// They are those of [`Self::matrices_and_derivatives`], to the last bit. That function has more results than a
+    /// processor has registers, and moves them twice.
+    #[inline(always)]
+    pub fn write_matrices_and_derivatives(
+        &self,
+        matrices: &mut WhippleMatrices<T>,
+        derivatives: &mut WhippleDerivatives<T>,
+    ) {
+        *matrices = WhippleMatrices::from_entries([self.w.like(0.0); 16]);
+        self.each_result(
+            #[inline(always)]
+            |position, value| {
+                matrices.set_entry(position, value);
+                carvallo::write_now();
             },
-        )
+            #[inline(always)]
+            |position, value| {
+                derivatives.values[position] = value;
+                carvallo::write_now();
+            },
+        );
+    }
+
+    /// The program: gives each entry that differs, and each value of the derivatives, to a function with its position.
+    #[inline(always)]
+    fn each_result(&self, mut put_entry: impl FnMut(usize, T), mut put_derivative: impl FnMut(usize, T)) {
+        put_derivative(0, self.rR);
+        put_derivative(1, self.mR);
+        put_derivative(2, self.zB);
+        put_derivative(3, self.mB);
+        put_derivative(4, self.zH);
+        put_derivative(5, self.mH);
+        put_derivative(6, self.rF);
+        put_derivative(7, self.mF);
+        put_derivative(8, self.w.like(1.0));
+        let (sin_lam, cos_lam) = self.lam.sin_cos();
+        put_derivative(9, sin_lam);
+        let M_11_mF = self.rF * self.rF;
+        put_derivative(10, M_11_mF);
+        let t28 = self.zH * self.mH;
+        let t33 = self.IFxx + self.IHxx + self.mF * M_11_mF + self.zH * t28;
+        let t34 = self.rR * self.mR;
+        let t35 = self.zB * self.mB;
+        let t36 = self.mF * self.rF;
+        let M_11_rR = t34 + t34;
+        put_derivative(11, M_11_rR);
+        let M_11_mR = self.rR * self.rR;
+        put_derivative(12, M_11_mR);
+        let M_11_zB = t35 + t35;
+        put_derivative(13, M_11_zB);
+        let M_11_mB = self.zB * self.zB;
+        put_derivative(14, M_11_mB);
+        let M_11_zH = t28 + t28;
+        put_derivative(15, M_11_zH);
+        let M_11_mH = self.zH * self.zH;
+        put_derivative(16, M_11_mH);
+        let M_11_rF = t36 + t36;
+        put_derivative(17, M_11_rF);
+        let t44 = self.mF * self.w;
+        let t48 = t28 * self.xH - self.IHxz - self.rF * t44;
+        let M_11 = t33 + self.IRxx + self.IBxx + self.rR * t34 + self.zB * t35;
+        put_entry(0, M_11);
+        let t55 = self.w.like(1.0) / self.w;
+        let t56 = self.c + self.w;
+        let t57 = self.xH - t56;
+        let t58 = self.mH * t57;
+        let t60 = self.IBxz - t35 * self.xB;
+        let t61 = self.IFxx + self.IHzz;
+        let t62 = t48 * t55;
+        let t63 = self.c * t55;
+        let t65 = self.IHxz - self.zH * t58;
+        let t66 = self.mH * self.xH;
+        let t68 = t61 + self.xH * t66;
+        let t69 = self.mB * self.xB;
+        let t70 = self.w.like(1.0) / self.rF;
+        let t71 = self.w.like(1.0) / self.rR;
+        let t72 = t36 + t62;
+        let t73 = t28 - t36;
+        let K0_11 = t35 + t73 - t34;
+        put_entry(6, K0_11);
+        let t83 = t44
+            - t55 * (self.IRxx + t68 + self.xB * t69 + self.w * t44 + self.IBzz);
+        let t87 = self.mF - t55 * (t44 + t66 + t69);
+        let t90 = cos_lam * (t57 + self.xH * t63);
+        let t95 = t33 * sin_lam - cos_lam * (self.c * t72 - t65);
+        let t97 = t72 - t55 * t60;
+        let C1_12_IBxz = cos_lam * t55;
+        put_derivative(18, C1_12_IBxz);
+        let K2_12_mR = self.rR * C1_12_IBxz;
+        put_derivative(19, K2_12_mR);
+        let t100 = t35 * C1_12_IBxz;
+        put_derivative(20, t100);
+        let K2_22_SF = sin_lam * C1_12_IBxz;
+        put_derivative(21, K2_22_SF);
+        let M_12_lam = t33 * cos_lam + sin_lam * (self.c * t97 - t65);
+        put_derivative(22, M_12_lam);
+        let M_12_w = cos_lam * (t28 + t63 * t97);
+        put_derivative(23, M_12_w);
+        let M_12_c = cos_lam * (t28 - t97);
+        put_derivative(24, M_12_c);
+        let mu = self.c * C1_12_IBxz;
+        put_derivative(25, mu);
+        let t113 = t35 * mu;
+        put_derivative(26, t113);
+        let C1_12_mR = self.rR * mu;
+        put_derivative(27, C1_12_mR);
+        let t115 = mu * t69;
+        put_derivative(28, t115);
+        let M_12_IHxz = cos_lam + mu;
+        put_derivative(29, M_12_IHxz);
+        let t117 = self.zH * sin_lam;
+        let K0_12_mH = t117 - t90;
+        put_derivative(30, K0_12_mH);
+        let t119 = t90 - t117;
+        let K0_12_mF = self.c * (cos_lam - self.w * C1_12_IBxz) - self.rF * sin_lam;
+        put_derivative(31, K0_12_mF);
+        let M_12_zH = self.mH * (t117 - t119);
+        put_derivative(32, M_12_zH);
+        let M_12 = t95 + mu * t60;
+        put_entry(1, M_12);
+        let t129 = self.zH * t119;
+        put_derivative(33, t129);
+        let M_22_mH = t119 * t119;
+        put_derivative(34, M_22_mH);
+        let t131 = sin_lam * t119;
+        put_derivative(35, t131);
+        let SF = self.IFyy * t70;
+        let t133 = self.IRyy * t71;
+        let t138 = C1_12_IBxz * (self.c * t83 + t56 * t66 - t68);
+        let K2_12_IRyy = C1_12_IBxz * t71;
+        put_derivative(36, K2_12_IRyy);
+        let t140 = self.rF * K0_12_mF;
+        put_derivative(37, t140);
+        let M_22_mF = K0_12_mF * K0_12_mF;
+        put_derivative(38, M_22_mF);
+        let K0_22_mF = sin_lam * K0_12_mF;
+        put_derivative(39, K0_22_mF);
+        let t143 = self.mF * K0_12_mF;
+        let t144 = C1_12_IBxz * K0_12_mF;
+        put_derivative(40, t144);
+        let ST = SF + t133;
+        let t146 = ST - K0_11;
+        let t152 = t55 * (t60 + self.w * SF + self.c * t146 - t48);
+        let t153 = t56 * t144;
+        put_derivative(41, t153);
+        let K2_12 = C1_12_IBxz * t146;
+        put_entry(9, K2_12);
+        put_derivative(42, K2_12);
+        let t155 = t55 * t146;
+        let t156 = C1_12_IBxz * t155;
+        put_derivative(43, t156);
+        let t157 = sin_lam * t155;
+        put_derivative(44, t157);
+        let t158 = C1_12_IBxz * ST;
+        put_derivative(45, t158);
+        let t159 = t63 * ST;
+        let C1_21_w = C1_12_IBxz * t159;
+        put_derivative(46, C1_21_w);
+        let t161 = SF + t159;
+        let C1_21_lam = sin_lam * t161;
+        put_derivative(47, C1_21_lam);
+        let C1_21 = -(cos_lam * t161);
+        put_entry(4, C1_21);
+        let M_12_rF = sin_lam * t36 - t143;
+        put_derivative(48, M_12_rF);
+        let t167 = self.c * t87;
+        let t168 = t58 - t167;
+        let K0_12 = sin_lam * t73 - cos_lam * t168;
+        put_entry(7, K0_12);
+        let K0_12_lam = cos_lam * t73 + sin_lam * t168;
+        put_derivative(49, K0_12_lam);
+        let t176 = t138 + sin_lam * t62;
+        let t177 = cos_lam + cos_lam;
+        let t178 = t119 + t119;
+        let t179 = self.mH * cos_lam;
+        let t180 = t178 * t179;
+        let t181 = self.c + self.xH;
+        let t182 = t179 * t181;
+        let K0_12_w = t179 - mu * t87;
+        put_derivative(50, K0_12_w);
+        let t187 = K0_12 + cos_lam * (t83 + t167);
+        let K0_22 = sin_lam * K0_12;
+        put_entry(8, K0_22);
+        let K0_12_c = t179 + cos_lam * t87;
+        put_derivative(51, K0_12_c);
+        let K0_22_c = sin_lam * K0_12_c;
+        put_derivative(52, K0_22_c);
+        let t192 = C1_12_IBxz * K0_12_c;
+        put_derivative(53, t192);
+        let ITzz_mF = t36 + SF - t152;
+        let C1_12_w = C1_12_IBxz * ITzz_mF;
+        put_derivative(54, C1_12_w);
+        let C1_12 = cos_lam * t152;
+        put_entry(3, C1_12);
+        let t197 = sin_lam * t152;
+        put_derivative(55, t197);
+        let K0_22_lam = cos_lam * K0_12 + sin_lam * K0_12_lam;
+        put_derivative(56, K0_22_lam);
+        let t201 = t55 * t179;
+        put_derivative(57, t201);
+        let t202 = self.zH * t201;
+        put_derivative(58, t202);
+        let t204 = -(sin_lam * K0_12_w);
+        put_derivative(59, t204);
+        let t205 = t143 - t176;
+        let t212 = M_12_IHxz * t61 + sin_lam * self.IHxz + t58 * t119 + self.c * t205;
+        let t214 = t176 + t63 * K0_12;
+        let t216 = sin_lam * SF - K0_12;
+        let K2_22 = C1_12_IBxz * t216;
+        put_entry(10, K2_22);
+        let t221 = C1_12_IBxz * (t205 + t182 - t63 * t187);
+        put_derivative(60, t221);
+        let t223 = C1_12_IBxz * (t182 + t187);
+        put_derivative(61, t223);
+        let t224 = t205 * t177;
+        let t226 = t63 * t224 + t180;
+        put_derivative(62, t226);
+        let M_22_c = t224 - t180;
+        put_derivative(63, M_22_c);
+        let t228 = t55 * t216;
+        let t230 = C1_12_IBxz * (K0_12_w + t228);
+        put_derivative(64, t230);
+        let t231 = t55 * t182;
+        put_derivative(65, t231);
+        let K2_22_mH = C1_12_IBxz * t119;
+        put_derivative(66, K2_22_mH);
+        let C1_22_xH = self.mH * K2_22_mH + M_12_IHxz * t231;
+        put_derivative(67, C1_22_xH);
+        let C1_22_mH = t181 * K2_22_mH;
+        put_derivative(68, C1_22_mH);
+        let C1_22 = -(cos_lam * t214);
+        put_entry(5, C1_22);
+        let t239 = sin_lam + sin_lam;
+        let t240 = t143 * t239;
+        put_derivative(69, t240);
+        let M_22_IHxz = M_12_IHxz * t239;
+        put_derivative(70, M_22_IHxz);
+        let t242 = cos_lam * C1_12_IBxz;
+        let C1_22_lam = sin_lam * (t138 + t214) - mu * K0_12_lam - t48 * t242;
+        put_derivative(71, C1_22_lam);
+        let M_22_lam = t95 * t177 - t212 * t239;
+        put_derivative(72, M_22_lam);
+        let M_22 = sin_lam * t95 + cos_lam * t212;
+        put_entry(2, M_22);
+        let K2_22_lam = SF * t242 - C1_12_IBxz * K0_12_lam - sin_lam * t228;
+        put_derivative(73, K2_22_lam);
+        let C1_22_ITzz = t63 * t242;
+        put_derivative(74, C1_22_ITzz);
+        let C1_22_IHzz = t242 + C1_22_ITzz;
+        put_derivative(75, C1_22_IHzz);
+        let K2_22_xH = self.mH * C1_22_IHzz;
+        put_derivative(76, K2_22_xH);
+        let K2_22_xB = self.mB * C1_22_ITzz;
+        put_derivative(77, K2_22_xB);
+        let K2_12_rR = self.mR * C1_12_IBxz - t133 * K2_12_IRyy;
+        put_derivative(78, K2_12_rR);
+        let C1_12_rR = self.c * K2_12_rR;
+        put_derivative(79, C1_12_rR);
+        let C1_12_IRyy = self.c * K2_12_IRyy;
+        put_derivative(80, C1_12_IRyy);
+        let C1_21_rR = t133 * C1_12_IRyy;
+        put_derivative(81, C1_21_rR);
+        let M_22_ITzz = mu * mu;
+        put_derivative(82, M_22_ITzz);
+        let t271 = t69 * M_22_ITzz;
+        let M_22_xB = t271 + t271;
+        put_derivative(83, M_22_xB);
+        let t273 = mu * self.xB;
+        put_derivative(84, t273);
+        let t274 = self.zB * t273;
+        put_derivative(85, t274);
+        let M_22_mB = t273 * t273;
+        put_derivative(86, M_22_mB);
+        let t276 = sin_lam * t273;
+        put_derivative(87, t276);
+        let K2_22_mB = C1_12_IBxz * t273;
+        put_derivative(88, K2_22_mB);
+        let t278 = self.c + self.xB;
+        let C1_22_xB = (self.xB + t278) * K2_22_xB;
+        put_derivative(89, C1_22_xB);
+        let C1_22_mB = t278 * K2_22_mB;
+        put_derivative(90, C1_22_mB);
+        let t282 = self.mB * C1_12_IBxz;
+        put_derivative(91, t282);
+        let t283 = t278 * t282;
+        put_derivative(92, t283);
+        let t284 = self.c * t282;
+        put_derivative(93, t284);
+        let t285 = sin_lam * t284;
+        put_derivative(94, t285);
+        let t286 = self.zB * C1_12_IBxz;
+        put_derivative(95, t286);
+        let t287 = t278 * t286;
+        put_derivative(96, t287);
+        let t288 = self.mH * M_12_IHxz;
+        put_derivative(97, t288);
+        let t289 = self.zH * t288;
+        put_derivative(98, t289);
+        let M_22_xH = t178 * t288;
+        put_derivative(99, M_22_xH);
+        let t291 = sin_lam * t288;
+        put_derivative(100, t291);
+        let K0_12_zH = self.mH * sin_lam;
+        put_derivative(101, K0_12_zH);
+        let t293 = t178 * K0_12_zH;
+        put_derivative(102, t293);
+        let K0_22_zH = sin_lam * K0_12_zH;
+        put_derivative(103, K0_22_zH);
+        let t295 = C1_12_IBxz * K0_12_zH;
+        put_derivative(104, t295);
+        let t296 = t181 * t295;
+        put_derivative(105, t296);
+        let t297 = self.zH * C1_12_IBxz;
+        put_derivative(106, t297);
+        let t298 = t181 * t297;
+        put_derivative(107, t298);
+        let M_22_IHxx = sin_lam * sin_lam;
+        put_derivative(108, M_22_IHxx);
+        let t300 = self.mF * M_22_IHxx;
+        put_derivative(109, t300);
+        let M_22_IHzz = M_12_IHxz * M_12_IHxz;
+        put_derivative(110, M_22_IHzz);
+        let M_22_IFxx = M_22_IHxx + M_22_IHzz;
+        put_derivative(111, M_22_IFxx);
+        let t303 = M_12_IHxz * t70;
+        put_derivative(112, t303);
+        let C1_21_rF = SF * t303;
+        put_derivative(113, C1_21_rF);
+        let t305 = t56 * C1_12_IBxz;
+        let t307 = self.mF - t70 * SF;
+        let C1_12_rF = t305 * t307;
+        put_derivative(114, C1_12_rF);
+        let K2_12_rF = C1_12_IBxz * t307;
+        put_derivative(115, K2_12_rF);
+        let C1_12_IFyy = t70 * t305;
+        put_derivative(116, C1_12_IFyy);
+        let K2_12_IFyy = C1_12_IBxz * t70;
+        put_derivative(117, K2_12_IFyy);
+        let K2_22_IFyy = sin_lam * K2_12_IFyy;
+        put_derivative(118, K2_22_IFyy);
+        let t313 = self.mF * sin_lam;
+        put_derivative(119, t313);
+        let C1_22_rF = t305 * t313;
+        put_derivative(120, C1_22_rF);
+        let K2_22_rF = sin_lam * K2_12_rF;
+        put_derivative(121, K2_22_rF);
+        let K2_12_mF = self.rF * C1_12_IBxz;
+        put_derivative(122, K2_12_mF);
+        let C1_12_mF = t56 * K2_12_mF;
+        put_derivative(123, C1_12_mF);
     }
 }
 
@@ -675,6 +811,49 @@ impl<T: Number> WhippleMatrices<T> {
             self.m[0][0], self.m[0][1], self.m[1][1], self.c1[0][1], self.c1[1][0], self.c1[1][1],
             self.k0[0][0], self.k0[0][1], self.k0[1][1], self.k2[0][1], self.k2[1][1],
         ]
+    }
+
+    /// Sets the entry at a position among those that differ, wherever it stands.
+    #[inline(always)]
+    fn set_entry(&mut self, position: usize, entry: T) {
+        match position {
+            0 => {
+                self.m[0][0] = entry;
+            }
+            1 => {
+                self.m[0][1] = entry;
+                self.m[1][0] = entry;
+            }
+            2 => {
+                self.m[1][1] = entry;
+            }
+            3 => {
+                self.c1[0][1] = entry;
+            }
+            4 => {
+                self.c1[1][0] = entry;
+            }
+            5 => {
+                self.c1[1][1] = entry;
+            }
+            6 => {
+                self.k0[0][0] = entry;
+            }
+            7 => {
+                self.k0[0][1] = entry;
+                self.k0[1][0] = entry;
+            }
+            8 => {
+                self.k0[1][1] = entry;
+            }
+            9 => {
+                self.k2[0][1] = entry;
+            }
+            10 => {
+                self.k2[1][1] = entry;
+            }
+            _ => {}
+        }
     }
 
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
@@ -995,141 +1174,139 @@ impl<T: Scalar> Differentiable<2> for Whipple<T> {
 }
 
 impl<T: Number> EvaluatorWithDerivatives<T, 2> for Whipple<T> {
-    type Derivatives = [T; 124];
-
     #[inline(always)]
-    fn entries_and_derivatives(&self) -> ([T; 11], [T; 124]) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        (WhippleMatrices::distinct_entries(&matrices), derivatives.values)
+    fn each_result(&self, put_entry: impl FnMut(usize, T), put_derivative: impl FnMut(usize, T)) {
+        self.each_result(put_entry, put_derivative);
     }
 }
 
 impl WhippleDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 158] = &[
-        Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 0, 2).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
-        Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
-        Partial::new(MatrixName::K0, 1, 1, 0, 6).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 0, 8), Partial::new(MatrixName::M, 0, 1, 1, 9),
-        Partial::new(MatrixName::M, 1, 0, 1, 9),
-        Partial::new(MatrixName::M, 1, 1, 1, 10).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 1, 11),
-        Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 13), Partial::new(MatrixName::K0, 0, 1, 1, 14),
-        Partial::new(MatrixName::K0, 1, 0, 1, 14), Partial::new(MatrixName::K0, 1, 1, 1, 15),
-        Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
-        Partial::new(MatrixName::M, 0, 1, 2, 17).negative(),
-        Partial::new(MatrixName::M, 1, 0, 2, 17).negative(),
-        Partial::new(MatrixName::M, 1, 1, 2, 18),
-        Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
-        Partial::new(MatrixName::K0, 0, 1, 2, 22), Partial::new(MatrixName::K0, 1, 0, 2, 22),
-        Partial::new(MatrixName::K0, 1, 1, 2, 23),
-        Partial::new(MatrixName::K2, 0, 1, 2, 24).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 2, 25), Partial::new(MatrixName::M, 0, 0, 4, 26),
-        Partial::new(MatrixName::C1, 0, 1, 4, 27), Partial::new(MatrixName::C1, 1, 0, 4, 28),
-        Partial::new(MatrixName::K0, 0, 0, 4, 29).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 4, 30),
-        Partial::new(MatrixName::M, 0, 0, 5, 31),
-        Partial::new(MatrixName::C1, 0, 1, 5, 32),
-        Partial::new(MatrixName::K0, 0, 0, 5, 33).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 5, 34), Partial::new(MatrixName::M, 0, 0, 6, 35),
-        Partial::new(MatrixName::M, 1, 1, 6, 36), Partial::new(MatrixName::C1, 1, 1, 6, 37),
-        Partial::new(MatrixName::C1, 0, 1, 7, 38),
-        Partial::new(MatrixName::C1, 1, 0, 7, 38).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 7, 39),
-        Partial::new(MatrixName::M, 0, 1, 8, 40).negative(),
-        Partial::new(MatrixName::M, 1, 0, 8, 40).negative(),
-        Partial::new(MatrixName::M, 1, 1, 8, 41),
-        Partial::new(MatrixName::C1, 0, 1, 8, 42).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 8, 43),
-        Partial::new(MatrixName::K0, 0, 1, 8, 44).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 8, 44).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 8, 45).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 8, 46), Partial::new(MatrixName::M, 0, 0, 9, 47),
-        Partial::new(MatrixName::M, 0, 1, 9, 48).negative(),
-        Partial::new(MatrixName::M, 1, 0, 9, 48).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 9, 49).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 9, 50),
-        Partial::new(MatrixName::K2, 0, 1, 9, 51).negative(),
-        Partial::new(MatrixName::M, 0, 0, 10, 52),
-        Partial::new(MatrixName::M, 0, 1, 10, 53).negative(),
-        Partial::new(MatrixName::M, 1, 0, 10, 53).negative(),
-        Partial::new(MatrixName::M, 1, 1, 10, 54),
-        Partial::new(MatrixName::C1, 0, 1, 10, 55).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 10, 56),
-        Partial::new(MatrixName::K0, 0, 0, 10, 57),
-        Partial::new(MatrixName::K0, 0, 1, 10, 58).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 10, 58).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 10, 59).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 10, 60).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 10, 61), Partial::new(MatrixName::M, 0, 0, 11, 35),
-        Partial::new(MatrixName::M, 1, 1, 13, 36), Partial::new(MatrixName::C1, 1, 1, 13, 37),
-        Partial::new(MatrixName::M, 0, 1, 14, 62), Partial::new(MatrixName::M, 1, 0, 14, 62),
-        Partial::new(MatrixName::C1, 0, 1, 14, 63),
-        Partial::new(MatrixName::M, 0, 1, 15, 64).negative(),
-        Partial::new(MatrixName::M, 1, 0, 15, 64).negative(),
-        Partial::new(MatrixName::M, 1, 1, 15, 65),
-        Partial::new(MatrixName::C1, 0, 1, 15, 66).negative(),
+        Partial::new(MatrixName::M, 0, 1, 0, 23), Partial::new(MatrixName::M, 1, 0, 0, 23),
+        Partial::new(MatrixName::M, 1, 1, 0, 62).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 0, 54), Partial::new(MatrixName::C1, 1, 0, 0, 46),
+        Partial::new(MatrixName::C1, 1, 1, 0, 60).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 0, 50),
+        Partial::new(MatrixName::K0, 1, 0, 0, 50),
+        Partial::new(MatrixName::K0, 1, 1, 0, 59).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 0, 43).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 0, 64).negative(),
+        Partial::new(MatrixName::M, 0, 1, 1, 24), Partial::new(MatrixName::M, 1, 0, 1, 24),
+        Partial::new(MatrixName::M, 1, 1, 1, 63), Partial::new(MatrixName::C1, 0, 1, 1, 42),
+        Partial::new(MatrixName::C1, 1, 0, 1, 45).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 1, 61).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 1, 51),
+        Partial::new(MatrixName::K0, 1, 0, 1, 51),
+        Partial::new(MatrixName::K0, 1, 1, 1, 52),
+        Partial::new(MatrixName::K2, 1, 1, 1, 53).negative(),
+        Partial::new(MatrixName::M, 0, 1, 2, 22),
+        Partial::new(MatrixName::M, 1, 0, 2, 22),
+        Partial::new(MatrixName::M, 1, 1, 2, 72),
+        Partial::new(MatrixName::C1, 0, 1, 2, 55).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 2, 47), Partial::new(MatrixName::C1, 1, 1, 2, 71),
+        Partial::new(MatrixName::K0, 0, 1, 2, 49), Partial::new(MatrixName::K0, 1, 0, 2, 49),
+        Partial::new(MatrixName::K0, 1, 1, 2, 56),
+        Partial::new(MatrixName::K2, 0, 1, 2, 44).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 2, 73), Partial::new(MatrixName::M, 0, 0, 4, 11),
+        Partial::new(MatrixName::C1, 0, 1, 4, 79), Partial::new(MatrixName::C1, 1, 0, 4, 81),
+        Partial::new(MatrixName::K0, 0, 0, 4, 1).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 4, 78), Partial::new(MatrixName::M, 0, 0, 5, 12),
+        Partial::new(MatrixName::C1, 0, 1, 5, 27),
+        Partial::new(MatrixName::K0, 0, 0, 5, 0).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 5, 19), Partial::new(MatrixName::M, 0, 0, 6, 8),
+        Partial::new(MatrixName::M, 1, 1, 6, 82), Partial::new(MatrixName::C1, 1, 1, 6, 74),
+        Partial::new(MatrixName::C1, 0, 1, 7, 80),
+        Partial::new(MatrixName::C1, 1, 0, 7, 80).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 7, 36),
+        Partial::new(MatrixName::M, 0, 1, 8, 26).negative(),
+        Partial::new(MatrixName::M, 1, 0, 8, 26).negative(),
+        Partial::new(MatrixName::M, 1, 1, 8, 83),
+        Partial::new(MatrixName::C1, 0, 1, 8, 20).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 8, 89),
+        Partial::new(MatrixName::K0, 0, 1, 8, 93).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 8, 93).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 8, 94).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 8, 77), Partial::new(MatrixName::M, 0, 0, 9, 13),
+        Partial::new(MatrixName::M, 0, 1, 9, 28).negative(),
+        Partial::new(MatrixName::M, 1, 0, 9, 28).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 9, 92).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 9, 3),
+        Partial::new(MatrixName::K2, 0, 1, 9, 91).negative(),
+        Partial::new(MatrixName::M, 0, 0, 10, 14),
+        Partial::new(MatrixName::M, 0, 1, 10, 85).negative(),
+        Partial::new(MatrixName::M, 1, 0, 10, 85).negative(),
+        Partial::new(MatrixName::M, 1, 1, 10, 86),
+        Partial::new(MatrixName::C1, 0, 1, 10, 96).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 10, 90),
+        Partial::new(MatrixName::K0, 0, 0, 10, 2),
+        Partial::new(MatrixName::K0, 0, 1, 10, 84).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 10, 84).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 10, 87).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 10, 95).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 10, 88), Partial::new(MatrixName::M, 0, 0, 11, 8),
+        Partial::new(MatrixName::M, 1, 1, 13, 82), Partial::new(MatrixName::C1, 1, 1, 13, 74),
+        Partial::new(MatrixName::M, 0, 1, 14, 25), Partial::new(MatrixName::M, 1, 0, 14, 25),
+        Partial::new(MatrixName::C1, 0, 1, 14, 18),
+        Partial::new(MatrixName::M, 0, 1, 15, 98).negative(),
+        Partial::new(MatrixName::M, 1, 0, 15, 98).negative(),
+        Partial::new(MatrixName::M, 1, 1, 15, 99),
+        Partial::new(MatrixName::C1, 0, 1, 15, 58).negative(),
         Partial::new(MatrixName::C1, 1, 1, 15, 67),
-        Partial::new(MatrixName::K0, 0, 1, 15, 68).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 15, 68).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 15, 69).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 15, 70), Partial::new(MatrixName::M, 0, 0, 16, 71),
-        Partial::new(MatrixName::M, 0, 1, 16, 72), Partial::new(MatrixName::M, 1, 0, 16, 72),
-        Partial::new(MatrixName::M, 1, 1, 16, 73).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 16, 74).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 16, 75).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 16, 76), Partial::new(MatrixName::K0, 0, 1, 16, 77),
-        Partial::new(MatrixName::K0, 1, 0, 16, 77), Partial::new(MatrixName::K0, 1, 1, 16, 78),
-        Partial::new(MatrixName::K2, 0, 1, 16, 79).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 16, 80).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 81),
-        Partial::new(MatrixName::M, 0, 1, 17, 82).negative(),
-        Partial::new(MatrixName::M, 1, 0, 17, 82).negative(),
-        Partial::new(MatrixName::M, 1, 1, 17, 83),
-        Partial::new(MatrixName::C1, 0, 1, 17, 84).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 17, 85), Partial::new(MatrixName::K0, 0, 0, 17, 86),
-        Partial::new(MatrixName::K0, 0, 1, 17, 87), Partial::new(MatrixName::K0, 1, 0, 17, 87),
-        Partial::new(MatrixName::K0, 1, 1, 17, 88).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 17, 89).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 17, 90), Partial::new(MatrixName::M, 0, 0, 18, 35),
-        Partial::new(MatrixName::M, 0, 1, 18, 91), Partial::new(MatrixName::M, 1, 0, 18, 91),
-        Partial::new(MatrixName::M, 1, 1, 18, 92), Partial::new(MatrixName::M, 1, 1, 20, 93),
-        Partial::new(MatrixName::C1, 1, 1, 20, 94), Partial::new(MatrixName::M, 0, 1, 21, 95),
-        Partial::new(MatrixName::M, 1, 0, 21, 95), Partial::new(MatrixName::M, 1, 1, 21, 96),
-        Partial::new(MatrixName::C1, 0, 1, 21, 63), Partial::new(MatrixName::C1, 1, 1, 21, 97),
-        Partial::new(MatrixName::M, 0, 0, 22, 98), Partial::new(MatrixName::M, 0, 1, 22, 99),
-        Partial::new(MatrixName::M, 1, 0, 22, 99),
-        Partial::new(MatrixName::M, 1, 1, 22, 100).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 22, 101),
-        Partial::new(MatrixName::C1, 1, 0, 22, 102),
-        Partial::new(MatrixName::C1, 1, 1, 22, 103),
-        Partial::new(MatrixName::K0, 0, 0, 22, 104).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 22, 105).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 22, 105).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 22, 106).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 107),
-        Partial::new(MatrixName::K2, 1, 1, 22, 108),
-        Partial::new(MatrixName::M, 0, 0, 23, 109),
-        Partial::new(MatrixName::M, 0, 1, 23, 110).negative(),
-        Partial::new(MatrixName::M, 1, 0, 23, 110).negative(),
-        Partial::new(MatrixName::M, 1, 1, 23, 111),
-        Partial::new(MatrixName::C1, 0, 1, 23, 112),
-        Partial::new(MatrixName::C1, 1, 1, 23, 113).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 23, 114).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 23, 115), Partial::new(MatrixName::K0, 1, 0, 23, 115),
-        Partial::new(MatrixName::K0, 1, 1, 23, 116), Partial::new(MatrixName::K2, 0, 1, 23, 117),
-        Partial::new(MatrixName::K2, 1, 1, 23, 118).negative(),
-        Partial::new(MatrixName::M, 0, 0, 24, 35), Partial::new(MatrixName::M, 0, 1, 24, 91),
-        Partial::new(MatrixName::M, 1, 0, 24, 91), Partial::new(MatrixName::M, 1, 1, 24, 119),
-        Partial::new(MatrixName::C1, 1, 1, 24, 94), Partial::new(MatrixName::C1, 0, 1, 25, 120),
-        Partial::new(MatrixName::C1, 1, 0, 25, 121).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 25, 122),
-        Partial::new(MatrixName::K2, 1, 1, 25, 123),
+        Partial::new(MatrixName::K0, 0, 1, 15, 97).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 15, 97).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 15, 100).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 15, 76), Partial::new(MatrixName::M, 0, 0, 16, 15),
+        Partial::new(MatrixName::M, 0, 1, 16, 32), Partial::new(MatrixName::M, 1, 0, 16, 32),
+        Partial::new(MatrixName::M, 1, 1, 16, 102).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 16, 65).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 16, 105).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 16, 5), Partial::new(MatrixName::K0, 0, 1, 16, 101),
+        Partial::new(MatrixName::K0, 1, 0, 16, 101), Partial::new(MatrixName::K0, 1, 1, 16, 103),
+        Partial::new(MatrixName::K2, 0, 1, 16, 57).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 16, 104).negative(),
+        Partial::new(MatrixName::M, 0, 0, 17, 16),
+        Partial::new(MatrixName::M, 0, 1, 17, 33).negative(),
+        Partial::new(MatrixName::M, 1, 0, 17, 33).negative(),
+        Partial::new(MatrixName::M, 1, 1, 17, 34),
+        Partial::new(MatrixName::C1, 0, 1, 17, 107).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 68), Partial::new(MatrixName::K0, 0, 0, 17, 4),
+        Partial::new(MatrixName::K0, 0, 1, 17, 30), Partial::new(MatrixName::K0, 1, 0, 17, 30),
+        Partial::new(MatrixName::K0, 1, 1, 17, 35).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 17, 106).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 17, 66), Partial::new(MatrixName::M, 0, 0, 18, 8),
+        Partial::new(MatrixName::M, 0, 1, 18, 9), Partial::new(MatrixName::M, 1, 0, 18, 9),
+        Partial::new(MatrixName::M, 1, 1, 18, 108), Partial::new(MatrixName::M, 1, 1, 20, 110),
+        Partial::new(MatrixName::C1, 1, 1, 20, 75), Partial::new(MatrixName::M, 0, 1, 21, 29),
+        Partial::new(MatrixName::M, 1, 0, 21, 29), Partial::new(MatrixName::M, 1, 1, 21, 70),
+        Partial::new(MatrixName::C1, 0, 1, 21, 18), Partial::new(MatrixName::C1, 1, 1, 21, 21),
+        Partial::new(MatrixName::M, 0, 0, 22, 17), Partial::new(MatrixName::M, 0, 1, 22, 48),
+        Partial::new(MatrixName::M, 1, 0, 22, 48),
+        Partial::new(MatrixName::M, 1, 1, 22, 69).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 22, 114),
+        Partial::new(MatrixName::C1, 1, 0, 22, 113),
+        Partial::new(MatrixName::C1, 1, 1, 22, 120),
+        Partial::new(MatrixName::K0, 0, 0, 22, 7).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 22, 119).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 22, 119).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 22, 109).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 22, 115),
+        Partial::new(MatrixName::K2, 1, 1, 22, 121),
+        Partial::new(MatrixName::M, 0, 0, 23, 10),
+        Partial::new(MatrixName::M, 0, 1, 23, 37).negative(),
+        Partial::new(MatrixName::M, 1, 0, 23, 37).negative(),
+        Partial::new(MatrixName::M, 1, 1, 23, 38),
+        Partial::new(MatrixName::C1, 0, 1, 23, 123),
+        Partial::new(MatrixName::C1, 1, 1, 23, 41).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 23, 6).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 23, 31), Partial::new(MatrixName::K0, 1, 0, 23, 31),
+        Partial::new(MatrixName::K0, 1, 1, 23, 39), Partial::new(MatrixName::K2, 0, 1, 23, 122),
+        Partial::new(MatrixName::K2, 1, 1, 23, 40).negative(),
+        Partial::new(MatrixName::M, 0, 0, 24, 8), Partial::new(MatrixName::M, 0, 1, 24, 9),
+        Partial::new(MatrixName::M, 1, 0, 24, 9), Partial::new(MatrixName::M, 1, 1, 24, 111),
+        Partial::new(MatrixName::C1, 1, 1, 24, 75), Partial::new(MatrixName::C1, 0, 1, 25, 116),
+        Partial::new(MatrixName::C1, 1, 0, 25, 112).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 25, 117),
+        Partial::new(MatrixName::K2, 1, 1, 25, 118),
     ];
 }

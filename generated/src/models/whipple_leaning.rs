@@ -6938,330 +6938,486 @@ pub struct WhippleLeaningDerivatives<T = f64> {
 
 impl<T: Number> WhippleLeaning<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 123 additions, 235 multiplications, 3 divisions, 6 negations and 2 trigonometric functions: 369 operations.
+    /// 113 additions, 224 multiplications, 3 divisions, 5 negations and 2 trigonometric functions: 347 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
+    ///
+    /// Where they are stored, [`Self::write_matrices_and_derivatives`] takes less time.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleLeaningMatrices<T>, WhippleLeaningDerivatives<T>) {
-        let (
-            t5, t7, t12, t15, t18, M_11_mB, t26, M_11, wx_delta2_delta, wx_delta2_delta_lam, t39,
-            yaw_per_v_delta, yaw_by_delta, wz_delta2_delta, t43, t46, h_wheels_all, t52, t57, t60,
-            t61, t62, t63, t64, t65, t66, M_12, K0_13, C1_22_wz_delta2_delta, M_13, M_22_mH, t77,
-            t86, t87, t92, M_22_IHzz, M_22_yaw_per_v_delta, M_22, t99, M_23, M_13_zU, M_33, zero,
-            t107, h_spin_F, t109, t110, t112, t113, t114, t116, t117, K0_11, vy_spin_F5_delta, t125,
-            C1_12, K2_12_IRyy, C1_12_IRyy, t133, t136, t139, t140, t141, t142, M_23_zP, t144, t145,
-            t148, t152, C1_22, M_23_c, t155, C1_32, t159, t160, t161, t162, t164, K2_22, t166, t167,
-            t168, M_12_w, t171, t172, t173, t176, t177, t179, t181, t183, t184, C1_21_w, t186, t187,
-            t189, t191, M_23_yaw_per_v_delta, t194, K0_12_w, ay_all1_delta, t200, t201, C1_22_w,
-            t203, K0_22_w, K2_12_w, t207, K2_32_w, M_12_c, M_22_c, K0_12_c, C1_22_c, K0_22_c, t221,
-            t222, t225, t226, M_12_lam, t232, t239, M_22_lam, t241, t242, t244, C1_21_lam, t249,
-            t250, t253, C1_32_yaw_per_v_delta, C1_22_lam, t263, t266, K2_12_lam, K2_22_lam,
-            K2_32_lam, M_11_rR, t275, K2_12_rR, C1_12_rR, C1_21_rR, M_11_mR, C1_12_mR, K2_12_mR,
-            M_22_vy_theta3_delta, C1_22_vy_theta3_delta, t286, t287, t289, t290, M_22_xB, t292,
-            t293, K2_22_xB, C1_22_xB, t297, M_11_zB, t299, t300, t301, M_22_mB, t303, K2_22_mB,
-            C1_22_mB, t306, t307, t308, t309, M_22_xH, t311, t312, t313, t314, K2_22_mH, C1_22_xH,
-            t319, K2_22_xH, M_11_zH, M_12_zH, K0_12_zH, t325, t326, t327, K0_22_zH, t329, M_11_mH,
-            t331, t332, C1_22_mH, t334, t335, M_22_IHxx, C1_22_IHzz, M_22_IHxz, K2_22_h_spin_F,
-            M_11_rF, M_12_rF, M_22_rF, t343, C1_21_rF, C1_12_rF, C1_22_rF, t348, K2_12_IFyy,
-            K2_12_rF, M_11_mF, t354, M_12_mF, M_22_mF, K2_12_mF, C1_12_mF, C1_22_mF, t360, K2_22_mF,
-            M_22_IFxx, C1_12_IFyy, K2_22_IFyy, M_33_zU, t366, t367, C1_32_zP, K2_32_zP, M_11_mU,
-            t371, t372, K0_13_mU, M_13_mU, M_22_mU, t376, M_33_mU, t378, C1_22_mU, t380, t381, t382,
-            K2_22_mU, t384, t385, t386, M_22_xU, t389, C1_22_xU, t392, K2_22_xU, M_11_zU, C1_21,
-            K0_12, K0_22, K2_12, K2_32, K0_12_lam,
+        let zero = self.w.like(0.0);
+        let mut matrices = WhippleLeaningMatrices::from_entries([zero; 54]);
+        let mut derivatives = WhippleLeaningDerivatives {
+            values: [zero; 163],
+        };
+        self.each_result(
+            #[inline(always)]
+            |position, value| matrices.set_entry(position, value),
+            #[inline(always)]
+            |position, value| derivatives.values[position] = value,
         );
-        t5 = self.zU * self.mU;
-        t7 = self.IUxx + self.zU * t5;
-        t12 = self.rF * self.mF;
-        t15 = self.IHxx + self.IFxx + self.rF * t12;
-        t18 = self.rR * self.mR;
-        M_11_mB = self.zB * self.zB;
-        t26 = self.zH * self.mH;
-        M_11 = self.IRxx + self.IBxx + t7 + t15 + self.rR * t18 + self.mB * M_11_mB
-            + self.zH * t26;
-        (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
-        t39 = self.w.like(1.0) / self.w;
-        yaw_per_v_delta = wx_delta2_delta_lam * t39;
-        yaw_by_delta = self.c * yaw_per_v_delta;
-        wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
-        t43 = self.IHxz * wz_delta2_delta;
-        t46 = t43 + t15 * wx_delta2_delta;
-        h_wheels_all = self.mU * self.xU;
-        t52 = self.mB * self.zB;
-        t57 = self.IBxz + self.IUxz - self.zU * h_wheels_all - t52 * self.xB;
-        t60 = wz_delta2_delta * self.xH;
-        t61 = self.zH * wx_delta2_delta;
-        t62 = self.c + self.w;
-        t63 = wx_delta2_delta_lam * t62;
-        t64 = t61 + t63;
-        t65 = t60 - t64;
-        t66 = self.mH * t65;
-        M_12 = t46 + yaw_by_delta * t57 - self.zH * t66;
-        K0_13 = t5 - self.mU * self.zP;
-        C1_22_wz_delta2_delta = self.zU * K0_13;
-        M_13 = self.IUxx + C1_22_wz_delta2_delta;
-        M_22_mH = t65 * t65;
-        t77 = self.mB * self.xB;
-        t86 = yaw_per_v_delta
-            * (self.IRxx + self.xB * t77 + self.IBzz + self.xU * h_wheels_all
-                + self.IUzz);
-        t87 = self.c * t86;
-        t92 = self.IFxx + self.IHzz;
-        M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-        M_22_yaw_per_v_delta = t92 * M_22_IHzz;
-        M_22 = self.mH * M_22_mH + yaw_by_delta * t87 + wx_delta2_delta * (t43 + t46)
-            + M_22_yaw_per_v_delta;
-        t99 = self.IUxz - self.xU * K0_13;
-        M_23 = yaw_by_delta * t99;
-        M_13_zU = t5 + K0_13;
-        M_33 = t7 - self.zP * M_13_zU;
-        zero = self.w.like(0.0);
-        t107 = self.w.like(1.0) / self.rF;
-        h_spin_F = self.IFyy * t107;
-        t109 = wz_delta2_delta * h_spin_F;
-        t110 = self.mH * self.xH;
-        t112 = self.IHxz - self.zH * t110;
-        t113 = t57 + t112;
-        t114 = t12 * self.w;
-        t116 = self.w.like(1.0) / self.rR;
-        t117 = self.IRyy * t116;
-        K0_11 = t5 + t26 + t52 - t12 - t18;
-        vy_spin_F5_delta = self.c * (t117 - K0_11);
-        t125 = t113 + t114 + vy_spin_F5_delta;
-        C1_12 = t109 + yaw_per_v_delta * t125;
-        K2_12_IRyy = yaw_per_v_delta * t116;
-        C1_12_IRyy = self.c * K2_12_IRyy;
-        t133 = wx_delta2_delta * t112;
-        t136 = t92 + self.xH * t110;
-        t139 = t133 + wz_delta2_delta * t136 - t63 * t110;
-        t140 = t87 + t139;
-        t141 = self.mF * wx_delta2_delta;
-        t142 = self.rF * t141;
-        M_23_zP = yaw_by_delta * h_wheels_all;
-        t144 = self.mB * yaw_by_delta;
-        t145 = self.xB * t144;
-        t148 = t66 + t142 + M_23_zP + t145;
-        t152 = t39 * (wx_delta2_delta * t114 + t140 + self.c * t148);
-        C1_22 = wx_delta2_delta_lam * t152;
-        M_23_c = yaw_per_v_delta * t99;
-        t155 = yaw_by_delta * K0_13;
-        C1_32 = M_23_c - t155;
-        t159 = h_spin_F + t117;
-        t160 = K0_11 - t159;
-        t161 = yaw_per_v_delta * t160;
-        t162 = wx_delta2_delta * h_spin_F;
-        t164 = t39 * (t148 + t162);
-        K2_22 = wx_delta2_delta_lam * t164;
-        t166 = yaw_per_v_delta * K0_13;
-        t167 = t26 * wx_delta2_delta_lam;
-        t168 = t39 * t113;
-        M_12_w = t167 - yaw_by_delta * t168;
-        t171 = wx_delta2_delta_lam + wx_delta2_delta_lam;
-        t172 = t39 * t140;
-        t173 = self.c * t39;
-        t176 = t171 * (t66 + t172 * t173);
-        t177 = t39 * M_23;
-        t179 = t125 + self.c * h_spin_F;
-        t181 = t12 * wx_delta2_delta_lam;
-        t183 = t39 * (yaw_per_v_delta * t179 - t181);
-        t184 = yaw_per_v_delta * t159;
-        C1_21_w = t173 * t184;
-        t186 = yaw_per_v_delta * t136;
-        t187 = t86 + t186;
-        t189 = t152 + t173 * t187;
-        t191 = h_wheels_all + t77 + t110;
-        M_23_yaw_per_v_delta = t173 * t191;
-        t194 = self.mH * wx_delta2_delta_lam;
-        K0_12_w = yaw_per_v_delta * M_23_yaw_per_v_delta + t194;
-        ay_all1_delta = yaw_per_v_delta * (t142 - t189 - self.c * K0_12_w);
-        t200 = yaw_per_v_delta * self.xH;
-        t201 = t194 * t200;
-        C1_22_w = ay_all1_delta - t201;
-        t203 = t39 * C1_32;
-        K0_22_w = wx_delta2_delta * K0_12_w;
-        K2_12_w = t39 * t161;
-        t207 = yaw_per_v_delta * (t164 + K0_12_w);
-        K2_32_w = t39 * t166;
-        M_12_c = t167 + wx_delta2_delta_lam * t168;
-        M_22_c = t171 * (t172 - t66);
-        K0_12_c = t194 - yaw_per_v_delta * t191;
-        C1_22_c = yaw_per_v_delta * (t148 + t187 - self.c * K0_12_c) - t201;
-        K0_22_c = wx_delta2_delta * K0_12_c;
-        t221 = yaw_per_v_delta * K0_12_c;
-        t222 = wx_delta2_delta * t173;
-        t225 = wx_delta2_delta * t62;
-        t226 = self.zH * wx_delta2_delta_lam - t225;
-        M_12_lam = t26 * t226 + t15 * wx_delta2_delta_lam - t133 - t113 * t222;
-        t232 = self.mH * t226;
-        t239 = wx_delta2_delta_lam * t46 - t65 * t232
-            - wx_delta2_delta * (t139 + t140 * t173);
-        M_22_lam = t239 + t239;
-        t241 = t99 * t222;
-        t242 = t39 * wx_delta2_delta;
-        t244 = t162 + t179 * t242;
-        C1_21_lam = t162 + t159 * t222;
-        t249 = t232 + wx_delta2_delta * (t110 + M_23_yaw_per_v_delta);
-        t250 = t181 - t249;
-        t253 = wx_delta2_delta_lam * yaw_per_v_delta;
-        C1_32_yaw_per_v_delta = t200 * t232;
-        C1_22_lam = yaw_by_delta * t250 + (self.IHxz + t114) * t253
-            - C1_32_yaw_per_v_delta - wx_delta2_delta * (t186 + t189);
-        t263 = t242 * (t99 - self.c * K0_13);
-        t266 = wx_delta2_delta * t250 + wx_delta2_delta_lam * t148;
-        K2_12_lam = t160 * t242;
-        K2_22_lam = yaw_per_v_delta * (t250 + wx_delta2_delta_lam * h_spin_F)
-            - wx_delta2_delta * t164;
-        K2_32_lam = K0_13 * t242;
-        M_11_rR = t18 + t18;
-        t275 = t116 * t117;
-        K2_12_rR = yaw_per_v_delta * (self.mR - t275);
-        C1_12_rR = self.c * K2_12_rR;
-        C1_21_rR = yaw_by_delta * t275;
-        M_11_mR = self.rR * self.rR;
-        C1_12_mR = self.rR * yaw_by_delta;
-        K2_12_mR = self.rR * yaw_per_v_delta;
-        M_22_vy_theta3_delta = yaw_by_delta * yaw_by_delta;
-        C1_22_vy_theta3_delta = t173 * t253;
-        t286 = yaw_by_delta * t52;
-        t287 = self.mB * yaw_per_v_delta;
-        t289 = yaw_by_delta * self.xB;
-        t290 = (t287 + t287) * t289;
-        M_22_xB = self.c * t290;
-        t292 = self.zB * yaw_per_v_delta;
-        t293 = self.mB * t292;
-        K2_22_xB = yaw_per_v_delta * t144;
-        C1_22_xB = t290 + self.c * K2_22_xB;
-        t297 = wx_delta2_delta * t144;
-        M_11_zB = t52 + t52;
-        t299 = self.c + self.xB;
-        t300 = t287 * t299;
-        t301 = self.zB * t289;
-        M_22_mB = t289 * t289;
-        t303 = t292 * t299;
-        K2_22_mB = yaw_per_v_delta * t289;
-        C1_22_mB = t299 * K2_22_mB;
-        t306 = wx_delta2_delta * t289;
-        t307 = self.mH * wz_delta2_delta;
-        t308 = self.zH * t307;
-        t309 = wz_delta2_delta + wz_delta2_delta;
-        M_22_xH = t66 * t309;
-        t311 = t39 * t194;
-        t312 = self.zH * t311;
-        t313 = yaw_by_delta + t200;
-        t314 = self.mH * t313;
-        K2_22_mH = yaw_per_v_delta * t65;
-        C1_22_xH = wz_delta2_delta * t314 + self.mH * K2_22_mH;
-        t319 = wx_delta2_delta * t307;
-        K2_22_xH = yaw_per_v_delta * t307;
-        M_11_zH = t26 + t26;
-        M_12_zH = self.mH * (t61 - t65);
-        K0_12_zH = self.mH * wx_delta2_delta;
-        t325 = t65 * K0_12_zH;
-        t326 = t325 + t325;
-        t327 = wx_delta2_delta * t314;
-        K0_22_zH = wx_delta2_delta * K0_12_zH;
-        t329 = wx_delta2_delta * t311;
-        M_11_mH = self.zH * self.zH;
-        t331 = self.zH * t65;
-        t332 = self.zH * t313;
-        C1_22_mH = t65 * t313;
-        t334 = wx_delta2_delta * t65;
-        t335 = self.zH * yaw_per_v_delta;
-        M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
-        C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
-        M_22_IHxz = wx_delta2_delta * t309;
-        K2_22_h_spin_F = wx_delta2_delta_lam * t242;
-        M_11_rF = t12 + t12;
-        M_12_rF = wx_delta2_delta * M_11_rF;
-        M_22_rF = M_22_IHxx * M_11_rF;
-        t343 = self.mF * yaw_per_v_delta;
-        C1_21_rF = t107 * t109;
-        C1_12_rF = t62 * t343 - C1_21_rF;
-        C1_22_rF = t225 * t343;
-        t348 = self.mF * M_22_IHxx;
-        K2_12_IFyy = yaw_per_v_delta * t107;
-        K2_12_rF = t343 - h_spin_F * K2_12_IFyy;
-        M_11_mF = self.rF * self.rF;
-        t354 = self.rF * wx_delta2_delta;
-        M_12_mF = self.rF * t354;
-        M_22_mF = t354 * t354;
-        K2_12_mF = self.rF * yaw_per_v_delta;
-        C1_12_mF = t62 * K2_12_mF;
-        C1_22_mF = t225 * K2_12_mF;
-        t360 = wx_delta2_delta * t354;
-        K2_22_mF = self.rF * K2_22_h_spin_F;
-        M_22_IFxx = M_22_IHzz + M_22_IHxx;
-        C1_12_IFyy = wz_delta2_delta * t107;
-        K2_22_IFyy = t107 * K2_22_h_spin_F;
-        M_33_zU = K0_13 + K0_13;
-        t366 = yaw_per_v_delta * self.xU;
-        t367 = yaw_by_delta + t366;
-        C1_32_zP = self.mU * t367;
-        K2_32_zP = self.mU * yaw_per_v_delta;
-        M_11_mU = self.zU * self.zU;
-        t371 = self.c * t366;
-        t372 = self.zU * t371;
-        K0_13_mU = self.zU - self.zP;
-        M_13_mU = self.zU * K0_13_mU;
-        M_22_mU = t371 * t371;
-        t376 = t371 * K0_13_mU;
-        M_33_mU = K0_13_mU * K0_13_mU;
-        t378 = self.zU * t367;
-        C1_22_mU = t367 * t371;
-        t380 = t367 * K0_13_mU;
-        t381 = wx_delta2_delta * t371;
-        t382 = self.zU * yaw_per_v_delta;
-        K2_22_mU = yaw_by_delta * t366;
-        t384 = yaw_per_v_delta * K0_13_mU;
-        t385 = self.zU * K2_32_zP;
-        t386 = self.c * t385;
-        M_22_xU = M_22_vy_theta3_delta * (h_wheels_all + h_wheels_all);
-        t389 = self.c * K2_32_zP;
-        C1_22_xU = t389 * (t366 + t367);
-        t392 = wx_delta2_delta * t389;
-        K2_22_xU = yaw_by_delta * K2_32_zP;
-        M_11_zU = t5 + t5;
-        C1_21 = -(t109 + self.IRyy * C1_12_IRyy);
-        K0_12 = -t148;
-        K0_22 = -(wx_delta2_delta * t148);
-        K2_12 = -t161;
-        K2_32 = -t166;
-        K0_12_lam = t249 - t181;
-        let (K0_12_mH, t402);
-        K0_12_mH = t64 - t60;
-        t402 = -(wx_delta2_delta * K2_12_rF);
-        (
-            WhippleLeaningMatrices::from_entries([
-                M_11, M_12, M_13, M_12, M_22, M_23, M_13, M_23, M_33, zero, zero, zero, zero, zero,
-                zero, zero, zero, self.dU, zero, C1_12, zero, C1_21, C1_22, zero, zero, C1_32, zero,
-                zero, zero, zero, zero, zero, zero, zero, zero, self.kU, K0_11, K0_12, K0_13, K0_12,
-                K0_22, zero, K0_13, zero, K0_13, zero, K2_12, zero, zero, K2_22, zero, zero, K2_32,
-                zero,
-            ]),
-            WhippleLeaningDerivatives {
-                values: [
-                    M_12_w, t176, t177, t183, C1_21_w, C1_22_w, t203, K0_12_w, K0_22_w, K2_12_w,
-                    t207, K2_32_w, M_12_c, M_22_c, M_23_c, t161, t184, C1_22_c, t166, K0_12_c,
-                    K0_22_c, t221, M_12_lam, M_22_lam, t241, t244, C1_21_lam, C1_22_lam, t263,
-                    K0_12_lam, t266, K2_12_lam, K2_22_lam, K2_32_lam, M_11_rR, C1_12_rR, C1_21_rR,
-                    self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR, self.w.like(1.0),
-                    M_22_vy_theta3_delta, C1_22_vy_theta3_delta, C1_12_IRyy, K2_12_IRyy, t286,
-                    M_22_xB, t293, C1_22_xB, t144, t297, K2_22_xB, M_11_zB, t145, t300, self.mB,
-                    t287, M_11_mB, t301, M_22_mB, t303, C1_22_mB, self.zB, t289, t306, t292,
-                    K2_22_mB, yaw_by_delta, yaw_per_v_delta, t308, M_22_xH, t312, C1_22_xH, t307,
-                    t319, K2_22_xH, M_11_zH, M_12_zH, t326, t314, t327, self.mH, K0_12_zH, K0_22_zH,
-                    t311, t329, M_11_mH, t331, M_22_mH, t332, C1_22_mH, self.zH, K0_12_mH, t334,
-                    t335, K2_22_mH, wx_delta2_delta, M_22_IHxx, M_22_IHzz, C1_22_IHzz,
-                    wz_delta2_delta, M_22_IHxz, K2_22_h_spin_F, M_11_rF, M_12_rF, M_22_rF, C1_12_rF,
-                    C1_21_rF, C1_22_rF, self.mF, t141, t348, K2_12_rF, t402, M_11_mF, M_12_mF,
-                    M_22_mF, C1_12_mF, C1_22_mF, self.rF, t354, t360, K2_12_mF, K2_22_mF, M_22_IFxx,
-                    C1_12_IFyy, K2_12_IFyy, K2_22_IFyy, t5, M_23_zP, M_33_zU, C1_32_zP, self.mU,
-                    K2_32_zP, M_11_mU, t372, M_13_mU, M_22_mU, t376, M_33_mU, t378, C1_22_mU, t380,
-                    self.zU, t371, K0_13_mU, t381, t382, K2_22_mU, t384, t386, M_22_xU, t155, t385,
-                    C1_22_xU, t389, t392, K2_22_xU, M_11_zU, M_13_zU,
-                ],
+        (matrices, derivatives)
+    }
+
+    /// Writes the coefficient matrices and their derivatives over others, each as soon as it is computed.
+    ///
+    /// They are those of [`Self::matrices_and_derivatives`], to the last bit. That function has more results than a
+    /// processor has registers, and moves them twice.
+    #[inline(always)]
+    pub fn write_matrices_and_derivatives(
+        &self,
+        matrices: &mut WhippleLeaningMatrices<T>,
+        derivatives: &mut WhippleLeaningDerivatives<T>,
+    ) {
+        *matrices = WhippleLeaningMatrices::from_entries([self.w.like(0.0); 54]);
+        self.each_result(
+            #[inline(always)]
+            |position, value| {
+                matrices.set_entry(position, value);
+                carvallo::write_now();
             },
-        )
+            #[inline(always)]
+            |position, value| {
+                derivatives.values[position] = value;
+                carvallo::write_now();
+            },
+        );
+    }
+
+    /// The program: gives each entry that differs, and each value of the derivatives, to a function with its position.
+    #[inline(always)]
+    fn each_result(&self, mut put_entry: impl FnMut(usize, T), mut put_derivative: impl FnMut(usize, T)) {
+        put_entry(6, self.dU);
+        put_entry(11, self.kU);
+        put_derivative(0, self.rR);
+        put_derivative(1, self.mR);
+        put_derivative(2, self.zB);
+        put_derivative(3, self.mB);
+        put_derivative(4, self.zH);
+        put_derivative(5, self.mH);
+        put_derivative(6, self.rF);
+        put_derivative(7, self.mF);
+        put_derivative(8, self.mU);
+        put_derivative(9, self.zU);
+        put_derivative(10, self.w.like(1.0));
+        let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
+        put_derivative(11, wx_delta2_delta);
+        let M_11_mR = self.rR * self.rR;
+        put_derivative(12, M_11_mR);
+        let t37 = self.zH * self.mH;
+        let t38 = self.rF * self.mF;
+        let t43 = self.IHxx + self.IFxx + self.zH * t37 + self.rF * t38;
+        let t44 = self.zU * self.mU;
+        put_derivative(13, t44);
+        let M_11_mB = self.zB * self.zB;
+        put_derivative(14, M_11_mB);
+        let M_11_zH = t37 + t37;
+        put_derivative(15, M_11_zH);
+        let M_11_mH = self.zH * self.zH;
+        put_derivative(16, M_11_mH);
+        let M_11_rF = t38 + t38;
+        put_derivative(17, M_11_rF);
+        let M_11_mF = self.rF * self.rF;
+        put_derivative(18, M_11_mF);
+        let M_11_mU = self.zU * self.zU;
+        put_derivative(19, M_11_mU);
+        let M_11_zU = t44 + t44;
+        put_derivative(20, M_11_zU);
+        let t52 = self.zB * self.mB;
+        let M_11_zB = t52 + t52;
+        put_derivative(21, M_11_zB);
+        let t54 = self.w.like(1.0) / self.w;
+        let t56 = t37 * self.xH - self.IHxz;
+        let t63 = self.mR * M_11_mR + t43 + self.IRxx + self.IUxx + self.zU * t44
+            + self.IBxx;
+        let M_11 = t63 + self.zB * t52;
+        put_entry(0, M_11);
+        let t66 = self.c * t54;
+        let t67 = self.c + self.w;
+        let t68 = self.mB * self.xB;
+        let t73 = self.zB * t68 + t44 * self.xU - self.IBxz - self.IUxz;
+        let K0_13_mU = self.zU - self.zP;
+        put_derivative(22, K0_13_mU);
+        let M_13_mU = self.zU * K0_13_mU;
+        put_derivative(23, M_13_mU);
+        let M_33_mU = K0_13_mU * K0_13_mU;
+        put_derivative(24, M_33_mU);
+        let K0_13 = self.mU * K0_13_mU;
+        put_entry(14, K0_13);
+        let M_13 = self.IUxx + self.zU * K0_13;
+        put_entry(2, M_13);
+        let M_33 = self.IUxx + K0_13_mU * K0_13;
+        put_entry(5, M_33);
+        let M_33_zU = K0_13 + K0_13;
+        put_derivative(25, M_33_zU);
+        let M_13_zU = t44 + K0_13;
+        put_derivative(26, M_13_zU);
+        let t84 = self.mH * self.xH;
+        let vy_theta3_delta = self.xH * t84;
+        let t87 = self.IFxx + self.IHzz + vy_theta3_delta;
+        let h_wheels_all = self.mU * self.xU;
+        let t94 = self.IRxx + self.IUzz + self.xB * t68 + self.IBzz
+            + self.xU * h_wheels_all;
+        let yaw_by_delta = wx_delta2_delta_lam * t66;
+        put_derivative(27, yaw_by_delta);
+        let t96 = wx_delta2_delta_lam * t67;
+        let t97 = t56 * wx_delta2_delta;
+        let t98 = self.zH * wx_delta2_delta;
+        let t100 = self.IUxz - K0_13_mU * h_wheels_all;
+        let t101 = self.w.like(1.0) / self.rF;
+        let t102 = t56 + t73;
+        let t103 = t38 * self.w;
+        let C1_12_mR = self.rR * yaw_by_delta;
+        put_derivative(28, C1_12_mR);
+        let wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
+        put_derivative(29, wz_delta2_delta);
+        let t106 = t96 + t98;
+        let M_23 = yaw_by_delta * t100;
+        put_entry(4, M_23);
+        let h_spin_F = self.IFyy * t101;
+        let t109 = self.mR * self.rR;
+        let M_11_rR = t109 + t109;
+        put_derivative(30, M_11_rR);
+        let t111 = t37 - t38;
+        let K0_11 = t44 + t52 + t111 - t109;
+        put_entry(12, K0_11);
+        let t115 = t54 * M_23;
+        put_derivative(31, t115);
+        let t118 = wx_delta2_delta_lam * t111 + wx_delta2_delta * t84;
+        let t119 = t37 * wz_delta2_delta;
+        put_derivative(32, t119);
+        let t124 = t43 * wx_delta2_delta + t37 * t96 - wz_delta2_delta * t56;
+        let t128 = t97 + t96 * t84 - wz_delta2_delta * t87;
+        let M_22_yaw_per_v_delta = t37 * wx_delta2_delta_lam;
+        let t131 = t68 + t84 + h_wheels_all;
+        let t132 = wz_delta2_delta * self.xH;
+        let K0_12_mH = t106 - t132;
+        put_derivative(33, K0_12_mH);
+        let t134 = t132 - t106;
+        let M_12_zH = self.mH * (t98 - t134);
+        put_derivative(34, M_12_zH);
+        let t137 = self.zH * t134;
+        put_derivative(35, t137);
+        let M_22_mH = t134 * t134;
+        put_derivative(36, M_22_mH);
+        let t139 = wx_delta2_delta * t134;
+        put_derivative(37, t139);
+        let t140 = self.mH * t134;
+        let t141 = self.w.like(1.0) / self.rR;
+        let t142 = wx_delta2_delta_lam * h_spin_F;
+        let yaw_per_v_delta = wx_delta2_delta_lam * t54;
+        put_derivative(38, yaw_per_v_delta);
+        let M_12 = t124 - yaw_by_delta * t73;
+        put_entry(1, M_12);
+        let K2_12_mR = self.rR * yaw_per_v_delta;
+        put_derivative(39, K2_12_mR);
+        let C1_12_IRyy = yaw_by_delta * t141;
+        put_derivative(40, C1_12_IRyy);
+        let K2_12_IRyy = t141 * yaw_per_v_delta;
+        put_derivative(41, K2_12_IRyy);
+        let K2_22_mH = t134 * yaw_per_v_delta;
+        put_derivative(42, K2_22_mH);
+        let C1_22_IHzz = wz_delta2_delta * yaw_per_v_delta;
+        put_derivative(43, C1_22_IHzz);
+        let t152 = yaw_by_delta * t94 - t128;
+        let t156 = yaw_per_v_delta * (t87 + t94 + self.c * t131);
+        let t157 = self.IRyy * t141;
+        let t158 = t141 * t157;
+        let t159 = h_spin_F + t157;
+        let t160 = yaw_by_delta * self.xB;
+        put_derivative(44, t160);
+        let t161 = self.zB * t160;
+        put_derivative(45, t161);
+        let M_22_mB = t160 * t160;
+        put_derivative(46, M_22_mB);
+        let t163 = wx_delta2_delta * t160;
+        put_derivative(47, t163);
+        let M_23_yaw_per_v_delta = t66 * t152 - t128 - t67 * t140;
+        let t168 = K0_11 - t159;
+        let t169 = self.mB * t160;
+        put_derivative(48, t169);
+        let C1_21_rR = yaw_by_delta * t158;
+        put_derivative(49, C1_21_rR);
+        let t171 = self.mR - t158;
+        let t172 = t159 * yaw_per_v_delta;
+        put_derivative(50, t172);
+        let t173 = t38 * wx_delta2_delta;
+        let M_23_zP = yaw_by_delta * h_wheels_all;
+        put_derivative(51, M_23_zP);
+        let t177 = t140 + t169 + t173 + M_23_zP;
+        let t178 = self.c * t172;
+        let t179 = t140 + t140;
+        let C1_12_rR = yaw_by_delta * t171;
+        put_derivative(52, C1_12_rR);
+        let K2_12_rR = yaw_per_v_delta * t171;
+        put_derivative(53, K2_12_rR);
+        let M_22_xH = wz_delta2_delta * t179;
+        put_derivative(54, M_22_xH);
+        let t183 = wx_delta2_delta * t179;
+        put_derivative(55, t183);
+        let t184 = wx_delta2_delta_lam * t179;
+        let t188 = t54 * (t102 + self.c * t168 - t103);
+        let C1_21_w = t54 * t178;
+        put_derivative(56, C1_21_w);
+        let C1_21 = -(t142 + t178);
+        put_entry(8, C1_21);
+        let K0_12 = -t177;
+        put_entry(13, K0_12);
+        let K0_22 = -(wx_delta2_delta * t177);
+        put_entry(15, K0_22);
+        let M_22 = wx_delta2_delta_lam * M_23_yaw_per_v_delta + wx_delta2_delta * t124;
+        put_entry(3, M_22);
+        let t200 = wx_delta2_delta * M_23_yaw_per_v_delta - wx_delta2_delta_lam * t124;
+        let t204 = t152 + self.c * t177 + self.w * t173;
+        let t205 = t152 * yaw_per_v_delta;
+        let t206 = t205 + t205;
+        let t208 = t66 * t206 + t184;
+        put_derivative(57, t208);
+        let M_22_c = t206 - t184;
+        put_derivative(58, M_22_c);
+        let M_23_c = t100 * yaw_per_v_delta;
+        put_derivative(59, M_23_c);
+        let t211 = self.mU * yaw_by_delta;
+        put_derivative(60, t211);
+        let t212 = self.zU * t211;
+        put_derivative(61, t212);
+        let t213 = wx_delta2_delta * t211;
+        put_derivative(62, t213);
+        let t214 = t200 + t200;
+        put_derivative(63, t214);
+        let t215 = K0_13_mU * t211;
+        put_derivative(64, t215);
+        let C1_32 = M_23_c - t215;
+        put_entry(10, C1_32);
+        let C1_12_w = yaw_per_v_delta * (t38 + t188);
+        put_derivative(65, C1_12_w);
+        let t219 = t54 * C1_32;
+        put_derivative(66, t219);
+        let ay_all1_delta = h_spin_F - t188;
+        let t221 = t168 * yaw_per_v_delta;
+        put_derivative(67, t221);
+        let C1_22 = yaw_per_v_delta * t204;
+        put_entry(9, C1_22);
+        let t224 = t204 + self.c * t156;
+        let K2_12_w = t54 * t221;
+        put_derivative(68, K2_12_w);
+        let K2_12 = -t221;
+        put_entry(16, K2_12);
+        let C1_12 = wx_delta2_delta_lam * ay_all1_delta;
+        put_entry(7, C1_12);
+        let t228 = wx_delta2_delta * ay_all1_delta;
+        put_derivative(69, t228);
+        let t229 = wx_delta2_delta * h_spin_F;
+        let t230 = t177 + t229;
+        let K2_22 = yaw_per_v_delta * t230;
+        put_entry(17, K2_22);
+        let t232 = K0_13 * yaw_per_v_delta;
+        put_derivative(70, t232);
+        let K2_32_w = t54 * t232;
+        put_derivative(71, K2_32_w);
+        let K2_32 = -t232;
+        put_entry(18, K2_32);
+        let t235 = t102 * yaw_per_v_delta;
+        let M_12_w = M_22_yaw_per_v_delta + t66 * t235;
+        put_derivative(72, M_12_w);
+        let M_12_c = M_22_yaw_per_v_delta - t235;
+        put_derivative(73, M_12_c);
+        let t239 = self.mH * wx_delta2_delta_lam;
+        let t240 = self.c + self.xH;
+        let C1_22_mH = t240 * K2_22_mH;
+        put_derivative(74, C1_22_mH);
+        let t242 = t239 * t240;
+        let t246 = yaw_per_v_delta * (t54 * t224 + t242 - t173);
+        put_derivative(75, t246);
+        let t249 = yaw_per_v_delta * (t242 - t177 - t156);
+        put_derivative(76, t249);
+        let t250 = t54 * t242;
+        put_derivative(77, t250);
+        let C1_22_xH = wz_delta2_delta * t250 + self.mH * K2_22_mH;
+        put_derivative(78, C1_22_xH);
+        let t254 = wx_delta2_delta * t250;
+        put_derivative(79, t254);
+        let t255 = yaw_per_v_delta * t131;
+        let K0_12_w = t239 + t66 * t255;
+        put_derivative(80, K0_12_w);
+        let K0_12_c = t239 - t255;
+        put_derivative(81, K0_12_c);
+        let K0_22_c = wx_delta2_delta * K0_12_c;
+        put_derivative(82, K0_22_c);
+        let t260 = yaw_per_v_delta * K0_12_c;
+        put_derivative(83, t260);
+        let t261 = t54 * wx_delta2_delta;
+        let vy_spin_F5_delta = wx_delta2_delta * t87 + self.c * t118
+            - wx_delta2_delta_lam * (t103 - t56);
+        let C1_22_lam = t67 * t254 - t224 * t261 - yaw_per_v_delta * vy_spin_F5_delta;
+        put_derivative(84, C1_22_lam);
+        let t275 = t54 * K2_22 + yaw_per_v_delta * K0_12_w;
+        put_derivative(85, t275);
+        let K0_22_w = wx_delta2_delta * K0_12_w;
+        put_derivative(86, K0_22_w);
+        let K2_12_lam = t168 * t261;
+        put_derivative(87, K2_12_lam);
+        let K2_32_lam = K0_13 * t261;
+        put_derivative(88, K2_32_lam);
+        let t279 = self.c * t261;
+        let C1_21_lam = t229 + t159 * t279;
+        put_derivative(89, C1_21_lam);
+        let t282 = t100 * t279;
+        put_derivative(90, t282);
+        let K0_12_zH = self.mH * wx_delta2_delta;
+        put_derivative(91, K0_12_zH);
+        let t284 = wz_delta2_delta * K0_12_zH;
+        put_derivative(92, t284);
+        let t285 = yaw_per_v_delta * K0_12_zH;
+        put_derivative(93, t285);
+        let t286 = t67 * K0_12_zH;
+        let M_12_lam = t97 + t43 * wx_delta2_delta_lam + t102 * t279 - self.zH * t286;
+        put_derivative(94, M_12_lam);
+        let K0_12_lam = t118 + t131 * t279 - t286;
+        put_derivative(95, K0_12_lam);
+        let t296 = self.c + self.xU;
+        let t299 = t261 * (self.IUxz - K0_13 * t296);
+        put_derivative(96, t299);
+        let C1_22_vy_theta3_delta = yaw_by_delta * yaw_per_v_delta;
+        put_derivative(97, C1_22_vy_theta3_delta);
+        let M_22_vy_theta3_delta = self.c * C1_22_vy_theta3_delta;
+        put_derivative(98, M_22_vy_theta3_delta);
+        let t302 = M_22_vy_theta3_delta + M_22_vy_theta3_delta;
+        let t303 = self.mB * yaw_by_delta;
+        put_derivative(99, t303);
+        let t304 = self.zB * t303;
+        put_derivative(100, t304);
+        let t305 = wx_delta2_delta * t303;
+        put_derivative(101, t305);
+        let K2_22_xB = yaw_per_v_delta * t303;
+        put_derivative(102, K2_22_xB);
+        let t307 = self.zB * yaw_per_v_delta;
+        put_derivative(103, t307);
+        let M_22_xB = t68 * t302;
+        put_derivative(104, M_22_xB);
+        let M_22_xU = h_wheels_all * t302;
+        put_derivative(105, M_22_xU);
+        let t310 = self.mB * t307;
+        put_derivative(106, t310);
+        let K2_22_lam = yaw_per_v_delta * (t142 - K0_12_lam) - t230 * t261;
+        put_derivative(107, K2_22_lam);
+        let K0_22_lam = wx_delta2_delta * K0_12_lam - wx_delta2_delta_lam * t177;
+        put_derivative(108, K0_22_lam);
+        let K2_22_h_spin_F = wx_delta2_delta_lam * t261;
+        put_derivative(109, K2_22_h_spin_F);
+        let K2_22_mF = self.rF * K2_22_h_spin_F;
+        put_derivative(110, K2_22_mF);
+        let t320 = self.mB * yaw_per_v_delta;
+        put_derivative(111, t320);
+        let t321 = self.xB * t320;
+        let t322 = t303 + t321;
+        put_derivative(112, t322);
+        let t323 = self.c + self.xB;
+        let t324 = t307 * t323;
+        put_derivative(113, t324);
+        let K2_22_mB = self.xB * C1_22_vy_theta3_delta;
+        put_derivative(114, K2_22_mB);
+        let C1_22_mB = t323 * K2_22_mB;
+        put_derivative(115, C1_22_mB);
+        let t327 = self.mH * yaw_per_v_delta;
+        put_derivative(116, t327);
+        let C1_22_xB = yaw_by_delta * (t321 + t322);
+        put_derivative(117, C1_22_xB);
+        let t330 = self.zH * t327;
+        put_derivative(118, t330);
+        let t331 = self.mH * wz_delta2_delta;
+        put_derivative(119, t331);
+        let K2_22_xH = yaw_per_v_delta * t331;
+        put_derivative(120, K2_22_xH);
+        let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+        put_derivative(121, M_22_IHxx);
+        let K0_22_zH = self.mH * M_22_IHxx;
+        put_derivative(122, K0_22_zH);
+        let t335 = self.zH * yaw_per_v_delta;
+        put_derivative(123, t335);
+        let t336 = t240 * t335;
+        put_derivative(124, t336);
+        let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+        put_derivative(125, M_22_IHzz);
+        let M_22_IFxx = M_22_IHxx + M_22_IHzz;
+        put_derivative(126, M_22_IFxx);
+        let t339 = wx_delta2_delta + wx_delta2_delta;
+        let M_22_IHxz = wz_delta2_delta * t339;
+        put_derivative(127, M_22_IHxz);
+        let M_12_rF = t38 * t339;
+        put_derivative(128, M_12_rF);
+        let M_22_rF = wx_delta2_delta * M_12_rF;
+        put_derivative(129, M_22_rF);
+        let C1_12_IFyy = wz_delta2_delta * t101;
+        put_derivative(130, C1_12_IFyy);
+        let C1_21_rF = h_spin_F * C1_12_IFyy;
+        put_derivative(131, C1_21_rF);
+        let K2_12_IFyy = t101 * yaw_per_v_delta;
+        put_derivative(132, K2_12_IFyy);
+        let K2_22_IFyy = wx_delta2_delta * K2_12_IFyy;
+        put_derivative(133, K2_22_IFyy);
+        let t347 = self.mF * yaw_per_v_delta;
+        let K2_12_rF = t347 - h_spin_F * K2_12_IFyy;
+        put_derivative(134, K2_12_rF);
+        let t350 = t67 * t347;
+        let C1_12_rF = t350 - C1_21_rF;
+        put_derivative(135, C1_12_rF);
+        let C1_22_rF = wx_delta2_delta * t350;
+        put_derivative(136, C1_22_rF);
+        let t353 = self.mF * wx_delta2_delta;
+        put_derivative(137, t353);
+        let t354 = wx_delta2_delta * t353;
+        put_derivative(138, t354);
+        let K2_22_rF = wx_delta2_delta * K2_12_rF;
+        put_derivative(139, K2_22_rF);
+        let t356 = self.rF * wx_delta2_delta;
+        put_derivative(140, t356);
+        let M_12_mF = self.rF * t356;
+        put_derivative(141, M_12_mF);
+        let M_22_mF = t356 * t356;
+        put_derivative(142, M_22_mF);
+        let t359 = wx_delta2_delta * t356;
+        put_derivative(143, t359);
+        let K2_12_mF = self.rF * yaw_per_v_delta;
+        put_derivative(144, K2_12_mF);
+        let C1_12_mF = t67 * K2_12_mF;
+        put_derivative(145, C1_12_mF);
+        let C1_22_mF = wx_delta2_delta * C1_12_mF;
+        put_derivative(146, C1_22_mF);
+        let K2_32_zP = self.mU * yaw_per_v_delta;
+        put_derivative(147, K2_32_zP);
+        let C1_32_zP = t296 * K2_32_zP;
+        put_derivative(148, C1_32_zP);
+        let t365 = self.c * self.xU;
+        let t366 = yaw_per_v_delta * t365;
+        put_derivative(149, t366);
+        let t367 = wx_delta2_delta * t366;
+        put_derivative(150, t367);
+        let t368 = self.zU * t366;
+        put_derivative(151, t368);
+        let t369 = K0_13_mU * t366;
+        put_derivative(152, t369);
+        let K2_22_mU = self.xU * C1_22_vy_theta3_delta;
+        put_derivative(153, K2_22_mU);
+        let M_22_mU = t365 * K2_22_mU;
+        put_derivative(154, M_22_mU);
+        let t372 = self.zU * yaw_per_v_delta;
+        put_derivative(155, t372);
+        let C1_22_mU = t296 * K2_22_mU;
+        put_derivative(156, C1_22_mU);
+        let t374 = t296 * t372;
+        put_derivative(157, t374);
+        let t375 = K0_13_mU * yaw_per_v_delta;
+        put_derivative(158, t375);
+        let t376 = t296 * t375;
+        put_derivative(159, t376);
+        let t377 = self.mU * t372;
+        put_derivative(160, t377);
+        let K2_22_xU = self.mU * C1_22_vy_theta3_delta;
+        put_derivative(161, K2_22_xU);
+        let C1_22_xU = (self.xU + t296) * K2_22_xU;
+        put_derivative(162, C1_22_xU);
     }
 }
 
@@ -7397,6 +7553,77 @@ impl<T: Number> WhippleLeaningMatrices<T> {
             self.kc[2][2], self.k0[0][0], self.k0[0][1], self.k0[0][2], self.k0[1][1],
             self.k2[0][1], self.k2[1][1], self.k2[2][1],
         ]
+    }
+
+    /// Sets the entry at a position among those that differ, wherever it stands.
+    #[inline(always)]
+    fn set_entry(&mut self, position: usize, entry: T) {
+        match position {
+            0 => {
+                self.m[0][0] = entry;
+            }
+            1 => {
+                self.m[0][1] = entry;
+                self.m[1][0] = entry;
+            }
+            2 => {
+                self.m[0][2] = entry;
+                self.m[2][0] = entry;
+            }
+            3 => {
+                self.m[1][1] = entry;
+            }
+            4 => {
+                self.m[1][2] = entry;
+                self.m[2][1] = entry;
+            }
+            5 => {
+                self.m[2][2] = entry;
+            }
+            6 => {
+                self.c0[2][2] = entry;
+            }
+            7 => {
+                self.c1[0][1] = entry;
+            }
+            8 => {
+                self.c1[1][0] = entry;
+            }
+            9 => {
+                self.c1[1][1] = entry;
+            }
+            10 => {
+                self.c1[2][1] = entry;
+            }
+            11 => {
+                self.kc[2][2] = entry;
+            }
+            12 => {
+                self.k0[0][0] = entry;
+            }
+            13 => {
+                self.k0[0][1] = entry;
+                self.k0[1][0] = entry;
+            }
+            14 => {
+                self.k0[0][2] = entry;
+                self.k0[2][0] = entry;
+                self.k0[2][2] = entry;
+            }
+            15 => {
+                self.k0[1][1] = entry;
+            }
+            16 => {
+                self.k2[0][1] = entry;
+            }
+            17 => {
+                self.k2[1][1] = entry;
+            }
+            18 => {
+                self.k2[2][1] = entry;
+            }
+            _ => {}
+        }
     }
 
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
@@ -8129,212 +8356,206 @@ impl<T: Scalar> Differentiable<3> for WhippleLeaning<T> {
 }
 
 impl<T: Number> EvaluatorWithDerivatives<T, 3> for WhippleLeaning<T> {
-    type Derivatives = [T; 163];
-
     #[inline(always)]
-    fn entries_and_derivatives(&self) -> ([T; 19], [T; 163]) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        (WhippleLeaningMatrices::distinct_entries(&matrices), derivatives.values)
+    fn each_result(&self, put_entry: impl FnMut(usize, T), put_derivative: impl FnMut(usize, T)) {
+        self.each_result(put_entry, put_derivative);
     }
 }
 
 impl WhippleLeaningDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 243] = &[
-        Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1).negative(),
-        Partial::new(MatrixName::M, 1, 2, 0, 2).negative(),
-        Partial::new(MatrixName::M, 2, 1, 0, 2).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 0, 3).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 0, 4), Partial::new(MatrixName::C1, 1, 1, 0, 5),
-        Partial::new(MatrixName::C1, 2, 1, 0, 6).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 0, 7), Partial::new(MatrixName::K0, 1, 0, 0, 7),
-        Partial::new(MatrixName::K0, 1, 1, 0, 8), Partial::new(MatrixName::K2, 0, 1, 0, 9),
-        Partial::new(MatrixName::K2, 1, 1, 0, 10).negative(),
-        Partial::new(MatrixName::K2, 2, 1, 0, 11), Partial::new(MatrixName::M, 0, 1, 1, 12),
-        Partial::new(MatrixName::M, 1, 0, 1, 12), Partial::new(MatrixName::M, 1, 1, 1, 13),
-        Partial::new(MatrixName::M, 1, 2, 1, 14), Partial::new(MatrixName::M, 2, 1, 1, 14),
-        Partial::new(MatrixName::C1, 0, 1, 1, 15).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 1, 16).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 17),
-        Partial::new(MatrixName::C1, 2, 1, 1, 18).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 1, 19),
-        Partial::new(MatrixName::K0, 1, 0, 1, 19),
-        Partial::new(MatrixName::K0, 1, 1, 1, 20),
-        Partial::new(MatrixName::K2, 1, 1, 1, 21).negative(),
-        Partial::new(MatrixName::M, 0, 1, 2, 22), Partial::new(MatrixName::M, 1, 0, 2, 22),
-        Partial::new(MatrixName::M, 1, 1, 2, 23),
-        Partial::new(MatrixName::M, 1, 2, 2, 24).negative(),
-        Partial::new(MatrixName::M, 2, 1, 2, 24).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 2, 25).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 2, 26),
-        Partial::new(MatrixName::C1, 1, 1, 2, 27),
-        Partial::new(MatrixName::C1, 2, 1, 2, 28).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 2, 29),
-        Partial::new(MatrixName::K0, 1, 0, 2, 29),
-        Partial::new(MatrixName::K0, 1, 1, 2, 30).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 2, 31), Partial::new(MatrixName::K2, 1, 1, 2, 32),
-        Partial::new(MatrixName::K2, 2, 1, 2, 33), Partial::new(MatrixName::M, 0, 0, 4, 34),
-        Partial::new(MatrixName::C1, 0, 1, 4, 35), Partial::new(MatrixName::C1, 1, 0, 4, 36),
-        Partial::new(MatrixName::K0, 0, 0, 4, 37).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 4, 38),
-        Partial::new(MatrixName::M, 0, 0, 5, 39),
-        Partial::new(MatrixName::C1, 0, 1, 5, 40),
-        Partial::new(MatrixName::K0, 0, 0, 5, 41).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 5, 42), Partial::new(MatrixName::M, 0, 0, 6, 43),
-        Partial::new(MatrixName::M, 1, 1, 6, 44), Partial::new(MatrixName::C1, 1, 1, 6, 45),
-        Partial::new(MatrixName::C1, 0, 1, 7, 46),
-        Partial::new(MatrixName::C1, 1, 0, 7, 46).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 7, 47),
-        Partial::new(MatrixName::M, 0, 1, 8, 48).negative(),
-        Partial::new(MatrixName::M, 1, 0, 8, 48).negative(),
-        Partial::new(MatrixName::M, 1, 1, 8, 49),
-        Partial::new(MatrixName::C1, 0, 1, 8, 50).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 8, 51),
-        Partial::new(MatrixName::K0, 0, 1, 8, 52).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 8, 52).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 8, 53).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 8, 54), Partial::new(MatrixName::M, 0, 0, 9, 55),
-        Partial::new(MatrixName::M, 0, 1, 9, 56).negative(),
-        Partial::new(MatrixName::M, 1, 0, 9, 56).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 9, 57).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 9, 58),
-        Partial::new(MatrixName::K2, 0, 1, 9, 59).negative(),
-        Partial::new(MatrixName::M, 0, 0, 10, 60),
-        Partial::new(MatrixName::M, 0, 1, 10, 61).negative(),
-        Partial::new(MatrixName::M, 1, 0, 10, 61).negative(),
-        Partial::new(MatrixName::M, 1, 1, 10, 62),
-        Partial::new(MatrixName::C1, 0, 1, 10, 63).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 10, 64),
-        Partial::new(MatrixName::K0, 0, 0, 10, 65),
-        Partial::new(MatrixName::K0, 0, 1, 10, 66).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 10, 66).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 10, 67).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 10, 68).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 10, 69), Partial::new(MatrixName::M, 0, 0, 11, 43),
-        Partial::new(MatrixName::M, 1, 1, 13, 44), Partial::new(MatrixName::C1, 1, 1, 13, 45),
-        Partial::new(MatrixName::M, 0, 1, 14, 70), Partial::new(MatrixName::M, 1, 0, 14, 70),
-        Partial::new(MatrixName::C1, 0, 1, 14, 71),
-        Partial::new(MatrixName::M, 0, 1, 15, 72).negative(),
-        Partial::new(MatrixName::M, 1, 0, 15, 72).negative(),
-        Partial::new(MatrixName::M, 1, 1, 15, 73),
-        Partial::new(MatrixName::C1, 0, 1, 15, 74).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 15, 75),
-        Partial::new(MatrixName::K0, 0, 1, 15, 76).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 15, 76).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 15, 77).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 15, 78), Partial::new(MatrixName::M, 0, 0, 16, 79),
-        Partial::new(MatrixName::M, 0, 1, 16, 80), Partial::new(MatrixName::M, 1, 0, 16, 80),
-        Partial::new(MatrixName::M, 1, 1, 16, 81).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 16, 82).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 16, 83).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 16, 84), Partial::new(MatrixName::K0, 0, 1, 16, 85),
-        Partial::new(MatrixName::K0, 1, 0, 16, 85), Partial::new(MatrixName::K0, 1, 1, 16, 86),
-        Partial::new(MatrixName::K2, 0, 1, 16, 87).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 16, 88).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 89),
-        Partial::new(MatrixName::M, 0, 1, 17, 90).negative(),
-        Partial::new(MatrixName::M, 1, 0, 17, 90).negative(),
-        Partial::new(MatrixName::M, 1, 1, 17, 91),
-        Partial::new(MatrixName::C1, 0, 1, 17, 92).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 17, 93), Partial::new(MatrixName::K0, 0, 0, 17, 94),
-        Partial::new(MatrixName::K0, 0, 1, 17, 95), Partial::new(MatrixName::K0, 1, 0, 17, 95),
-        Partial::new(MatrixName::K0, 1, 1, 17, 96).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 17, 97).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 17, 98), Partial::new(MatrixName::M, 0, 0, 18, 43),
-        Partial::new(MatrixName::M, 0, 1, 18, 99), Partial::new(MatrixName::M, 1, 0, 18, 99),
-        Partial::new(MatrixName::M, 1, 1, 18, 100), Partial::new(MatrixName::M, 1, 1, 20, 101),
-        Partial::new(MatrixName::C1, 1, 1, 20, 102), Partial::new(MatrixName::M, 0, 1, 21, 103),
-        Partial::new(MatrixName::M, 1, 0, 21, 103), Partial::new(MatrixName::M, 1, 1, 21, 104),
-        Partial::new(MatrixName::C1, 0, 1, 21, 71), Partial::new(MatrixName::C1, 1, 1, 21, 105),
-        Partial::new(MatrixName::M, 0, 0, 22, 106), Partial::new(MatrixName::M, 0, 1, 22, 107),
-        Partial::new(MatrixName::M, 1, 0, 22, 107), Partial::new(MatrixName::M, 1, 1, 22, 108),
-        Partial::new(MatrixName::C1, 0, 1, 22, 109), Partial::new(MatrixName::C1, 1, 0, 22, 110),
-        Partial::new(MatrixName::C1, 1, 1, 22, 111),
-        Partial::new(MatrixName::K0, 0, 0, 22, 112).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 22, 113).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 22, 113).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 22, 114).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 115),
-        Partial::new(MatrixName::K2, 1, 1, 22, 116).negative(),
-        Partial::new(MatrixName::M, 0, 0, 23, 117), Partial::new(MatrixName::M, 0, 1, 23, 118),
-        Partial::new(MatrixName::M, 1, 0, 23, 118), Partial::new(MatrixName::M, 1, 1, 23, 119),
-        Partial::new(MatrixName::C1, 0, 1, 23, 120), Partial::new(MatrixName::C1, 1, 1, 23, 121),
-        Partial::new(MatrixName::K0, 0, 0, 23, 122).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 23, 123).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 23, 123).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 23, 124).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 23, 125), Partial::new(MatrixName::K2, 1, 1, 23, 126),
-        Partial::new(MatrixName::M, 0, 0, 24, 43), Partial::new(MatrixName::M, 0, 1, 24, 99),
-        Partial::new(MatrixName::M, 1, 0, 24, 99), Partial::new(MatrixName::M, 1, 1, 24, 127),
-        Partial::new(MatrixName::C1, 1, 1, 24, 102), Partial::new(MatrixName::C1, 0, 1, 25, 128),
-        Partial::new(MatrixName::C1, 1, 0, 25, 128).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 25, 129),
-        Partial::new(MatrixName::K2, 1, 1, 25, 130),
-        Partial::new(MatrixName::M, 0, 2, 26, 131).negative(),
-        Partial::new(MatrixName::M, 1, 2, 26, 132),
-        Partial::new(MatrixName::M, 2, 0, 26, 131).negative(),
-        Partial::new(MatrixName::M, 2, 1, 26, 132),
-        Partial::new(MatrixName::M, 2, 2, 26, 133).negative(),
-        Partial::new(MatrixName::C1, 2, 1, 26, 134),
-        Partial::new(MatrixName::K0, 0, 2, 26, 135).negative(),
-        Partial::new(MatrixName::K0, 2, 0, 26, 135).negative(),
-        Partial::new(MatrixName::K0, 2, 2, 26, 135).negative(),
-        Partial::new(MatrixName::K2, 2, 1, 26, 136),
-        Partial::new(MatrixName::M, 0, 0, 27, 137),
-        Partial::new(MatrixName::M, 0, 1, 27, 138).negative(),
-        Partial::new(MatrixName::M, 0, 2, 27, 139),
-        Partial::new(MatrixName::M, 1, 0, 27, 138).negative(),
-        Partial::new(MatrixName::M, 1, 1, 27, 140),
-        Partial::new(MatrixName::M, 1, 2, 27, 141).negative(),
-        Partial::new(MatrixName::M, 2, 0, 27, 139),
-        Partial::new(MatrixName::M, 2, 1, 27, 141).negative(),
-        Partial::new(MatrixName::M, 2, 2, 27, 142),
-        Partial::new(MatrixName::C1, 0, 1, 27, 143).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 27, 144),
-        Partial::new(MatrixName::C1, 2, 1, 27, 145).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 27, 146),
-        Partial::new(MatrixName::K0, 0, 1, 27, 147).negative(),
-        Partial::new(MatrixName::K0, 0, 2, 27, 148),
-        Partial::new(MatrixName::K0, 1, 0, 27, 147).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 27, 149).negative(),
-        Partial::new(MatrixName::K0, 2, 0, 27, 148),
-        Partial::new(MatrixName::K0, 2, 2, 27, 148),
-        Partial::new(MatrixName::K2, 0, 1, 27, 150).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 27, 151),
-        Partial::new(MatrixName::K2, 2, 1, 27, 152).negative(),
-        Partial::new(MatrixName::M, 0, 1, 28, 153).negative(),
-        Partial::new(MatrixName::M, 1, 0, 28, 153).negative(),
-        Partial::new(MatrixName::M, 1, 1, 28, 154),
-        Partial::new(MatrixName::M, 1, 2, 28, 155).negative(),
-        Partial::new(MatrixName::M, 2, 1, 28, 155).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 28, 156).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 28, 157),
-        Partial::new(MatrixName::C1, 2, 1, 28, 18).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 28, 158).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 28, 158).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 28, 159).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 28, 160),
-        Partial::new(MatrixName::M, 0, 0, 29, 161),
-        Partial::new(MatrixName::M, 0, 1, 29, 132).negative(),
-        Partial::new(MatrixName::M, 0, 2, 29, 162),
-        Partial::new(MatrixName::M, 1, 0, 29, 132).negative(),
-        Partial::new(MatrixName::M, 1, 2, 29, 132).negative(),
-        Partial::new(MatrixName::M, 2, 0, 29, 162),
-        Partial::new(MatrixName::M, 2, 1, 29, 132).negative(),
-        Partial::new(MatrixName::M, 2, 2, 29, 133),
-        Partial::new(MatrixName::C1, 0, 1, 29, 134).negative(),
-        Partial::new(MatrixName::C1, 2, 1, 29, 134).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 29, 135), Partial::new(MatrixName::K0, 0, 2, 29, 135),
-        Partial::new(MatrixName::K0, 2, 0, 29, 135), Partial::new(MatrixName::K0, 2, 2, 29, 135),
-        Partial::new(MatrixName::K2, 0, 1, 29, 136).negative(),
-        Partial::new(MatrixName::K2, 2, 1, 29, 136).negative(),
-        Partial::new(MatrixName::M, 0, 0, 30, 43), Partial::new(MatrixName::M, 0, 2, 30, 43),
-        Partial::new(MatrixName::M, 2, 0, 30, 43), Partial::new(MatrixName::M, 2, 2, 30, 43),
-        Partial::new(MatrixName::M, 1, 1, 32, 44), Partial::new(MatrixName::C1, 1, 1, 32, 45),
-        Partial::new(MatrixName::M, 0, 1, 33, 70), Partial::new(MatrixName::M, 1, 0, 33, 70),
-        Partial::new(MatrixName::M, 1, 2, 33, 70), Partial::new(MatrixName::M, 2, 1, 33, 70),
-        Partial::new(MatrixName::C1, 0, 1, 33, 71), Partial::new(MatrixName::C1, 2, 1, 33, 71),
-        Partial::new(MatrixName::Kc, 2, 2, 34, 43), Partial::new(MatrixName::C0, 2, 2, 35, 43),
+        Partial::new(MatrixName::M, 0, 1, 0, 72), Partial::new(MatrixName::M, 1, 0, 0, 72),
+        Partial::new(MatrixName::M, 1, 1, 0, 57).negative(),
+        Partial::new(MatrixName::M, 1, 2, 0, 31).negative(),
+        Partial::new(MatrixName::M, 2, 1, 0, 31).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 0, 65), Partial::new(MatrixName::C1, 1, 0, 0, 56),
+        Partial::new(MatrixName::C1, 1, 1, 0, 75).negative(),
+        Partial::new(MatrixName::C1, 2, 1, 0, 66).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 0, 80), Partial::new(MatrixName::K0, 1, 0, 0, 80),
+        Partial::new(MatrixName::K0, 1, 1, 0, 86), Partial::new(MatrixName::K2, 0, 1, 0, 68),
+        Partial::new(MatrixName::K2, 1, 1, 0, 85).negative(),
+        Partial::new(MatrixName::K2, 2, 1, 0, 71), Partial::new(MatrixName::M, 0, 1, 1, 73),
+        Partial::new(MatrixName::M, 1, 0, 1, 73), Partial::new(MatrixName::M, 1, 1, 1, 58),
+        Partial::new(MatrixName::M, 1, 2, 1, 59), Partial::new(MatrixName::M, 2, 1, 1, 59),
+        Partial::new(MatrixName::C1, 0, 1, 1, 67).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 1, 50).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 1, 76).negative(),
+        Partial::new(MatrixName::C1, 2, 1, 1, 70).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 1, 81),
+        Partial::new(MatrixName::K0, 1, 0, 1, 81),
+        Partial::new(MatrixName::K0, 1, 1, 1, 82),
+        Partial::new(MatrixName::K2, 1, 1, 1, 83).negative(),
+        Partial::new(MatrixName::M, 0, 1, 2, 94), Partial::new(MatrixName::M, 1, 0, 2, 94),
+        Partial::new(MatrixName::M, 1, 1, 2, 63).negative(),
+        Partial::new(MatrixName::M, 1, 2, 2, 90).negative(),
+        Partial::new(MatrixName::M, 2, 1, 2, 90).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 2, 69).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 2, 89),
+        Partial::new(MatrixName::C1, 1, 1, 2, 84),
+        Partial::new(MatrixName::C1, 2, 1, 2, 96).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 2, 95), Partial::new(MatrixName::K0, 1, 0, 2, 95),
+        Partial::new(MatrixName::K0, 1, 1, 2, 108), Partial::new(MatrixName::K2, 0, 1, 2, 87),
+        Partial::new(MatrixName::K2, 1, 1, 2, 107), Partial::new(MatrixName::K2, 2, 1, 2, 88),
+        Partial::new(MatrixName::M, 0, 0, 4, 30), Partial::new(MatrixName::C1, 0, 1, 4, 52),
+        Partial::new(MatrixName::C1, 1, 0, 4, 49),
+        Partial::new(MatrixName::K0, 0, 0, 4, 1).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 4, 53), Partial::new(MatrixName::M, 0, 0, 5, 12),
+        Partial::new(MatrixName::C1, 0, 1, 5, 28),
+        Partial::new(MatrixName::K0, 0, 0, 5, 0).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 5, 39), Partial::new(MatrixName::M, 0, 0, 6, 10),
+        Partial::new(MatrixName::M, 1, 1, 6, 98), Partial::new(MatrixName::C1, 1, 1, 6, 97),
+        Partial::new(MatrixName::C1, 0, 1, 7, 40),
+        Partial::new(MatrixName::C1, 1, 0, 7, 40).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 7, 41),
+        Partial::new(MatrixName::M, 0, 1, 8, 100).negative(),
+        Partial::new(MatrixName::M, 1, 0, 8, 100).negative(),
+        Partial::new(MatrixName::M, 1, 1, 8, 104),
+        Partial::new(MatrixName::C1, 0, 1, 8, 106).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 8, 117),
+        Partial::new(MatrixName::K0, 0, 1, 8, 99).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 8, 99).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 8, 101).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 8, 102), Partial::new(MatrixName::M, 0, 0, 9, 21),
+        Partial::new(MatrixName::M, 0, 1, 9, 48).negative(),
+        Partial::new(MatrixName::M, 1, 0, 9, 48).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 9, 112).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 9, 3),
+        Partial::new(MatrixName::K2, 0, 1, 9, 111).negative(),
+        Partial::new(MatrixName::M, 0, 0, 10, 14),
+        Partial::new(MatrixName::M, 0, 1, 10, 45).negative(),
+        Partial::new(MatrixName::M, 1, 0, 10, 45).negative(),
+        Partial::new(MatrixName::M, 1, 1, 10, 46),
+        Partial::new(MatrixName::C1, 0, 1, 10, 113).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 10, 115),
+        Partial::new(MatrixName::K0, 0, 0, 10, 2),
+        Partial::new(MatrixName::K0, 0, 1, 10, 44).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 10, 44).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 10, 47).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 10, 103).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 10, 114), Partial::new(MatrixName::M, 0, 0, 11, 10),
+        Partial::new(MatrixName::M, 1, 1, 13, 98), Partial::new(MatrixName::C1, 1, 1, 13, 97),
+        Partial::new(MatrixName::M, 0, 1, 14, 27), Partial::new(MatrixName::M, 1, 0, 14, 27),
+        Partial::new(MatrixName::C1, 0, 1, 14, 38),
+        Partial::new(MatrixName::M, 0, 1, 15, 32).negative(),
+        Partial::new(MatrixName::M, 1, 0, 15, 32).negative(),
+        Partial::new(MatrixName::M, 1, 1, 15, 54),
+        Partial::new(MatrixName::C1, 0, 1, 15, 118).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 15, 78),
+        Partial::new(MatrixName::K0, 0, 1, 15, 119).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 15, 119).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 15, 92).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 15, 120), Partial::new(MatrixName::M, 0, 0, 16, 15),
+        Partial::new(MatrixName::M, 0, 1, 16, 34), Partial::new(MatrixName::M, 1, 0, 16, 34),
+        Partial::new(MatrixName::M, 1, 1, 16, 55).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 16, 77).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 16, 79).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 16, 5), Partial::new(MatrixName::K0, 0, 1, 16, 91),
+        Partial::new(MatrixName::K0, 1, 0, 16, 91), Partial::new(MatrixName::K0, 1, 1, 16, 122),
+        Partial::new(MatrixName::K2, 0, 1, 16, 116).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 16, 93).negative(),
+        Partial::new(MatrixName::M, 0, 0, 17, 16),
+        Partial::new(MatrixName::M, 0, 1, 17, 35).negative(),
+        Partial::new(MatrixName::M, 1, 0, 17, 35).negative(),
+        Partial::new(MatrixName::M, 1, 1, 17, 36),
+        Partial::new(MatrixName::C1, 0, 1, 17, 124).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 74), Partial::new(MatrixName::K0, 0, 0, 17, 4),
+        Partial::new(MatrixName::K0, 0, 1, 17, 33), Partial::new(MatrixName::K0, 1, 0, 17, 33),
+        Partial::new(MatrixName::K0, 1, 1, 17, 37).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 17, 123).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 17, 42), Partial::new(MatrixName::M, 0, 0, 18, 10),
+        Partial::new(MatrixName::M, 0, 1, 18, 11), Partial::new(MatrixName::M, 1, 0, 18, 11),
+        Partial::new(MatrixName::M, 1, 1, 18, 121), Partial::new(MatrixName::M, 1, 1, 20, 125),
+        Partial::new(MatrixName::C1, 1, 1, 20, 43), Partial::new(MatrixName::M, 0, 1, 21, 29),
+        Partial::new(MatrixName::M, 1, 0, 21, 29), Partial::new(MatrixName::M, 1, 1, 21, 127),
+        Partial::new(MatrixName::C1, 0, 1, 21, 38), Partial::new(MatrixName::C1, 1, 1, 21, 109),
+        Partial::new(MatrixName::M, 0, 0, 22, 17), Partial::new(MatrixName::M, 0, 1, 22, 128),
+        Partial::new(MatrixName::M, 1, 0, 22, 128), Partial::new(MatrixName::M, 1, 1, 22, 129),
+        Partial::new(MatrixName::C1, 0, 1, 22, 135), Partial::new(MatrixName::C1, 1, 0, 22, 131),
+        Partial::new(MatrixName::C1, 1, 1, 22, 136),
+        Partial::new(MatrixName::K0, 0, 0, 22, 7).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 22, 137).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 22, 137).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 22, 138).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 22, 134), Partial::new(MatrixName::K2, 1, 1, 22, 139),
+        Partial::new(MatrixName::M, 0, 0, 23, 18), Partial::new(MatrixName::M, 0, 1, 23, 141),
+        Partial::new(MatrixName::M, 1, 0, 23, 141), Partial::new(MatrixName::M, 1, 1, 23, 142),
+        Partial::new(MatrixName::C1, 0, 1, 23, 145), Partial::new(MatrixName::C1, 1, 1, 23, 146),
+        Partial::new(MatrixName::K0, 0, 0, 23, 6).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 23, 140).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 23, 140).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 23, 143).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 23, 144), Partial::new(MatrixName::K2, 1, 1, 23, 110),
+        Partial::new(MatrixName::M, 0, 0, 24, 10), Partial::new(MatrixName::M, 0, 1, 24, 11),
+        Partial::new(MatrixName::M, 1, 0, 24, 11), Partial::new(MatrixName::M, 1, 1, 24, 126),
+        Partial::new(MatrixName::C1, 1, 1, 24, 43), Partial::new(MatrixName::C1, 0, 1, 25, 130),
+        Partial::new(MatrixName::C1, 1, 0, 25, 130).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 25, 132),
+        Partial::new(MatrixName::K2, 1, 1, 25, 133),
+        Partial::new(MatrixName::M, 0, 2, 26, 13).negative(),
+        Partial::new(MatrixName::M, 1, 2, 26, 51),
+        Partial::new(MatrixName::M, 2, 0, 26, 13).negative(),
+        Partial::new(MatrixName::M, 2, 1, 26, 51),
+        Partial::new(MatrixName::M, 2, 2, 26, 25).negative(),
+        Partial::new(MatrixName::C1, 2, 1, 26, 148),
+        Partial::new(MatrixName::K0, 0, 2, 26, 8).negative(),
+        Partial::new(MatrixName::K0, 2, 0, 26, 8).negative(),
+        Partial::new(MatrixName::K0, 2, 2, 26, 8).negative(),
+        Partial::new(MatrixName::K2, 2, 1, 26, 147),
+        Partial::new(MatrixName::M, 0, 0, 27, 19),
+        Partial::new(MatrixName::M, 0, 1, 27, 151).negative(),
+        Partial::new(MatrixName::M, 0, 2, 27, 23),
+        Partial::new(MatrixName::M, 1, 0, 27, 151).negative(),
+        Partial::new(MatrixName::M, 1, 1, 27, 154),
+        Partial::new(MatrixName::M, 1, 2, 27, 152).negative(),
+        Partial::new(MatrixName::M, 2, 0, 27, 23),
+        Partial::new(MatrixName::M, 2, 1, 27, 152).negative(),
+        Partial::new(MatrixName::M, 2, 2, 27, 24),
+        Partial::new(MatrixName::C1, 0, 1, 27, 157).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 27, 156),
+        Partial::new(MatrixName::C1, 2, 1, 27, 159).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 27, 9),
+        Partial::new(MatrixName::K0, 0, 1, 27, 149).negative(),
+        Partial::new(MatrixName::K0, 0, 2, 27, 22),
+        Partial::new(MatrixName::K0, 1, 0, 27, 149).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 27, 150).negative(),
+        Partial::new(MatrixName::K0, 2, 0, 27, 22),
+        Partial::new(MatrixName::K0, 2, 2, 27, 22),
+        Partial::new(MatrixName::K2, 0, 1, 27, 155).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 27, 153),
+        Partial::new(MatrixName::K2, 2, 1, 27, 158).negative(),
+        Partial::new(MatrixName::M, 0, 1, 28, 61).negative(),
+        Partial::new(MatrixName::M, 1, 0, 28, 61).negative(),
+        Partial::new(MatrixName::M, 1, 1, 28, 105),
+        Partial::new(MatrixName::M, 1, 2, 28, 64).negative(),
+        Partial::new(MatrixName::M, 2, 1, 28, 64).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 28, 160).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 28, 162),
+        Partial::new(MatrixName::C1, 2, 1, 28, 70).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 28, 60).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 28, 60).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 28, 62).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 28, 161),
+        Partial::new(MatrixName::M, 0, 0, 29, 20),
+        Partial::new(MatrixName::M, 0, 1, 29, 51).negative(),
+        Partial::new(MatrixName::M, 0, 2, 29, 26),
+        Partial::new(MatrixName::M, 1, 0, 29, 51).negative(),
+        Partial::new(MatrixName::M, 1, 2, 29, 51).negative(),
+        Partial::new(MatrixName::M, 2, 0, 29, 26),
+        Partial::new(MatrixName::M, 2, 1, 29, 51).negative(),
+        Partial::new(MatrixName::M, 2, 2, 29, 25),
+        Partial::new(MatrixName::C1, 0, 1, 29, 148).negative(),
+        Partial::new(MatrixName::C1, 2, 1, 29, 148).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 29, 8), Partial::new(MatrixName::K0, 0, 2, 29, 8),
+        Partial::new(MatrixName::K0, 2, 0, 29, 8), Partial::new(MatrixName::K0, 2, 2, 29, 8),
+        Partial::new(MatrixName::K2, 0, 1, 29, 147).negative(),
+        Partial::new(MatrixName::K2, 2, 1, 29, 147).negative(),
+        Partial::new(MatrixName::M, 0, 0, 30, 10), Partial::new(MatrixName::M, 0, 2, 30, 10),
+        Partial::new(MatrixName::M, 2, 0, 30, 10), Partial::new(MatrixName::M, 2, 2, 30, 10),
+        Partial::new(MatrixName::M, 1, 1, 32, 98), Partial::new(MatrixName::C1, 1, 1, 32, 97),
+        Partial::new(MatrixName::M, 0, 1, 33, 27), Partial::new(MatrixName::M, 1, 0, 33, 27),
+        Partial::new(MatrixName::M, 1, 2, 33, 27), Partial::new(MatrixName::M, 2, 1, 33, 27),
+        Partial::new(MatrixName::C1, 0, 1, 33, 38), Partial::new(MatrixName::C1, 2, 1, 33, 38),
+        Partial::new(MatrixName::Kc, 2, 2, 34, 10), Partial::new(MatrixName::C0, 2, 2, 35, 10),
     ];
 }

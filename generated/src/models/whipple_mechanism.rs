@@ -4905,234 +4905,376 @@ pub struct WhippleMechanismDerivatives<T = f64> {
 
 impl<T: Number> WhippleMechanism<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 94 additions, 185 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 285 operations.
+    /// 92 additions, 175 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 273 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
+    ///
+    /// Where they are stored, [`Self::write_matrices_and_derivatives`] takes less time.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleMechanismMatrices<T>, WhippleMechanismDerivatives<T>) {
-        let t4 = self.zB * self.mB;
-        let M_11_mH = self.zH * self.zH;
-        let t12 = self.rF * self.mF;
-        let t17 = self.rF * t12 + self.IHxx + self.IFxx;
-        let t20 = self.rR * self.mR;
-        let M_11 = self.IBxx + self.IRxx + self.zB * t4 + self.mH * M_11_mH + t17
-            + self.rR * t20;
-        let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
-        let t33 = self.c + self.w;
-        let t35 = self.zH * wx_delta2_delta + wx_delta2_delta_lam * t33;
-        let t36 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = wx_delta2_delta_lam * t36;
-        let mu = self.c * yaw_per_v_delta;
-        let wz_delta2_delta = wx_delta2_delta_lam + mu;
-        let K0_12_mH = t35 - wz_delta2_delta * self.xH;
-        let t43 = self.mH * K0_12_mH;
-        let t48 = wz_delta2_delta * self.IHxz + t17 * wx_delta2_delta;
-        let t52 = self.IBxz - t4 * self.xB;
-        let M_12 = self.zH * t43 + t48 + mu * t52;
-        let t58 = self.mB * self.xB;
-        let t61 = self.IRxx + self.IBzz + self.xB * t58;
-        let C1_22_IRxx = yaw_per_v_delta * mu;
-        let M_22_IRxx = self.c * C1_22_IRxx;
-        let t66 = self.mH * self.xH;
-        let t71 = self.IFxx + self.IHzz + self.xH * t66;
-        let t74 = wx_delta2_delta * self.IHxz + wz_delta2_delta * t71 - t35 * t66;
-        let M_22 = wx_delta2_delta * t48 + t61 * M_22_IRxx + wz_delta2_delta * t74
-            + t35 * t43;
         let zero = self.w.like(0.0);
-        let t82 = self.w.like(1.0) / self.rF;
-        let SF = self.IFyy * t82;
-        let t84 = self.mH * self.zH;
-        let M_12_wz_delta2_delta = self.IHxz - self.xH * t84;
-        let t87 = t52 + M_12_wz_delta2_delta;
-        let t88 = t36 * t87;
-        let t90 = self.w.like(1.0) / self.rR;
-        let SR = self.IRyy * t90;
-        let t92 = SF + SR;
-        let K0_11 = t84 - (t12 + t20 - t4);
-        let t96 = t92 - K0_11;
-        let t97 = t36 * t96;
-        let t99 = t88 + self.c * t97;
-        let t101 = t12 + SF + t99;
-        let C1_12 = wx_delta2_delta_lam * t101;
-        let t103 = wx_delta2_delta_lam * SF;
-        let t104 = mu * t92;
-        let t106 = t12 * wx_delta2_delta;
-        let t107 = self.mB * mu;
-        let t108 = self.xB * t107;
-        let K0_12 = t43 - t106 - t108;
-        let t111 = self.c * t36;
-        let t115 = yaw_per_v_delta * t61;
-        let t117 = t74 + self.c * t115;
-        let t118 = yaw_per_v_delta * t117;
-        let C1_22 = wx_delta2_delta_lam * (t106 - K0_12 * t111) + t118;
-        let K0_22 = wx_delta2_delta * K0_12;
-        let K2_12 = yaw_per_v_delta * t96;
-        let t123 = wx_delta2_delta * SF - K0_12;
-        let K2_22 = yaw_per_v_delta * t123;
-        let t125 = yaw_per_v_delta * t87;
-        let t127 = self.mH * wx_delta2_delta_lam;
-        let t128 = self.zH * t127;
-        let M_12_w = t128 - t111 * t125;
-        let t130 = t118 + t118;
-        let t132 = t43 + t43;
-        let t133 = wx_delta2_delta_lam * t132;
-        let M_22_w = t133 - t111 * t130;
-        let t135 = yaw_per_v_delta * t99;
-        let C1_21_w = t36 * t104;
-        let t137 = yaw_per_v_delta * self.xH;
-        let t138 = t127 * t137;
-        let t139 = yaw_per_v_delta * t71;
-        let t141 = t115 + t139 - K0_12;
-        let t144 = t36 * (t117 + self.c * t141);
-        let t145 = t58 + t66;
-        let t146 = yaw_per_v_delta * t145;
-        let K0_12_w = t127 + t111 * t146;
-        let t152 = t138 + yaw_per_v_delta * (t144 + self.c * K0_12_w);
-        let K0_22_w = wx_delta2_delta * K0_12_w;
-        let t154 = t36 * K2_12;
-        let t155 = t36 * t123;
-        let t157 = yaw_per_v_delta * (K0_12_w + t155);
-        let M_12_c = t125 + t128;
-        let M_22_c = t130 + t133;
-        let t160 = yaw_per_v_delta * t92;
-        let K0_12_c = t127 - t146;
-        let t165 = t138 + yaw_per_v_delta * (self.c * K0_12_c - t141);
-        let K0_22_c = wx_delta2_delta * K0_12_c;
-        let t167 = yaw_per_v_delta * K0_12_c;
-        let t168 = t17 * wx_delta2_delta_lam;
-        let K0_12_zH = self.mH * wx_delta2_delta;
-        let t174 = t33 * K0_12_zH - t128;
-        let M_12_lam = t168 - wx_delta2_delta * (M_12_wz_delta2_delta + self.c * t88)
-            - self.zH * t174;
-        let t180 = wx_delta2_delta_lam * self.IHxz + self.xH * t174;
-        let t188 = wz_delta2_delta * t180 - t35 * t174
-            - wx_delta2_delta * (t74 + t111 * t117 - t168);
-        let M_22_lam = t188 + t188;
-        let t190 = wx_delta2_delta * t101;
-        let C1_21_lam = wx_delta2_delta * (SF + t92 * t111);
-        let K2_22_yaw_per_v_delta = yaw_per_v_delta * t180;
-        let C1_22_mu = t66 + t111 * t145;
-        let t201 = t12 * wx_delta2_delta_lam;
-        let K0_12_lam = wx_delta2_delta * C1_22_mu - t174 - t201;
-        let ST_rR = wx_delta2_delta_lam * t201;
-        let C1_22_lam = K2_22_yaw_per_v_delta + ST_rR
-            - wx_delta2_delta * (t106 + t139 + t144) - mu * K0_12_lam;
-        let K0_22_lam = wx_delta2_delta * K0_12_lam + wx_delta2_delta_lam * K0_12;
-        let t212 = wx_delta2_delta * t97;
-        let K2_22_lam = yaw_per_v_delta * (t103 - K0_12_lam) - wx_delta2_delta * t155;
-        let M_11_rR = t20 + t20;
-        let t219 = self.mR - t90 * SR;
-        let C1_12_rR = mu * t219;
-        let K2_12_IRyy = yaw_per_v_delta * t90;
-        let C1_12_IRyy = self.c * K2_12_IRyy;
-        let C1_21_rR = SR * C1_12_IRyy;
-        let K2_12_rR = yaw_per_v_delta * t219;
-        let M_11_mR = self.rR * self.rR;
-        let K2_12_mR = self.rR * yaw_per_v_delta;
-        let C1_12_mR = self.c * K2_12_mR;
-        let t229 = self.zB * t107;
-        let M_12_yaw_per_v_delta = yaw_per_v_delta * self.xB;
-        let K2_22_mB = mu * M_12_yaw_per_v_delta;
-        let t232 = self.mB * K2_22_mB;
-        let t233 = t232 + t232;
-        let M_22_xB = self.c * t233;
-        let t235 = self.zB * yaw_per_v_delta;
-        let t236 = self.mB * t235;
-        let C1_22_xB = t233 + self.mB * M_22_IRxx;
-        let t239 = wx_delta2_delta * t107;
-        let K2_22_xB = yaw_per_v_delta * t107;
-        let M_11_zB = t4 + t4;
-        let t242 = mu + M_12_yaw_per_v_delta;
-        let t243 = self.mB * t242;
-        let t244 = self.mB * yaw_per_v_delta;
-        let M_11_mB = self.zB * self.zB;
-        let t246 = mu * self.xB;
-        let t247 = self.zB * t246;
-        let M_22_mB = t246 * t246;
-        let t249 = self.zB * t242;
-        let C1_22_mB = t242 * t246;
-        let t251 = wx_delta2_delta * t246;
-        let t252 = wz_delta2_delta * t84;
-        let t253 = wz_delta2_delta * t132;
-        let t254 = self.zH * yaw_per_v_delta;
-        let t255 = self.mH * t254;
-        let t256 = yaw_per_v_delta * K0_12_mH;
-        let t258 = mu + t137;
-        let t259 = self.mH * t258;
-        let C1_22_xH = wz_delta2_delta * t259 - self.mH * t256;
-        let t262 = self.mH * wz_delta2_delta;
-        let t263 = wz_delta2_delta * K0_12_zH;
-        let C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
-        let K2_22_xH = self.mH * C1_22_IHzz;
-        let M_11_zH = t84 + t84;
-        let M_12_zH = t43 + wx_delta2_delta * t84;
-        let t269 = wx_delta2_delta + wx_delta2_delta;
-        let M_22_zH = t43 * t269;
-        let t271 = wx_delta2_delta * t259;
-        let K0_22_zH = wx_delta2_delta * K0_12_zH;
-        let t273 = t36 * t127;
-        let K2_22_SF = wx_delta2_delta * yaw_per_v_delta;
-        let t275 = self.mH * K2_22_SF;
-        let M_12_mH = self.zH * K0_12_mH;
-        let M_22_mH = K0_12_mH * K0_12_mH;
-        let t278 = self.zH * t258;
-        let t279 = K0_12_mH * t258;
-        let K0_22_mH = wx_delta2_delta * K0_12_mH;
-        let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
-        let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-        let M_22_IHxz = wz_delta2_delta * t269;
-        let M_11_rF = t12 + t12;
-        let M_12_rF = t12 * t269;
-        let M_22_rF = wx_delta2_delta * M_12_rF;
-        let t287 = t82 * SF;
-        let t288 = self.mF - t287;
-        let C1_12_rF = wz_delta2_delta * t288;
-        let C1_21_rF = wz_delta2_delta * t287;
-        let t291 = self.mF * wx_delta2_delta;
-        let C1_22_rF = wz_delta2_delta * t291;
-        let t293 = wx_delta2_delta * t291;
-        let K2_12_rF = yaw_per_v_delta * t288;
-        let K2_22_rF = K2_22_SF * t288;
-        let M_11_mF = self.rF * self.rF;
-        let M_12_mF = wx_delta2_delta * M_11_mF;
-        let t298 = self.rF * wx_delta2_delta;
-        let M_22_mF = t298 * t298;
-        let C1_12_mF = self.rF * wz_delta2_delta;
-        let C1_22_mF = wz_delta2_delta * t298;
-        let t302 = self.rF * M_22_IHxx;
-        let K2_12_mF = self.rF * yaw_per_v_delta;
-        let K2_22_mF = self.rF * K2_22_SF;
-        let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let C1_12_IFyy = wz_delta2_delta * t82;
-        let K2_12_IFyy = yaw_per_v_delta * t82;
-        let K2_22_IFyy = wx_delta2_delta * K2_12_IFyy;
-        let C1_21 = -(t103 + t104);
-        (
-            WhippleMechanismMatrices::from_entries([
-                M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
-                K2_12, zero, K2_22,
-            ]),
-            WhippleMechanismDerivatives {
-                values: [
-                    M_12_w, M_22_w, t135, C1_21_w, t152, K0_12_w, K0_22_w, t154, t157, M_12_c,
-                    M_22_c, K2_12, t160, t165, K0_12_c, K0_22_c, t167, M_12_lam, M_22_lam, t190,
-                    C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t212, K2_22_lam, M_11_rR, C1_12_rR,
-                    C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
-                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t229, M_22_xB,
-                    t236, C1_22_xB, t107, t239, K2_22_xB, M_11_zB, t108, t243, self.mB, t244,
-                    M_11_mB, t247, M_22_mB, t249, C1_22_mB, self.zB, t246, t251, t235, K2_22_mB, mu,
-                    yaw_per_v_delta, t252, t253, t255, C1_22_xH, t262, t263, K2_22_xH, M_11_zH,
-                    M_12_zH, M_22_zH, t259, t271, self.mH, K0_12_zH, K0_22_zH, t273, t275, M_11_mH,
-                    M_12_mH, M_22_mH, t278, t279, self.zH, K0_12_mH, K0_22_mH, t254, t256,
-                    wx_delta2_delta, M_22_IHxx, M_22_IHzz, C1_22_IHzz, wz_delta2_delta, M_22_IHxz,
-                    K2_22_SF, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF, self.mF,
-                    t291, t293, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF, C1_22_mF,
-                    self.rF, t298, t302, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy, K2_12_IFyy,
-                    K2_22_IFyy,
-                ],
+        let mut matrices = WhippleMechanismMatrices::from_entries([zero; 16]);
+        let mut derivatives = WhippleMechanismDerivatives {
+            values: [zero; 123],
+        };
+        self.each_result(
+            #[inline(always)]
+            |position, value| matrices.set_entry(position, value),
+            #[inline(always)]
+            |position, value| derivatives.values[position] = value,
+        );
+        (matrices, derivatives)
+    }
+
+    /// Writes the coefficient matrices and their derivatives over others, each as soon as it is computed.
+    ///
+    /// They are those of [`Self::matrices_and_derivatives`], to the last bit. That function has more results than a
+    /// processor has registers, and moves them twice.
+    #[inline(always)]
+    pub fn write_matrices_and_derivatives(
+        &self,
+        matrices: &mut WhippleMechanismMatrices<T>,
+        derivatives: &mut WhippleMechanismDerivatives<T>,
+    ) {
+        *matrices = WhippleMechanismMatrices::from_entries([self.w.like(0.0); 16]);
+        self.each_result(
+            #[inline(always)]
+            |position, value| {
+                matrices.set_entry(position, value);
+                carvallo::write_now();
             },
-        )
+            #[inline(always)]
+            |position, value| {
+                derivatives.values[position] = value;
+                carvallo::write_now();
+            },
+        );
+    }
+
+    /// The program: gives each entry that differs, and each value of the derivatives, to a function with its position.
+    #[inline(always)]
+    fn each_result(&self, mut put_entry: impl FnMut(usize, T), mut put_derivative: impl FnMut(usize, T)) {
+        put_derivative(0, self.rR);
+        put_derivative(1, self.mR);
+        put_derivative(2, self.zB);
+        put_derivative(3, self.mB);
+        put_derivative(4, self.zH);
+        put_derivative(5, self.mH);
+        put_derivative(6, self.rF);
+        put_derivative(7, self.mF);
+        put_derivative(8, self.w.like(1.0));
+        let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
+        put_derivative(9, wx_delta2_delta);
+        let M_11_mB = self.zB * self.zB;
+        put_derivative(10, M_11_mB);
+        let t28 = self.rR * self.mR;
+        let M_11_mH = self.zH * self.zH;
+        put_derivative(11, M_11_mH);
+        let M_11_mF = self.rF * self.rF;
+        put_derivative(12, M_11_mF);
+        let t35 = self.mH * M_11_mH + self.IHxx + self.IFxx + self.mF * M_11_mF;
+        let t36 = self.w.like(1.0) / self.w;
+        let M_11_rR = t28 + t28;
+        put_derivative(13, M_11_rR);
+        let M_11_mR = self.rR * self.rR;
+        put_derivative(14, M_11_mR);
+        let t39 = self.mH * self.xH;
+        let M_12_wz_delta2_delta = self.IHxz - self.zH * t39;
+        let t42 = self.mB * self.xB;
+        let t43 = self.mH * self.zH;
+        let M_11_zH = t43 + t43;
+        put_derivative(15, M_11_zH);
+        let t45 = self.c + self.w;
+        let t46 = t45 - self.xH;
+        let t50 = t36 * (self.IBxz + M_12_wz_delta2_delta - self.zB * t42);
+        let t52 = self.IHxz + t43 * t46;
+        let t55 = self.IFxx + self.IHzz + self.xH * t39;
+        let t56 = self.c * t36;
+        let t57 = self.w.like(1.0) / self.rF;
+        let C1_22_wz_delta2_delta = self.mB * M_11_mB;
+        let M_11 = self.IBxx + C1_22_wz_delta2_delta + self.rR * t28 + self.IRxx + t35;
+        put_entry(0, M_11);
+        let SF = self.IFyy * t57;
+        let t65 = self.mF * self.rF;
+        let M_11_rF = t65 + t65;
+        put_derivative(16, M_11_rF);
+        let t67 = self.w.like(1.0) / self.rR;
+        let t68 = self.mB * self.zB;
+        let K0_11 = t68 - (t28 + t65 - t43);
+        put_entry(6, K0_11);
+        let M_11_zB = t68 + t68;
+        put_derivative(17, M_11_zB);
+        let SR = self.IRyy * t67;
+        let t74 = t39 + t42;
+        let t75 = self.c + self.xB;
+        let t76 = self.c + self.xH;
+        let t78 = self.c * t50 + t52;
+        let t80 = self.mF - t57 * SF;
+        let t81 = SF + SR;
+        let t83 = self.mR - t67 * SR;
+        let t84 = t35 * wx_delta2_delta;
+        let M_12_c = wx_delta2_delta_lam * (t50 + t43);
+        put_derivative(18, M_12_c);
+        let yaw_per_v_delta = wx_delta2_delta_lam * t36;
+        put_derivative(19, yaw_per_v_delta);
+        let K0_12_mH = self.zH * wx_delta2_delta
+            + wx_delta2_delta_lam * (t46 - self.xH * t56);
+        put_derivative(20, K0_12_mH);
+        let t93 = t81 - K0_11;
+        let t94 = wx_delta2_delta_lam * t39;
+        let K2_12_IRyy = yaw_per_v_delta * t67;
+        put_derivative(21, K2_12_IRyy);
+        let K2_12_rF = yaw_per_v_delta * t80;
+        put_derivative(22, K2_12_rF);
+        let M_12_lam = t35 * wx_delta2_delta_lam - wx_delta2_delta * t78;
+        put_derivative(23, M_12_lam);
+        let M_12 = t84 + wx_delta2_delta_lam * t78;
+        put_entry(1, M_12);
+        let K2_12_rR = yaw_per_v_delta * t83;
+        put_derivative(24, K2_12_rR);
+        let K2_12_mF = self.rF * yaw_per_v_delta;
+        put_derivative(25, K2_12_mF);
+        let K2_12_IFyy = yaw_per_v_delta * t57;
+        put_derivative(26, K2_12_IFyy);
+        let t105 = M_12_wz_delta2_delta * yaw_per_v_delta;
+        let ST = t84 + wx_delta2_delta_lam * t52 + self.c * t105;
+        let t110 = wx_delta2_delta * M_12_wz_delta2_delta;
+        let mu = self.c * yaw_per_v_delta;
+        put_derivative(27, mu);
+        let C1_12_rR = mu * t83;
+        put_derivative(28, C1_12_rR);
+        let t113 = mu * t68;
+        put_derivative(29, t113);
+        let C1_12_IRyy = mu * t67;
+        put_derivative(30, C1_12_IRyy);
+        let C1_21_rR = SR * C1_12_IRyy;
+        put_derivative(31, C1_21_rR);
+        let M_22_IRxx = mu * mu;
+        put_derivative(32, M_22_IRxx);
+        let C1_22_IRxx = yaw_per_v_delta * mu;
+        put_derivative(33, C1_22_IRxx);
+        let wz_delta2_delta = wx_delta2_delta_lam + mu;
+        put_derivative(34, wz_delta2_delta);
+        let t119 = t43 * wz_delta2_delta;
+        put_derivative(35, t119);
+        let t120 = wx_delta2_delta_lam * t43;
+        let M_12_w = t120 - t50 * mu;
+        put_derivative(36, M_12_w);
+        let t124 = t50 + t56 * t93;
+        let t125 = t36 * t93;
+        let t126 = yaw_per_v_delta * t124;
+        put_derivative(37, t126);
+        let t128 = SF + t65 + t124;
+        let t129 = wx_delta2_delta_lam * t65;
+        let t130 = wx_delta2_delta * t125;
+        put_derivative(38, t130);
+        let K2_12 = wx_delta2_delta_lam * t125;
+        put_entry(9, K2_12);
+        put_derivative(39, K2_12);
+        let t132 = t36 * K2_12;
+        put_derivative(40, t132);
+        let M_12_mH = self.zH * K0_12_mH;
+        put_derivative(41, M_12_mH);
+        let M_22_mH = K0_12_mH * K0_12_mH;
+        put_derivative(42, M_22_mH);
+        let K0_22_mH = wx_delta2_delta * K0_12_mH;
+        put_derivative(43, K0_22_mH);
+        let C1_12_rF = wz_delta2_delta * t80;
+        put_derivative(44, C1_12_rF);
+        let t137 = self.mH * K0_12_mH;
+        let t142 = yaw_per_v_delta * (self.IRxx + t55 + self.IBzz + self.xB * t42);
+        let C1_12 = wx_delta2_delta_lam * t128;
+        put_entry(3, C1_12);
+        let t144 = wx_delta2_delta * t128;
+        put_derivative(45, t144);
+        let t145 = t42 * mu;
+        put_derivative(46, t145);
+        let t146 = yaw_per_v_delta * t81;
+        put_derivative(47, t146);
+        let t147 = self.c * t146;
+        let C1_21_w = t36 * t147;
+        put_derivative(48, C1_21_w);
+        let t149 = wx_delta2_delta_lam * SF;
+        let C1_21 = -(t147 + t149);
+        put_entry(4, C1_21);
+        let t152 = self.rF * wx_delta2_delta;
+        put_derivative(49, t152);
+        let M_12_mF = self.rF * t152;
+        put_derivative(50, M_12_mF);
+        let t154 = wx_delta2_delta * t152;
+        put_derivative(51, t154);
+        let K2_22_mF = yaw_per_v_delta * t152;
+        put_derivative(52, K2_22_mF);
+        let t156 = self.mF * t152;
+        let t157 = t56 * t142;
+        let K0_12 = t137 - t156 - t145;
+        put_entry(7, K0_12);
+        let t160 = wx_delta2_delta * SF;
+        let t161 = mu + mu;
+        let M_22_xB = t145 * t161;
+        put_derivative(53, M_22_xB);
+        let t163 = self.xB * mu;
+        put_derivative(54, t163);
+        let t164 = self.zB * t163;
+        put_derivative(55, t164);
+        let M_22_mB = t163 * t163;
+        put_derivative(56, M_22_mB);
+        let t169 = t157 + yaw_per_v_delta * (t55 - t39 * t45);
+        let K0_22 = wx_delta2_delta * K0_12;
+        put_entry(8, K0_22);
+        let t171 = wx_delta2_delta * t163;
+        put_derivative(57, t171);
+        let K2_22_mB = yaw_per_v_delta * t163;
+        put_derivative(58, K2_22_mB);
+        let C1_22_mB = t75 * K2_22_mB;
+        put_derivative(59, C1_22_mB);
+        let t175 = t36 * (t160 - K0_12);
+        let t176 = self.mH * wx_delta2_delta_lam;
+        let t177 = K0_12_mH + K0_12_mH;
+        let t178 = yaw_per_v_delta * K0_12_mH;
+        put_derivative(60, t178);
+        let t179 = t76 * t178;
+        put_derivative(61, t179);
+        let t180 = yaw_per_v_delta * t74;
+        let K0_12_w = t176 + t56 * t180;
+        put_derivative(62, K0_12_w);
+        let K0_12_c = t176 - t180;
+        put_derivative(63, K0_12_c);
+        let t188 = yaw_per_v_delta * (t94 + K0_12 + self.c * K0_12_c - t142);
+        put_derivative(64, t188);
+        let K0_22_w = wx_delta2_delta * K0_12_w;
+        put_derivative(65, K0_22_w);
+        let K2_22 = wx_delta2_delta_lam * t175;
+        put_entry(10, K2_22);
+        let t192 = yaw_per_v_delta * (t175 + K0_12_w);
+        put_derivative(66, t192);
+        let K0_22_c = wx_delta2_delta * K0_12_c;
+        put_derivative(67, K0_22_c);
+        let t194 = yaw_per_v_delta * K0_12_c;
+        put_derivative(68, t194);
+        let t195 = wx_delta2_delta * t56;
+        let C1_21_lam = t160 + t81 * t195;
+        put_derivative(69, C1_21_lam);
+        let K0_12_zH = self.mH * wx_delta2_delta;
+        put_derivative(70, K0_12_zH);
+        let t203 = t129 + t46 * K0_12_zH - t120 - t74 * t195;
+        put_derivative(71, t203);
+        let M_12_zH = t137 + self.zH * K0_12_zH;
+        put_derivative(72, M_12_zH);
+        let M_22_zH = t177 * K0_12_zH;
+        put_derivative(73, M_22_zH);
+        let t207 = yaw_per_v_delta * K0_12_zH;
+        put_derivative(74, t207);
+        let t208 = t76 * t207;
+        put_derivative(75, t208);
+        let t210 = t36 * t110 + t169;
+        let t211 = t36 * t176;
+        put_derivative(76, t211);
+        let t212 = t76 * t211;
+        put_derivative(77, t212);
+        let K2_12_mR = self.rR * yaw_per_v_delta;
+        put_derivative(78, K2_12_mR);
+        let C1_12_mR = self.c * K2_12_mR;
+        put_derivative(79, C1_12_mR);
+        let t215 = self.zB * yaw_per_v_delta;
+        put_derivative(80, t215);
+        let t216 = self.mB * t215;
+        put_derivative(81, t216);
+        let t217 = t215 * t75;
+        put_derivative(82, t217);
+        let t218 = self.mB * yaw_per_v_delta;
+        put_derivative(83, t218);
+        let t219 = t75 * t218;
+        put_derivative(84, t219);
+        let t220 = self.c * t218;
+        put_derivative(85, t220);
+        let t221 = wx_delta2_delta * t220;
+        put_derivative(86, t221);
+        let K2_22_xB = yaw_per_v_delta * t220;
+        put_derivative(87, K2_22_xB);
+        let t223 = self.mH * wz_delta2_delta;
+        put_derivative(88, t223);
+        let t224 = t177 * t223;
+        put_derivative(89, t224);
+        let t225 = wx_delta2_delta * t223;
+        put_derivative(90, t225);
+        let M_22_w = t176 * t177 - t210 * t161;
+        put_derivative(91, M_22_w);
+        let t235 = wz_delta2_delta * t55 + t45 * (t137 - t94) + t110 + self.c * t210;
+        let K2_22_lam = yaw_per_v_delta * (t149 + t203) - wx_delta2_delta * t175;
+        put_derivative(92, K2_22_lam);
+        let C1_22_xB = (self.xB + t75) * K2_22_xB;
+        put_derivative(93, C1_22_xB);
+        let K2_22_xH = yaw_per_v_delta * t223;
+        put_derivative(94, K2_22_xH);
+        let t243 = t137 + t210;
+        let M_22_c = wx_delta2_delta_lam * (t243 + t243);
+        put_derivative(95, M_22_c);
+        let t247 = t210 - t56 * K0_12;
+        let t252 = yaw_per_v_delta * (t94 + t157 + t247 + self.c * K0_12_w);
+        put_derivative(96, t252);
+        let K0_22_lam = wx_delta2_delta_lam * K0_12 - wx_delta2_delta * t203;
+        put_derivative(97, K0_22_lam);
+        let t256 = t156 + t247;
+        let C1_22_lam = wx_delta2_delta_lam * (t105 + t129 + t56 * t203)
+            - wx_delta2_delta * (t169 + t256);
+        put_derivative(98, C1_22_lam);
+        let C1_22 = wx_delta2_delta_lam * t256;
+        put_entry(5, C1_22);
+        let M_12_rF = t156 + t156;
+        put_derivative(99, M_12_rF);
+        let M_22_rF = wx_delta2_delta * M_12_rF;
+        put_derivative(100, M_22_rF);
+        let t267 = self.zH * yaw_per_v_delta;
+        put_derivative(101, t267);
+        let t268 = self.mH * t267;
+        put_derivative(102, t268);
+        let t269 = t267 * t76;
+        put_derivative(103, t269);
+        let C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
+        put_derivative(104, C1_22_IHzz);
+        let M_12_yaw_per_v_delta = t76 * C1_22_IHzz;
+        let C1_22_xH = self.mH * (M_12_yaw_per_v_delta - t178);
+        put_derivative(105, C1_22_xH);
+        let K2_22_SF = wx_delta2_delta * yaw_per_v_delta;
+        put_derivative(106, K2_22_SF);
+        let K2_22_rF = K2_22_SF * t80;
+        put_derivative(107, K2_22_rF);
+        let K2_22_IFyy = t57 * K2_22_SF;
+        put_derivative(108, K2_22_IFyy);
+        let M_22 = wx_delta2_delta * ST + wx_delta2_delta_lam * t235;
+        put_entry(2, M_22);
+        let t282 = wx_delta2_delta_lam * ST - wx_delta2_delta * t235;
+        let C1_12_IFyy = wz_delta2_delta * t57;
+        put_derivative(109, C1_12_IFyy);
+        let C1_21_rF = SF * C1_12_IFyy;
+        put_derivative(110, C1_21_rF);
+        let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+        put_derivative(111, M_22_IHxx);
+        let K0_22_zH = self.mH * M_22_IHxx;
+        put_derivative(112, K0_22_zH);
+        let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+        put_derivative(113, M_22_IHzz);
+        let M_22_mF = M_11_mF * M_22_IHxx;
+        put_derivative(114, M_22_mF);
+        let t289 = wx_delta2_delta * wz_delta2_delta;
+        let M_22_IHxz = t289 + t289;
+        put_derivative(115, M_22_IHxz);
+        let t291 = self.mF * wx_delta2_delta;
+        put_derivative(116, t291);
+        let M_22_IFxx = M_22_IHxx + M_22_IHzz;
+        put_derivative(117, M_22_IFxx);
+        let C1_22_rF = wz_delta2_delta * t291;
+        put_derivative(118, C1_22_rF);
+        let t294 = wx_delta2_delta * t291;
+        put_derivative(119, t294);
+        let C1_12_mF = self.rF * wz_delta2_delta;
+        put_derivative(120, C1_12_mF);
+        let M_22_lam = t282 + t282;
+        put_derivative(121, M_22_lam);
+        let C1_22_mF = wx_delta2_delta * C1_12_mF;
+        put_derivative(122, C1_22_mF);
     }
 }
 
@@ -5343,6 +5485,49 @@ impl<T: Number> WhippleMechanismMatrices<T> {
             self.m[0][0], self.m[0][1], self.m[1][1], self.c1[0][1], self.c1[1][0], self.c1[1][1],
             self.k0[0][0], self.k0[0][1], self.k0[1][1], self.k2[0][1], self.k2[1][1],
         ]
+    }
+
+    /// Sets the entry at a position among those that differ, wherever it stands.
+    #[inline(always)]
+    fn set_entry(&mut self, position: usize, entry: T) {
+        match position {
+            0 => {
+                self.m[0][0] = entry;
+            }
+            1 => {
+                self.m[0][1] = entry;
+                self.m[1][0] = entry;
+            }
+            2 => {
+                self.m[1][1] = entry;
+            }
+            3 => {
+                self.c1[0][1] = entry;
+            }
+            4 => {
+                self.c1[1][0] = entry;
+            }
+            5 => {
+                self.c1[1][1] = entry;
+            }
+            6 => {
+                self.k0[0][0] = entry;
+            }
+            7 => {
+                self.k0[0][1] = entry;
+                self.k0[1][0] = entry;
+            }
+            8 => {
+                self.k0[1][1] = entry;
+            }
+            9 => {
+                self.k2[0][1] = entry;
+            }
+            10 => {
+                self.k2[1][1] = entry;
+            }
+            _ => {}
+        }
     }
 
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
@@ -5924,136 +6109,136 @@ impl<T: Scalar> Differentiable<2> for WhippleMechanism<T> {
 }
 
 impl<T: Number> EvaluatorWithDerivatives<T, 2> for WhippleMechanism<T> {
-    type Derivatives = [T; 123];
-
     #[inline(always)]
-    fn entries_and_derivatives(&self) -> ([T; 11], [T; 123]) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        (WhippleMechanismMatrices::distinct_entries(&matrices), derivatives.values)
+    fn each_result(&self, put_entry: impl FnMut(usize, T), put_derivative: impl FnMut(usize, T)) {
+        self.each_result(put_entry, put_derivative);
     }
 }
 
 impl WhippleMechanismDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 158] = &[
-        Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1),
-        Partial::new(MatrixName::C1, 0, 1, 0, 2).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 0, 3),
-        Partial::new(MatrixName::C1, 1, 1, 0, 4).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
-        Partial::new(MatrixName::K0, 1, 1, 0, 6),
-        Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 0, 8).negative(),
-        Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
-        Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
-        Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 13).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 1, 14),
-        Partial::new(MatrixName::K0, 1, 0, 1, 14),
-        Partial::new(MatrixName::K0, 1, 1, 1, 15),
-        Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
-        Partial::new(MatrixName::M, 0, 1, 2, 17),
-        Partial::new(MatrixName::M, 1, 0, 2, 17),
-        Partial::new(MatrixName::M, 1, 1, 2, 18),
-        Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
-        Partial::new(MatrixName::K0, 0, 1, 2, 22), Partial::new(MatrixName::K0, 1, 0, 2, 22),
-        Partial::new(MatrixName::K0, 1, 1, 2, 23),
-        Partial::new(MatrixName::K2, 0, 1, 2, 24).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 2, 25), Partial::new(MatrixName::M, 0, 0, 4, 26),
-        Partial::new(MatrixName::C1, 0, 1, 4, 27), Partial::new(MatrixName::C1, 1, 0, 4, 28),
-        Partial::new(MatrixName::K0, 0, 0, 4, 29).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 4, 30),
-        Partial::new(MatrixName::M, 0, 0, 5, 31),
-        Partial::new(MatrixName::C1, 0, 1, 5, 32),
-        Partial::new(MatrixName::K0, 0, 0, 5, 33).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 5, 34), Partial::new(MatrixName::M, 0, 0, 6, 35),
-        Partial::new(MatrixName::M, 1, 1, 6, 36), Partial::new(MatrixName::C1, 1, 1, 6, 37),
-        Partial::new(MatrixName::C1, 0, 1, 7, 38),
-        Partial::new(MatrixName::C1, 1, 0, 7, 38).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 7, 39),
-        Partial::new(MatrixName::M, 0, 1, 8, 40).negative(),
-        Partial::new(MatrixName::M, 1, 0, 8, 40).negative(),
-        Partial::new(MatrixName::M, 1, 1, 8, 41),
-        Partial::new(MatrixName::C1, 0, 1, 8, 42).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 8, 43),
-        Partial::new(MatrixName::K0, 0, 1, 8, 44).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 8, 44).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 8, 45).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 8, 46), Partial::new(MatrixName::M, 0, 0, 9, 47),
-        Partial::new(MatrixName::M, 0, 1, 9, 48).negative(),
-        Partial::new(MatrixName::M, 1, 0, 9, 48).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 9, 49).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 9, 50),
-        Partial::new(MatrixName::K2, 0, 1, 9, 51).negative(),
-        Partial::new(MatrixName::M, 0, 0, 10, 52),
-        Partial::new(MatrixName::M, 0, 1, 10, 53).negative(),
-        Partial::new(MatrixName::M, 1, 0, 10, 53).negative(),
-        Partial::new(MatrixName::M, 1, 1, 10, 54),
-        Partial::new(MatrixName::C1, 0, 1, 10, 55).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 10, 56),
-        Partial::new(MatrixName::K0, 0, 0, 10, 57),
-        Partial::new(MatrixName::K0, 0, 1, 10, 58).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 10, 58).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 10, 59).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 10, 60).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 10, 61), Partial::new(MatrixName::M, 0, 0, 11, 35),
-        Partial::new(MatrixName::M, 1, 1, 13, 36), Partial::new(MatrixName::C1, 1, 1, 13, 37),
-        Partial::new(MatrixName::M, 0, 1, 14, 62), Partial::new(MatrixName::M, 1, 0, 14, 62),
-        Partial::new(MatrixName::C1, 0, 1, 14, 63),
-        Partial::new(MatrixName::M, 0, 1, 15, 64).negative(),
-        Partial::new(MatrixName::M, 1, 0, 15, 64).negative(),
-        Partial::new(MatrixName::M, 1, 1, 15, 65).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 15, 66).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 15, 67),
-        Partial::new(MatrixName::K0, 0, 1, 15, 68).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 15, 68).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 15, 69).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 15, 70), Partial::new(MatrixName::M, 0, 0, 16, 71),
+        Partial::new(MatrixName::M, 0, 1, 0, 36),
+        Partial::new(MatrixName::M, 1, 0, 0, 36),
+        Partial::new(MatrixName::M, 1, 1, 0, 91),
+        Partial::new(MatrixName::C1, 0, 1, 0, 37).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 0, 48),
+        Partial::new(MatrixName::C1, 1, 1, 0, 96).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 0, 62),
+        Partial::new(MatrixName::K0, 1, 0, 0, 62),
+        Partial::new(MatrixName::K0, 1, 1, 0, 65),
+        Partial::new(MatrixName::K2, 0, 1, 0, 40).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 0, 66).negative(),
+        Partial::new(MatrixName::M, 0, 1, 1, 18), Partial::new(MatrixName::M, 1, 0, 1, 18),
+        Partial::new(MatrixName::M, 1, 1, 1, 95), Partial::new(MatrixName::C1, 0, 1, 1, 39),
+        Partial::new(MatrixName::C1, 1, 0, 1, 47).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 1, 64).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 1, 63),
+        Partial::new(MatrixName::K0, 1, 0, 1, 63),
+        Partial::new(MatrixName::K0, 1, 1, 1, 67),
+        Partial::new(MatrixName::K2, 1, 1, 1, 68).negative(),
+        Partial::new(MatrixName::M, 0, 1, 2, 23),
+        Partial::new(MatrixName::M, 1, 0, 2, 23),
+        Partial::new(MatrixName::M, 1, 1, 2, 121),
+        Partial::new(MatrixName::C1, 0, 1, 2, 45).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 2, 69),
+        Partial::new(MatrixName::C1, 1, 1, 2, 98),
+        Partial::new(MatrixName::K0, 0, 1, 2, 71).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 2, 71).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 2, 97),
+        Partial::new(MatrixName::K2, 0, 1, 2, 38).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 2, 92), Partial::new(MatrixName::M, 0, 0, 4, 13),
+        Partial::new(MatrixName::C1, 0, 1, 4, 28), Partial::new(MatrixName::C1, 1, 0, 4, 31),
+        Partial::new(MatrixName::K0, 0, 0, 4, 1).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 4, 24), Partial::new(MatrixName::M, 0, 0, 5, 14),
+        Partial::new(MatrixName::C1, 0, 1, 5, 79),
+        Partial::new(MatrixName::K0, 0, 0, 5, 0).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 5, 78), Partial::new(MatrixName::M, 0, 0, 6, 8),
+        Partial::new(MatrixName::M, 1, 1, 6, 32), Partial::new(MatrixName::C1, 1, 1, 6, 33),
+        Partial::new(MatrixName::C1, 0, 1, 7, 30),
+        Partial::new(MatrixName::C1, 1, 0, 7, 30).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 7, 21),
+        Partial::new(MatrixName::M, 0, 1, 8, 29).negative(),
+        Partial::new(MatrixName::M, 1, 0, 8, 29).negative(),
+        Partial::new(MatrixName::M, 1, 1, 8, 53),
+        Partial::new(MatrixName::C1, 0, 1, 8, 81).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 8, 93),
+        Partial::new(MatrixName::K0, 0, 1, 8, 85).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 8, 85).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 8, 86).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 8, 87), Partial::new(MatrixName::M, 0, 0, 9, 17),
+        Partial::new(MatrixName::M, 0, 1, 9, 46).negative(),
+        Partial::new(MatrixName::M, 1, 0, 9, 46).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 9, 84).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 9, 3),
+        Partial::new(MatrixName::K2, 0, 1, 9, 83).negative(),
+        Partial::new(MatrixName::M, 0, 0, 10, 10),
+        Partial::new(MatrixName::M, 0, 1, 10, 55).negative(),
+        Partial::new(MatrixName::M, 1, 0, 10, 55).negative(),
+        Partial::new(MatrixName::M, 1, 1, 10, 56),
+        Partial::new(MatrixName::C1, 0, 1, 10, 82).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 10, 59),
+        Partial::new(MatrixName::K0, 0, 0, 10, 2),
+        Partial::new(MatrixName::K0, 0, 1, 10, 54).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 10, 54).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 10, 57).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 10, 80).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 10, 58), Partial::new(MatrixName::M, 0, 0, 11, 8),
+        Partial::new(MatrixName::M, 1, 1, 13, 32), Partial::new(MatrixName::C1, 1, 1, 13, 33),
+        Partial::new(MatrixName::M, 0, 1, 14, 27), Partial::new(MatrixName::M, 1, 0, 14, 27),
+        Partial::new(MatrixName::C1, 0, 1, 14, 19),
+        Partial::new(MatrixName::M, 0, 1, 15, 35).negative(),
+        Partial::new(MatrixName::M, 1, 0, 15, 35).negative(),
+        Partial::new(MatrixName::M, 1, 1, 15, 89).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 15, 102).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 15, 105),
+        Partial::new(MatrixName::K0, 0, 1, 15, 88).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 15, 88).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 15, 90).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 15, 94), Partial::new(MatrixName::M, 0, 0, 16, 15),
         Partial::new(MatrixName::M, 0, 1, 16, 72), Partial::new(MatrixName::M, 1, 0, 16, 72),
         Partial::new(MatrixName::M, 1, 1, 16, 73),
-        Partial::new(MatrixName::C1, 0, 1, 16, 74).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 16, 77).negative(),
         Partial::new(MatrixName::C1, 1, 1, 16, 75).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 16, 76), Partial::new(MatrixName::K0, 0, 1, 16, 77),
-        Partial::new(MatrixName::K0, 1, 0, 16, 77), Partial::new(MatrixName::K0, 1, 1, 16, 78),
-        Partial::new(MatrixName::K2, 0, 1, 16, 79).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 16, 80).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 81), Partial::new(MatrixName::M, 0, 1, 17, 82),
-        Partial::new(MatrixName::M, 1, 0, 17, 82), Partial::new(MatrixName::M, 1, 1, 17, 83),
-        Partial::new(MatrixName::C1, 0, 1, 17, 84).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 17, 85).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 17, 86), Partial::new(MatrixName::K0, 0, 1, 17, 87),
-        Partial::new(MatrixName::K0, 1, 0, 17, 87), Partial::new(MatrixName::K0, 1, 1, 17, 88),
-        Partial::new(MatrixName::K2, 0, 1, 17, 89).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 17, 90).negative(),
-        Partial::new(MatrixName::M, 0, 0, 18, 35), Partial::new(MatrixName::M, 0, 1, 18, 91),
-        Partial::new(MatrixName::M, 1, 0, 18, 91), Partial::new(MatrixName::M, 1, 1, 18, 92),
-        Partial::new(MatrixName::M, 1, 1, 20, 93), Partial::new(MatrixName::C1, 1, 1, 20, 94),
-        Partial::new(MatrixName::M, 0, 1, 21, 95), Partial::new(MatrixName::M, 1, 0, 21, 95),
-        Partial::new(MatrixName::M, 1, 1, 21, 96), Partial::new(MatrixName::C1, 0, 1, 21, 63),
-        Partial::new(MatrixName::C1, 1, 1, 21, 97), Partial::new(MatrixName::M, 0, 0, 22, 98),
+        Partial::new(MatrixName::K0, 0, 0, 16, 5), Partial::new(MatrixName::K0, 0, 1, 16, 70),
+        Partial::new(MatrixName::K0, 1, 0, 16, 70), Partial::new(MatrixName::K0, 1, 1, 16, 112),
+        Partial::new(MatrixName::K2, 0, 1, 16, 76).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 16, 74).negative(),
+        Partial::new(MatrixName::M, 0, 0, 17, 11), Partial::new(MatrixName::M, 0, 1, 17, 41),
+        Partial::new(MatrixName::M, 1, 0, 17, 41), Partial::new(MatrixName::M, 1, 1, 17, 42),
+        Partial::new(MatrixName::C1, 0, 1, 17, 103).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 61).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 17, 4), Partial::new(MatrixName::K0, 0, 1, 17, 20),
+        Partial::new(MatrixName::K0, 1, 0, 17, 20), Partial::new(MatrixName::K0, 1, 1, 17, 43),
+        Partial::new(MatrixName::K2, 0, 1, 17, 101).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 17, 60).negative(),
+        Partial::new(MatrixName::M, 0, 0, 18, 8), Partial::new(MatrixName::M, 0, 1, 18, 9),
+        Partial::new(MatrixName::M, 1, 0, 18, 9), Partial::new(MatrixName::M, 1, 1, 18, 111),
+        Partial::new(MatrixName::M, 1, 1, 20, 113), Partial::new(MatrixName::C1, 1, 1, 20, 104),
+        Partial::new(MatrixName::M, 0, 1, 21, 34), Partial::new(MatrixName::M, 1, 0, 21, 34),
+        Partial::new(MatrixName::M, 1, 1, 21, 115), Partial::new(MatrixName::C1, 0, 1, 21, 19),
+        Partial::new(MatrixName::C1, 1, 1, 21, 106), Partial::new(MatrixName::M, 0, 0, 22, 16),
         Partial::new(MatrixName::M, 0, 1, 22, 99), Partial::new(MatrixName::M, 1, 0, 22, 99),
-        Partial::new(MatrixName::M, 1, 1, 22, 100), Partial::new(MatrixName::C1, 0, 1, 22, 101),
-        Partial::new(MatrixName::C1, 1, 0, 22, 102), Partial::new(MatrixName::C1, 1, 1, 22, 103),
-        Partial::new(MatrixName::K0, 0, 0, 22, 104).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 22, 105).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 22, 105).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 22, 106).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 107), Partial::new(MatrixName::K2, 1, 1, 22, 108),
-        Partial::new(MatrixName::M, 0, 0, 23, 109), Partial::new(MatrixName::M, 0, 1, 23, 110),
-        Partial::new(MatrixName::M, 1, 0, 23, 110), Partial::new(MatrixName::M, 1, 1, 23, 111),
-        Partial::new(MatrixName::C1, 0, 1, 23, 112), Partial::new(MatrixName::C1, 1, 1, 23, 113),
-        Partial::new(MatrixName::K0, 0, 0, 23, 114).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 23, 115).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 23, 115).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 23, 116).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 23, 117), Partial::new(MatrixName::K2, 1, 1, 23, 118),
-        Partial::new(MatrixName::M, 0, 0, 24, 35), Partial::new(MatrixName::M, 0, 1, 24, 91),
-        Partial::new(MatrixName::M, 1, 0, 24, 91), Partial::new(MatrixName::M, 1, 1, 24, 119),
-        Partial::new(MatrixName::C1, 1, 1, 24, 94), Partial::new(MatrixName::C1, 0, 1, 25, 120),
-        Partial::new(MatrixName::C1, 1, 0, 25, 120).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 25, 121),
-        Partial::new(MatrixName::K2, 1, 1, 25, 122),
+        Partial::new(MatrixName::M, 1, 1, 22, 100), Partial::new(MatrixName::C1, 0, 1, 22, 44),
+        Partial::new(MatrixName::C1, 1, 0, 22, 110), Partial::new(MatrixName::C1, 1, 1, 22, 118),
+        Partial::new(MatrixName::K0, 0, 0, 22, 7).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 22, 116).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 22, 116).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 22, 119).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 22, 22), Partial::new(MatrixName::K2, 1, 1, 22, 107),
+        Partial::new(MatrixName::M, 0, 0, 23, 12), Partial::new(MatrixName::M, 0, 1, 23, 50),
+        Partial::new(MatrixName::M, 1, 0, 23, 50), Partial::new(MatrixName::M, 1, 1, 23, 114),
+        Partial::new(MatrixName::C1, 0, 1, 23, 120), Partial::new(MatrixName::C1, 1, 1, 23, 122),
+        Partial::new(MatrixName::K0, 0, 0, 23, 6).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 23, 49).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 23, 49).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 23, 51).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 23, 25), Partial::new(MatrixName::K2, 1, 1, 23, 52),
+        Partial::new(MatrixName::M, 0, 0, 24, 8), Partial::new(MatrixName::M, 0, 1, 24, 9),
+        Partial::new(MatrixName::M, 1, 0, 24, 9), Partial::new(MatrixName::M, 1, 1, 24, 117),
+        Partial::new(MatrixName::C1, 1, 1, 24, 104), Partial::new(MatrixName::C1, 0, 1, 25, 109),
+        Partial::new(MatrixName::C1, 1, 0, 25, 109).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 25, 26),
+        Partial::new(MatrixName::K2, 1, 1, 25, 108),
     ];
 }

@@ -341,231 +341,386 @@ pub struct WhippleSprungDerivatives<T = f64> {
 
 impl<T: Number> WhippleSprung<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 100 additions, 182 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 289 operations.
+    /// 93 additions, 179 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 278 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
+    ///
+    /// Where they are stored, [`Self::write_matrices_and_derivatives`] takes less time.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleSprungMatrices<T>, WhippleSprungDerivatives<T>) {
-        let M_11_mF = self.rF * self.rF;
-        let t7 = self.mF * M_11_mF + self.IHxx + self.IFxx;
-        let t11 = self.zB * self.mB;
-        let t15 = self.zH * self.mH;
-        let M_11_mR = self.rR * self.rR;
-        let M_11 = t7 + self.IRxx + self.zB * t11 + self.zH * t15 + self.IBxx
-            + self.mR * M_11_mR;
-        let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
-        let t32 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = wx_delta2_delta_lam * t32;
-        let yaw_by_delta = self.c * yaw_per_v_delta;
-        let wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
-        let t39 = self.IHxz * wz_delta2_delta + t7 * wx_delta2_delta;
-        let t42 = self.mB * self.xB;
-        let t44 = self.IBxz - self.zB * t42;
-        let t48 = self.c * t32;
-        let t52 = self.c + self.w - self.xH - self.xH * t48;
-        let K0_12_mH = self.zH * wx_delta2_delta + wx_delta2_delta_lam * t52;
-        let M_12 = t39 + yaw_by_delta * t44 + t15 * K0_12_mH;
-        let t61 = self.IRxx + self.IBzz + self.xB * t42;
-        let t62 = yaw_by_delta * t61;
-        let t65 = self.IFxx + self.IHzz;
-        let t67 = self.IHxz * wx_delta2_delta;
-        let t68 = wz_delta2_delta * t65 + t67;
-        let t70 = self.mH * K0_12_mH;
-        let M_22 = yaw_by_delta * t62 + wz_delta2_delta * t68 + K0_12_mH * t70
-            + wx_delta2_delta * t39;
         let zero = self.w.like(0.0);
-        let t78 = self.mR * self.rR;
-        let t79 = self.mF * self.rF;
-        let K0_11 = t11 + t15 - t78 - t79;
-        let M_12_yaw_by_delta = self.IHxz + t44;
-        let t87 = t32 * (M_12_yaw_by_delta - t15 * self.xH);
-        let t88 = wx_delta2_delta_lam * t87;
-        let t90 = self.w.like(1.0) / self.rF;
-        let h_spin_F = self.IFyy * t90;
-        let t92 = wx_delta2_delta_lam * h_spin_F;
-        let t94 = self.w.like(1.0) / self.rR;
-        let h_spin_R = self.IRyy * t94;
-        let t96 = h_spin_F + h_spin_R;
-        let t97 = yaw_per_v_delta * t96;
-        let t99 = t92 + self.c * t97;
-        let t100 = wx_delta2_delta_lam * t79;
-        let C1_12 = t88 + t99 + t100 - yaw_by_delta * K0_11;
-        let t104 = wx_delta2_delta * t48;
-        let t106 = wx_delta2_delta_lam * (wx_delta2_delta + t104);
-        let t109 = self.xH * t70 - t68;
-        let t112 = yaw_by_delta * t42;
-        let t113 = t70 - t112;
-        let t114 = yaw_per_v_delta * t61 - t113;
-        let C1_22 = t79 * t106 + yaw_by_delta * t114 - yaw_per_v_delta * t109;
-        let t119 = wx_delta2_delta * t79;
-        let K0_12 = t113 - t119;
-        let K0_22 = wx_delta2_delta * K0_12;
-        let t122 = t96 - K0_11;
-        let K2_12 = yaw_per_v_delta * t122;
-        let t124 = wx_delta2_delta * h_spin_F;
-        let t125 = K0_12 - t124;
-        let t129 = yaw_per_v_delta * self.xH;
-        let t131 = wx_delta2_delta_lam + t48 * t129;
-        let M_12_w = t15 * t131 - t32 * yaw_by_delta * M_12_yaw_by_delta;
-        let M_22_wz_delta2_delta = t68 + t68;
-        let M_22_yaw_by_delta = t62 + t62 + M_22_wz_delta2_delta;
-        let t137 = t48 * M_22_yaw_by_delta;
-        let t139 = K0_12_mH + K0_12_mH;
-        let t140 = self.mH * t131;
-        let M_22_w = t139 * t140 - yaw_per_v_delta * t137;
-        let t143 = t32 * t122;
-        let t145 = t87 + self.c * t143;
-        let t146 = yaw_per_v_delta * t145;
-        let C1_21_w = t48 * t97;
-        let t148 = yaw_by_delta + t129;
-        let t149 = self.mH * t148;
-        let C1_22_wz_delta2_delta = t119 + yaw_per_v_delta * t65;
-        let t154 = t112 + t114 + C1_22_wz_delta2_delta;
-        let t158 = t32 * (t109 - t62 - self.c * t154);
-        let C1_22_w = yaw_per_v_delta * t158 - t131 * t149;
-        let t161 = yaw_per_v_delta * t42;
-        let vy_all1_delta = t48 * t161;
-        let K0_12_w = t140 + vy_all1_delta;
-        let K0_22_w = wx_delta2_delta * K0_12_w;
-        let t165 = t32 * K2_12;
-        let t166 = t32 * t125;
-        let K2_22_w = yaw_per_v_delta * (t166 - K0_12_w);
-        let t169 = t15 * wx_delta2_delta_lam;
-        let M_12_c = t88 + t169;
-        let t171 = wx_delta2_delta_lam - t129;
-        let t172 = self.mH * t171;
-        let M_22_c = t139 * t172 + yaw_per_v_delta * M_22_yaw_by_delta;
-        let C1_22_c = yaw_per_v_delta * t154 - t149 * t171;
-        let K0_12_c = t172 - t161;
-        let K0_22_c = wx_delta2_delta * K0_12_c;
-        let t181 = yaw_per_v_delta * K0_12_c;
-        let K0_12_zH = self.mH * wx_delta2_delta;
-        let t184 = t52 * K0_12_zH - t169;
-        let M_12_lam = t7 * wx_delta2_delta_lam - t67 - self.zH * t184
-            - M_12_yaw_by_delta * t104;
-        let t193 = wx_delta2_delta_lam * t39;
-        let M_22_lam = t193 + t193 - wx_delta2_delta * (M_22_wz_delta2_delta + t137)
-            - t139 * t184;
-        let t200 = t119 + t124 + wx_delta2_delta * t145;
-        let C1_21_lam = t124 + t96 * t104;
-        let C1_12_mF = self.rF * wz_delta2_delta;
-        let C1_22_lam = wx_delta2_delta * (t158 - C1_22_wz_delta2_delta) + t148 * t184
-            + wx_delta2_delta_lam * (self.IHxz * yaw_per_v_delta + self.mF * C1_12_mF);
-        let t215 = t100 + t184 - t42 * t104;
-        let K0_22_lam = wx_delta2_delta_lam * K0_12 - wx_delta2_delta * t215;
-        let t219 = wx_delta2_delta * t143;
-        let K2_22_lam = wx_delta2_delta * t166 + yaw_per_v_delta * (t92 + t215);
-        let M_11_rR = t78 + t78;
-        let t226 = self.mR - t94 * h_spin_R;
-        let C1_12_rR = yaw_by_delta * t226;
-        let K2_12_IRyy = yaw_per_v_delta * t94;
-        let C1_12_IRyy = self.c * K2_12_IRyy;
-        let C1_21_rR = h_spin_R * C1_12_IRyy;
-        let K2_12_rR = yaw_per_v_delta * t226;
-        let C1_12_mR = self.rR * yaw_by_delta;
-        let K2_12_mR = self.rR * yaw_per_v_delta;
-        let M_22_IRxx = yaw_by_delta * yaw_by_delta;
-        let C1_22_IRxx = yaw_per_v_delta * yaw_by_delta;
-        let t237 = t11 * yaw_by_delta;
-        let C1_22_yaw_by_delta = yaw_by_delta * t112;
-        let M_22_xB = C1_22_yaw_by_delta + C1_22_yaw_by_delta;
-        let t240 = t11 * yaw_per_v_delta;
-        let t241 = self.mB * yaw_by_delta;
-        let t242 = t161 + t241;
-        let C1_22_xB = yaw_by_delta * (t161 + t242);
-        let t245 = wx_delta2_delta * t241;
-        let K2_22_xB = yaw_per_v_delta * t241;
-        let M_11_zB = t11 + t11;
-        let t248 = self.mB * yaw_per_v_delta;
-        let M_11_mB = self.zB * self.zB;
-        let t250 = self.c * self.xB;
-        let t251 = self.zB * yaw_per_v_delta;
-        let t252 = t250 * t251;
-        let K2_22_mB = self.xB * C1_22_IRxx;
-        let M_22_mB = t250 * K2_22_mB;
-        let t255 = self.c + self.xB;
-        let t256 = t251 * t255;
-        let C1_22_mB = K2_22_mB * t255;
-        let t258 = yaw_by_delta * self.xB;
-        let K2_22_h_spin_F = yaw_per_v_delta * wx_delta2_delta;
-        let t260 = t250 * K2_22_h_spin_F;
-        let t261 = t15 * wz_delta2_delta;
-        let t262 = self.mH * wz_delta2_delta;
-        let t263 = t139 * t262;
-        let t264 = self.zH * yaw_per_v_delta;
-        let t265 = self.mH * t264;
-        let t267 = self.mH * yaw_per_v_delta;
-        let C1_22_xH = wz_delta2_delta * t149 - K0_12_mH * t267;
-        let t270 = self.mH * t106;
-        let C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
-        let K2_22_xH = self.mH * C1_22_IHzz;
-        let M_11_zH = t15 + t15;
-        let M_12_zH = t70 + self.zH * K0_12_zH;
-        let t276 = wx_delta2_delta * t70;
-        let M_22_zH = t276 + t276;
-        let t278 = t148 * K0_12_zH;
-        let K0_22_zH = wx_delta2_delta * K0_12_zH;
-        let t280 = yaw_per_v_delta * K0_12_zH;
-        let M_11_mH = self.zH * self.zH;
-        let M_12_mH = self.zH * K0_12_mH;
-        let M_22_mH = K0_12_mH * K0_12_mH;
-        let t284 = self.zH * t148;
-        let t285 = K0_12_mH * t148;
-        let K0_22_mH = wx_delta2_delta * K0_12_mH;
-        let t287 = yaw_per_v_delta * K0_12_mH;
-        let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
-        let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-        let M_22_IHxz = t106 + t106;
-        let M_11_rF = t79 + t79;
-        let M_12_rF = t119 + t119;
-        let M_22_rF = wx_delta2_delta * M_12_rF;
-        let t295 = self.mF - t90 * h_spin_F;
-        let C1_12_rF = wz_delta2_delta * t295;
-        let C1_12_IFyy = wz_delta2_delta * t90;
-        let C1_21_rF = h_spin_F * C1_12_IFyy;
-        let t299 = self.mF * wx_delta2_delta;
-        let C1_22_rF = wz_delta2_delta * t299;
-        let t301 = self.mF * M_22_IHxx;
-        let K2_12_rF = yaw_per_v_delta * t295;
-        let K2_22_rF = K2_22_h_spin_F * t295;
-        let M_12_mF = M_11_mF * wx_delta2_delta;
-        let M_22_mF = wx_delta2_delta * M_12_mF;
-        let t306 = self.rF * wx_delta2_delta;
-        let C1_22_mF = wz_delta2_delta * t306;
-        let t308 = wx_delta2_delta * t306;
-        let K2_12_mF = self.rF * yaw_per_v_delta;
-        let K2_22_mF = wx_delta2_delta * K2_12_mF;
-        let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let K2_12_IFyy = yaw_per_v_delta * t90;
-        let K2_22_IFyy = t90 * K2_22_h_spin_F;
-        let C1_21 = -t99;
-        let K2_22 = -(yaw_per_v_delta * t125);
-        (
-            WhippleSprungMatrices::from_entries([
-                M_11, M_12, M_12, M_22, zero, zero, zero, self.d, zero, C1_12, C1_21, C1_22, zero,
-                zero, zero, self.k, K0_11, K0_12, K0_12, K0_22, zero, K2_12, zero, K2_22,
-            ]),
-            WhippleSprungDerivatives {
-                values: [
-                    M_12_w, M_22_w, t146, C1_21_w, C1_22_w, K0_12_w, K0_22_w, t165, K2_22_w, M_12_c,
-                    M_22_c, K2_12, t97, C1_22_c, K0_12_c, K0_22_c, t181, M_12_lam, M_22_lam, t200,
-                    C1_21_lam, C1_22_lam, t215, K0_22_lam, t219, K2_22_lam, M_11_rR, C1_12_rR,
-                    C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
-                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t237, M_22_xB,
-                    t240, C1_22_xB, t241, t245, K2_22_xB, M_11_zB, t112, t242, self.mB, t248,
-                    M_11_mB, t252, M_22_mB, t256, C1_22_mB, self.zB, t258, t260, t251, K2_22_mB,
-                    yaw_by_delta, yaw_per_v_delta, t261, t263, t265, C1_22_xH, t262, t270, K2_22_xH,
-                    M_11_zH, M_12_zH, M_22_zH, t149, t278, self.mH, K0_12_zH, K0_22_zH, t267, t280,
-                    M_11_mH, M_12_mH, M_22_mH, t284, t285, self.zH, K0_12_mH, K0_22_mH, t264, t287,
-                    wx_delta2_delta, M_22_IHxx, M_22_IHzz, C1_22_IHzz, wz_delta2_delta, M_22_IHxz,
-                    K2_22_h_spin_F, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF,
-                    self.mF, t299, t301, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF,
-                    C1_22_mF, self.rF, t306, t308, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy,
-                    K2_12_IFyy, K2_22_IFyy,
-                ],
+        let mut matrices = WhippleSprungMatrices::from_entries([zero; 24]);
+        let mut derivatives = WhippleSprungDerivatives {
+            values: [zero; 123],
+        };
+        self.each_result(
+            #[inline(always)]
+            |position, value| matrices.set_entry(position, value),
+            #[inline(always)]
+            |position, value| derivatives.values[position] = value,
+        );
+        (matrices, derivatives)
+    }
+
+    /// Writes the coefficient matrices and their derivatives over others, each as soon as it is computed.
+    ///
+    /// They are those of [`Self::matrices_and_derivatives`], to the last bit. That function has more results than a
+    /// processor has registers, and moves them twice.
+    #[inline(always)]
+    pub fn write_matrices_and_derivatives(
+        &self,
+        matrices: &mut WhippleSprungMatrices<T>,
+        derivatives: &mut WhippleSprungDerivatives<T>,
+    ) {
+        *matrices = WhippleSprungMatrices::from_entries([self.w.like(0.0); 24]);
+        self.each_result(
+            #[inline(always)]
+            |position, value| {
+                matrices.set_entry(position, value);
+                carvallo::write_now();
             },
-        )
+            #[inline(always)]
+            |position, value| {
+                derivatives.values[position] = value;
+                carvallo::write_now();
+            },
+        );
+    }
+
+    /// The program: gives each entry that differs, and each value of the derivatives, to a function with its position.
+    #[inline(always)]
+    fn each_result(&self, mut put_entry: impl FnMut(usize, T), mut put_derivative: impl FnMut(usize, T)) {
+        put_entry(3, self.d);
+        put_entry(7, self.k);
+        put_derivative(0, self.rR);
+        put_derivative(1, self.mR);
+        put_derivative(2, self.zB);
+        put_derivative(3, self.mB);
+        put_derivative(4, self.zH);
+        put_derivative(5, self.mH);
+        put_derivative(6, self.rF);
+        put_derivative(7, self.mF);
+        put_derivative(8, self.w.like(1.0));
+        let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
+        put_derivative(9, wx_delta2_delta);
+        let t29 = self.rF * self.mF;
+        let t32 = self.rF * t29 + self.IHxx + self.IFxx;
+        let M_11_mH = self.zH * self.zH;
+        put_derivative(10, M_11_mH);
+        let M_11_mR = self.rR * self.rR;
+        put_derivative(11, M_11_mR);
+        let M_11_mB = self.zB * self.zB;
+        put_derivative(12, M_11_mB);
+        let t36 = self.mB * self.xB;
+        let M_12_yaw_by_delta = self.IHxz + self.IBxz - self.zB * t36;
+        let t40 = self.w.like(1.0) / self.w;
+        let t41 = self.mH * self.zH;
+        let M_11_zH = t41 + t41;
+        put_derivative(13, M_11_zH);
+        let t43 = self.IFxx + self.IHzz;
+        let t46 = self.IRxx + self.IBzz + self.xB * t36;
+        let M_11 = t32 + self.mH * M_11_mH + self.IRxx + self.mR * M_11_mR + self.IBxx
+            + self.mB * M_11_mB;
+        put_entry(0, M_11);
+        let t55 = self.c * t40;
+        let t56 = t55 * self.xH;
+        let t57 = self.w.like(1.0) / self.rF;
+        let t60 = t40 * (t41 * self.xH - M_12_yaw_by_delta);
+        let t61 = self.w.like(1.0) / self.rR;
+        let h_spin_F = self.IFyy * t57;
+        let t63 = self.mR * self.rR;
+        let M_11_rR = t63 + t63;
+        put_derivative(14, M_11_rR);
+        let t67 = self.c + self.w - self.xH - t56;
+        let h_spin_R = self.IRyy * t61;
+        let t69 = self.mB * self.zB;
+        let M_11_zB = t69 + t69;
+        put_derivative(15, M_11_zB);
+        let t72 = t41 + t69 - t29;
+        let t73 = self.c + self.xH;
+        let t74 = self.xB + self.c;
+        let M_11_rF = t29 + t29;
+        put_derivative(16, M_11_rF);
+        let t76 = h_spin_F + h_spin_R;
+        let t77 = t61 * h_spin_R;
+        let K0_11 = t72 - t63;
+        put_entry(8, K0_11);
+        let t80 = self.mF - t57 * h_spin_F;
+        let M_11_mF = self.rF * self.rF;
+        put_derivative(17, M_11_mF);
+        let t83 = t76 + (t63 - t72);
+        let t84 = self.mR - t77;
+        let t85 = wx_delta2_delta_lam * self.IHxz;
+        let yaw_by_delta = wx_delta2_delta_lam * t55;
+        put_derivative(18, yaw_by_delta);
+        let M_12_c = wx_delta2_delta_lam * (t41 - t60);
+        put_derivative(19, M_12_c);
+        let M_12_rF = wx_delta2_delta * M_11_rF;
+        put_derivative(20, M_12_rF);
+        let M_12_mF = wx_delta2_delta * M_11_mF;
+        put_derivative(21, M_12_mF);
+        let t91 = t32 * wx_delta2_delta;
+        let t92 = self.zH * wx_delta2_delta;
+        let t93 = self.IHxz * wx_delta2_delta;
+        let t94 = wx_delta2_delta_lam * h_spin_F;
+        let vy_all1_delta = t29 * wx_delta2_delta;
+        let yaw_per_v_delta = wx_delta2_delta_lam * t40;
+        put_derivative(22, yaw_per_v_delta);
+        let C1_21_rR = yaw_by_delta * t77;
+        put_derivative(23, C1_21_rR);
+        let t98 = t69 * yaw_per_v_delta;
+        put_derivative(24, t98);
+        let M_22_rF = wx_delta2_delta * M_12_rF;
+        put_derivative(25, M_22_rF);
+        let M_22_mF = wx_delta2_delta * M_12_mF;
+        put_derivative(26, M_22_mF);
+        let t101 = t76 * yaw_per_v_delta;
+        put_derivative(27, t101);
+        let C1_12_rR = yaw_by_delta * t84;
+        put_derivative(28, C1_12_rR);
+        let K2_12_rR = yaw_per_v_delta * t84;
+        put_derivative(29, K2_12_rR);
+        let C1_12_mR = self.rR * yaw_by_delta;
+        put_derivative(30, C1_12_mR);
+        let K2_12_mR = self.rR * yaw_per_v_delta;
+        put_derivative(31, K2_12_mR);
+        let K2_12 = t83 * yaw_per_v_delta;
+        put_entry(11, K2_12);
+        put_derivative(32, K2_12);
+        let t107 = t40 * t83;
+        let K2_12_IRyy = t61 * yaw_per_v_delta;
+        put_derivative(33, K2_12_IRyy);
+        let C1_12_IRyy = self.c * K2_12_IRyy;
+        put_derivative(34, C1_12_IRyy);
+        let K2_12_rF = yaw_per_v_delta * t80;
+        put_derivative(35, K2_12_rF);
+        let K2_12_mF = self.rF * yaw_per_v_delta;
+        put_derivative(36, K2_12_mF);
+        let t112 = M_12_yaw_by_delta * yaw_by_delta;
+        let K0_12_mH = t92 + wx_delta2_delta_lam * t67;
+        put_derivative(37, K0_12_mH);
+        let wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
+        put_derivative(38, wz_delta2_delta);
+        let t117 = t60 - self.c * t107;
+        let M_12 = t85 + t112 + t91 + t41 * K0_12_mH;
+        put_entry(1, M_12);
+        let t123 = t91 + self.IHxz * wz_delta2_delta;
+        let t124 = t107 * yaw_per_v_delta;
+        put_derivative(39, t124);
+        let t125 = wx_delta2_delta * t107;
+        put_derivative(40, t125);
+        let M_12_mH = self.zH * K0_12_mH;
+        put_derivative(41, M_12_mH);
+        let K0_22_mH = wx_delta2_delta * K0_12_mH;
+        put_derivative(42, K0_22_mH);
+        let C1_12_rF = wz_delta2_delta * t80;
+        put_derivative(43, C1_12_rF);
+        let t130 = wz_delta2_delta * t43 + t93;
+        let t132 = t130 + yaw_by_delta * t46;
+        let M_22_mH = K0_12_mH * K0_12_mH;
+        put_derivative(44, M_22_mH);
+        let t134 = yaw_by_delta * t76;
+        let C1_21_w = t40 * t134;
+        put_derivative(45, C1_21_w);
+        let C1_21 = -(t94 + t134);
+        put_entry(5, C1_21);
+        let C1_12_w = t117 * yaw_per_v_delta;
+        put_derivative(46, C1_12_w);
+        let t140 = t29 + h_spin_F - t117;
+        let t141 = t29 * wx_delta2_delta_lam;
+        let t142 = self.mH * K0_12_mH;
+        let M_12_zH = t142 + self.mH * t92;
+        put_derivative(47, M_12_zH);
+        let t145 = t36 * yaw_by_delta;
+        put_derivative(48, t145);
+        let K0_12 = t142 - vy_all1_delta - t145;
+        put_entry(9, K0_12);
+        let t149 = t130 + t55 * t132;
+        let t152 = t40 * (self.xH * t142 - t132);
+        let t156 = t145 + yaw_per_v_delta * (t43 + t46) - K0_12;
+        let C1_12 = wx_delta2_delta_lam * t140;
+        put_entry(4, C1_12);
+        let t158 = wx_delta2_delta * t140;
+        put_derivative(49, t158);
+        let K0_22 = wx_delta2_delta * K0_12;
+        put_entry(10, K0_22);
+        let t161 = t132 * (yaw_per_v_delta + yaw_per_v_delta);
+        let t162 = wx_delta2_delta * h_spin_F;
+        let t164 = t40 * (t162 - K0_12);
+        let t165 = self.mH * yaw_per_v_delta;
+        put_derivative(50, t165);
+        let t166 = t165 * t73;
+        put_derivative(51, t166);
+        let C1_12_yaw_per_v_delta = wx_delta2_delta * t123;
+        let M_22 = wx_delta2_delta_lam * t149 + C1_12_yaw_per_v_delta
+            + self.mH * M_22_mH;
+        put_entry(2, M_22);
+        let t172 = self.mH * wx_delta2_delta_lam;
+        let K2_22 = wx_delta2_delta_lam * t164;
+        put_entry(12, K2_22);
+        let t175 = t56 * t165 + t172;
+        let t177 = t172 - self.xH * t165;
+        let t178 = vy_all1_delta - t152;
+        let M_22_wz_delta2_delta = K0_12_mH + K0_12_mH;
+        let M_12_w = self.zH * t175 - t40 * t112;
+        put_derivative(52, M_12_w);
+        let C1_12_yaw_by_delta = t175 * M_22_wz_delta2_delta;
+        let M_22_w = C1_12_yaw_by_delta - t55 * t161;
+        put_derivative(53, M_22_w);
+        let M_22_c = t161 + M_22_wz_delta2_delta * t177;
+        put_derivative(54, M_22_c);
+        let C1_22 = wx_delta2_delta_lam * (t178 - t55 * K0_12);
+        put_entry(6, C1_22);
+        let t191 = t36 * yaw_per_v_delta;
+        let K0_12_c = t177 - t191;
+        put_derivative(55, K0_12_c);
+        let C1_22_c = yaw_per_v_delta * (t156 - t73 * t177);
+        put_derivative(56, C1_22_c);
+        let t196 = t55 * t156;
+        let t197 = t191 - t177;
+        let t198 = wx_delta2_delta * t197;
+        put_derivative(57, t198);
+        let K2_22_c = yaw_per_v_delta * t197;
+        put_derivative(58, K2_22_c);
+        let K0_12_w = t175 + t55 * t191;
+        put_derivative(59, K0_12_w);
+        let K0_22_w = wx_delta2_delta * K0_12_w;
+        put_derivative(60, K0_22_w);
+        let C1_22_w = yaw_per_v_delta * (t152 - t196 - t175 * t73);
+        put_derivative(61, C1_22_w);
+        let t208 = yaw_per_v_delta * (t164 + K0_12_w);
+        put_derivative(62, t208);
+        let t209 = t55 * wx_delta2_delta;
+        let C1_21_lam = t162 + t76 * t209;
+        put_derivative(63, C1_21_lam);
+        let K0_12_zH = self.mH * wx_delta2_delta;
+        put_derivative(64, K0_12_zH);
+        let C1_22_yaw_by_delta = wx_delta2_delta_lam * t41 - t67 * K0_12_zH;
+        let M_22_zH = M_22_wz_delta2_delta * K0_12_zH;
+        put_derivative(65, M_22_zH);
+        let C1_22_IRxx = yaw_by_delta * yaw_per_v_delta;
+        put_derivative(66, C1_22_IRxx);
+        let M_22_IRxx = self.c * C1_22_IRxx;
+        put_derivative(67, M_22_IRxx);
+        let t219 = self.mB * yaw_per_v_delta;
+        put_derivative(68, t219);
+        let C1_22_wz_delta2_delta = wx_delta2_delta * t43;
+        let M_22_yaw_by_delta = t85 - t73 * C1_22_yaw_by_delta - C1_22_wz_delta2_delta;
+        let C1_22_lam = wz_delta2_delta * t141 + yaw_per_v_delta * M_22_yaw_by_delta
+            - wx_delta2_delta * (t178 + t196);
+        put_derivative(69, C1_22_lam);
+        let t235 = t93 + M_12_yaw_by_delta * t209 - self.zH * C1_22_yaw_by_delta
+            - t32 * wx_delta2_delta_lam;
+        put_derivative(70, t235);
+        let K0_12_lam = C1_22_yaw_by_delta + t36 * t209 - t141;
+        put_derivative(71, K0_12_lam);
+        let t243 = K0_12_mH * C1_22_yaw_by_delta + wx_delta2_delta_lam * t123
+            - wx_delta2_delta * t149;
+        let t244 = self.c * t219;
+        put_derivative(72, t244);
+        let t245 = self.zB * t244;
+        put_derivative(73, t245);
+        let t246 = t219 * t74;
+        put_derivative(74, t246);
+        let C1_22_xB = yaw_by_delta * (t191 + t246);
+        put_derivative(75, C1_22_xB);
+        let t249 = self.xB * yaw_by_delta;
+        put_derivative(76, t249);
+        let M_12_yaw_per_v_delta = t94 - K0_12_lam;
+        let K2_22_lam = yaw_per_v_delta * M_12_yaw_per_v_delta - wx_delta2_delta * t164;
+        put_derivative(77, K2_22_lam);
+        let K0_22_lam = wx_delta2_delta_lam * K0_12 + wx_delta2_delta * K0_12_lam;
+        put_derivative(78, K0_22_lam);
+        let M_22_lam = t243 + t243;
+        put_derivative(79, M_22_lam);
+        let M_22_xB = t244 * (t249 + t249);
+        put_derivative(80, M_22_xB);
+        let t260 = wx_delta2_delta * t244;
+        put_derivative(81, t260);
+        let K2_22_xB = yaw_per_v_delta * t244;
+        put_derivative(82, K2_22_xB);
+        let t262 = self.zB * t249;
+        put_derivative(83, t262);
+        let M_22_mB = t249 * t249;
+        put_derivative(84, M_22_mB);
+        let t264 = wx_delta2_delta * t249;
+        put_derivative(85, t264);
+        let K2_22_mB = yaw_per_v_delta * t249;
+        put_derivative(86, K2_22_mB);
+        let C1_22_mB = t74 * K2_22_mB;
+        put_derivative(87, C1_22_mB);
+        let t267 = self.zB * yaw_per_v_delta;
+        put_derivative(88, t267);
+        let t268 = t74 * t267;
+        put_derivative(89, t268);
+        let t269 = self.mH * wz_delta2_delta;
+        put_derivative(90, t269);
+        let t270 = M_22_wz_delta2_delta * t269;
+        put_derivative(91, t270);
+        let t271 = self.zH * t269;
+        put_derivative(92, t271);
+        let t272 = self.zH * yaw_per_v_delta;
+        put_derivative(93, t272);
+        let t273 = self.mH * t272;
+        put_derivative(94, t273);
+        let t274 = t73 * t272;
+        put_derivative(95, t274);
+        let C1_22_IHzz = wz_delta2_delta * yaw_per_v_delta;
+        put_derivative(96, C1_22_IHzz);
+        let K2_22_xH = self.mH * C1_22_IHzz;
+        put_derivative(97, K2_22_xH);
+        let C1_22_xH = t73 * K2_22_xH - K0_12_mH * t165;
+        put_derivative(98, C1_22_xH);
+        let t280 = K0_12_mH * yaw_per_v_delta;
+        put_derivative(99, t280);
+        let t281 = t73 * t280;
+        put_derivative(100, t281);
+        let t282 = wx_delta2_delta * wz_delta2_delta;
+        let t283 = self.mH * t282;
+        put_derivative(101, t283);
+        let M_22_IHxz = t282 + t282;
+        put_derivative(102, M_22_IHxz);
+        let K2_22_h_spin_F = wx_delta2_delta * yaw_per_v_delta;
+        put_derivative(103, K2_22_h_spin_F);
+        let K2_22_rF = K2_22_h_spin_F * t80;
+        put_derivative(104, K2_22_rF);
+        let t287 = self.mH * K2_22_h_spin_F;
+        put_derivative(105, t287);
+        let t288 = t73 * t287;
+        put_derivative(106, t288);
+        let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+        put_derivative(107, M_22_IHxx);
+        let K0_22_zH = self.mH * M_22_IHxx;
+        put_derivative(108, K0_22_zH);
+        let t291 = self.mF * M_22_IHxx;
+        put_derivative(109, t291);
+        let t292 = self.rF * M_22_IHxx;
+        put_derivative(110, t292);
+        let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+        put_derivative(111, M_22_IHzz);
+        let M_22_IFxx = M_22_IHxx + M_22_IHzz;
+        put_derivative(112, M_22_IFxx);
+        let C1_12_IFyy = wz_delta2_delta * t57;
+        put_derivative(113, C1_12_IFyy);
+        let C1_21_rF = h_spin_F * C1_12_IFyy;
+        put_derivative(114, C1_21_rF);
+        let t297 = self.mF * wx_delta2_delta;
+        put_derivative(115, t297);
+        let C1_22_rF = wz_delta2_delta * t297;
+        put_derivative(116, C1_22_rF);
+        let C1_12_mF = self.rF * wz_delta2_delta;
+        put_derivative(117, C1_12_mF);
+        let C1_22_mF = wx_delta2_delta * C1_12_mF;
+        put_derivative(118, C1_22_mF);
+        let t301 = self.rF * wx_delta2_delta;
+        put_derivative(119, t301);
+        let K2_22_mF = yaw_per_v_delta * t301;
+        put_derivative(120, K2_22_mF);
+        let K2_12_IFyy = t57 * yaw_per_v_delta;
+        put_derivative(121, K2_12_IFyy);
+        let K2_22_IFyy = wx_delta2_delta * K2_12_IFyy;
+        put_derivative(122, K2_22_IFyy);
     }
 }
 
@@ -747,6 +902,55 @@ impl<T: Number> WhippleSprungMatrices<T> {
             self.c1[1][1], self.kc[1][1], self.k0[0][0], self.k0[0][1], self.k0[1][1],
             self.k2[0][1], self.k2[1][1],
         ]
+    }
+
+    /// Sets the entry at a position among those that differ, wherever it stands.
+    #[inline(always)]
+    fn set_entry(&mut self, position: usize, entry: T) {
+        match position {
+            0 => {
+                self.m[0][0] = entry;
+            }
+            1 => {
+                self.m[0][1] = entry;
+                self.m[1][0] = entry;
+            }
+            2 => {
+                self.m[1][1] = entry;
+            }
+            3 => {
+                self.c0[1][1] = entry;
+            }
+            4 => {
+                self.c1[0][1] = entry;
+            }
+            5 => {
+                self.c1[1][0] = entry;
+            }
+            6 => {
+                self.c1[1][1] = entry;
+            }
+            7 => {
+                self.kc[1][1] = entry;
+            }
+            8 => {
+                self.k0[0][0] = entry;
+            }
+            9 => {
+                self.k0[0][1] = entry;
+                self.k0[1][0] = entry;
+            }
+            10 => {
+                self.k0[1][1] = entry;
+            }
+            11 => {
+                self.k2[0][1] = entry;
+            }
+            12 => {
+                self.k2[1][1] = entry;
+            }
+            _ => {}
+        }
     }
 
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
@@ -1260,135 +1464,130 @@ impl<T: Scalar> Differentiable<2> for WhippleSprung<T> {
 }
 
 impl<T: Number> EvaluatorWithDerivatives<T, 2> for WhippleSprung<T> {
-    type Derivatives = [T; 123];
-
     #[inline(always)]
-    fn entries_and_derivatives(&self) -> ([T; 13], [T; 123]) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        (WhippleSprungMatrices::distinct_entries(&matrices), derivatives.values)
+    fn each_result(&self, put_entry: impl FnMut(usize, T), put_derivative: impl FnMut(usize, T)) {
+        self.each_result(put_entry, put_derivative);
     }
 }
 
 impl WhippleSprungDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 160] = &[
-        Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1),
-        Partial::new(MatrixName::C1, 0, 1, 0, 2).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
-        Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
-        Partial::new(MatrixName::K0, 1, 1, 0, 6),
-        Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 0, 8), Partial::new(MatrixName::M, 0, 1, 1, 9),
-        Partial::new(MatrixName::M, 1, 0, 1, 9), Partial::new(MatrixName::M, 1, 1, 1, 10),
-        Partial::new(MatrixName::C1, 0, 1, 1, 11),
-        Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 13), Partial::new(MatrixName::K0, 0, 1, 1, 14),
-        Partial::new(MatrixName::K0, 1, 0, 1, 14), Partial::new(MatrixName::K0, 1, 1, 1, 15),
-        Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
-        Partial::new(MatrixName::M, 0, 1, 2, 17),
-        Partial::new(MatrixName::M, 1, 0, 2, 17),
-        Partial::new(MatrixName::M, 1, 1, 2, 18),
-        Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 2, 20),
-        Partial::new(MatrixName::C1, 1, 1, 2, 21),
-        Partial::new(MatrixName::K0, 0, 1, 2, 22).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 2, 22).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 2, 23),
-        Partial::new(MatrixName::K2, 0, 1, 2, 24).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 2, 25), Partial::new(MatrixName::M, 0, 0, 4, 26),
-        Partial::new(MatrixName::C1, 0, 1, 4, 27), Partial::new(MatrixName::C1, 1, 0, 4, 28),
-        Partial::new(MatrixName::K0, 0, 0, 4, 29).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 4, 30),
-        Partial::new(MatrixName::M, 0, 0, 5, 31),
-        Partial::new(MatrixName::C1, 0, 1, 5, 32),
-        Partial::new(MatrixName::K0, 0, 0, 5, 33).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 5, 34), Partial::new(MatrixName::M, 0, 0, 6, 35),
-        Partial::new(MatrixName::M, 1, 1, 6, 36), Partial::new(MatrixName::C1, 1, 1, 6, 37),
-        Partial::new(MatrixName::C1, 0, 1, 7, 38),
-        Partial::new(MatrixName::C1, 1, 0, 7, 38).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 7, 39),
-        Partial::new(MatrixName::M, 0, 1, 8, 40).negative(),
-        Partial::new(MatrixName::M, 1, 0, 8, 40).negative(),
-        Partial::new(MatrixName::M, 1, 1, 8, 41),
-        Partial::new(MatrixName::C1, 0, 1, 8, 42).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 8, 43),
-        Partial::new(MatrixName::K0, 0, 1, 8, 44).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 8, 44).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 8, 45).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 8, 46), Partial::new(MatrixName::M, 0, 0, 9, 47),
+        Partial::new(MatrixName::M, 0, 1, 0, 52), Partial::new(MatrixName::M, 1, 0, 0, 52),
+        Partial::new(MatrixName::M, 1, 1, 0, 53), Partial::new(MatrixName::C1, 0, 1, 0, 46),
+        Partial::new(MatrixName::C1, 1, 0, 0, 45), Partial::new(MatrixName::C1, 1, 1, 0, 61),
+        Partial::new(MatrixName::K0, 0, 1, 0, 59), Partial::new(MatrixName::K0, 1, 0, 0, 59),
+        Partial::new(MatrixName::K0, 1, 1, 0, 60),
+        Partial::new(MatrixName::K2, 0, 1, 0, 39).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 0, 62).negative(),
+        Partial::new(MatrixName::M, 0, 1, 1, 19), Partial::new(MatrixName::M, 1, 0, 1, 19),
+        Partial::new(MatrixName::M, 1, 1, 1, 54), Partial::new(MatrixName::C1, 0, 1, 1, 32),
+        Partial::new(MatrixName::C1, 1, 0, 1, 27).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 1, 56),
+        Partial::new(MatrixName::K0, 0, 1, 1, 55),
+        Partial::new(MatrixName::K0, 1, 0, 1, 55),
+        Partial::new(MatrixName::K0, 1, 1, 1, 57).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 1, 58),
+        Partial::new(MatrixName::M, 0, 1, 2, 70).negative(),
+        Partial::new(MatrixName::M, 1, 0, 2, 70).negative(),
+        Partial::new(MatrixName::M, 1, 1, 2, 79),
+        Partial::new(MatrixName::C1, 0, 1, 2, 49).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 2, 63), Partial::new(MatrixName::C1, 1, 1, 2, 69),
+        Partial::new(MatrixName::K0, 0, 1, 2, 71), Partial::new(MatrixName::K0, 1, 0, 2, 71),
+        Partial::new(MatrixName::K0, 1, 1, 2, 78),
+        Partial::new(MatrixName::K2, 0, 1, 2, 40).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 2, 77), Partial::new(MatrixName::M, 0, 0, 4, 14),
+        Partial::new(MatrixName::C1, 0, 1, 4, 28), Partial::new(MatrixName::C1, 1, 0, 4, 23),
+        Partial::new(MatrixName::K0, 0, 0, 4, 1).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 4, 29), Partial::new(MatrixName::M, 0, 0, 5, 11),
+        Partial::new(MatrixName::C1, 0, 1, 5, 30),
+        Partial::new(MatrixName::K0, 0, 0, 5, 0).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 5, 31), Partial::new(MatrixName::M, 0, 0, 6, 8),
+        Partial::new(MatrixName::M, 1, 1, 6, 67), Partial::new(MatrixName::C1, 1, 1, 6, 66),
+        Partial::new(MatrixName::C1, 0, 1, 7, 34),
+        Partial::new(MatrixName::C1, 1, 0, 7, 34).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 7, 33),
+        Partial::new(MatrixName::M, 0, 1, 8, 73).negative(),
+        Partial::new(MatrixName::M, 1, 0, 8, 73).negative(),
+        Partial::new(MatrixName::M, 1, 1, 8, 80),
+        Partial::new(MatrixName::C1, 0, 1, 8, 24).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 8, 75),
+        Partial::new(MatrixName::K0, 0, 1, 8, 72).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 8, 72).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 8, 81).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 8, 82), Partial::new(MatrixName::M, 0, 0, 9, 15),
         Partial::new(MatrixName::M, 0, 1, 9, 48).negative(),
         Partial::new(MatrixName::M, 1, 0, 9, 48).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 9, 49).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 9, 50),
-        Partial::new(MatrixName::K2, 0, 1, 9, 51).negative(),
-        Partial::new(MatrixName::M, 0, 0, 10, 52),
-        Partial::new(MatrixName::M, 0, 1, 10, 53).negative(),
-        Partial::new(MatrixName::M, 1, 0, 10, 53).negative(),
-        Partial::new(MatrixName::M, 1, 1, 10, 54),
-        Partial::new(MatrixName::C1, 0, 1, 10, 55).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 10, 56),
-        Partial::new(MatrixName::K0, 0, 0, 10, 57),
-        Partial::new(MatrixName::K0, 0, 1, 10, 58).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 10, 58).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 10, 59).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 10, 60).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 10, 61), Partial::new(MatrixName::M, 0, 0, 11, 35),
-        Partial::new(MatrixName::M, 1, 1, 13, 36), Partial::new(MatrixName::C1, 1, 1, 13, 37),
-        Partial::new(MatrixName::M, 0, 1, 14, 62), Partial::new(MatrixName::M, 1, 0, 14, 62),
-        Partial::new(MatrixName::C1, 0, 1, 14, 63),
-        Partial::new(MatrixName::M, 0, 1, 15, 64).negative(),
-        Partial::new(MatrixName::M, 1, 0, 15, 64).negative(),
-        Partial::new(MatrixName::M, 1, 1, 15, 65).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 15, 66).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 15, 67),
-        Partial::new(MatrixName::K0, 0, 1, 15, 68).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 15, 68).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 15, 69).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 15, 70), Partial::new(MatrixName::M, 0, 0, 16, 71),
-        Partial::new(MatrixName::M, 0, 1, 16, 72), Partial::new(MatrixName::M, 1, 0, 16, 72),
-        Partial::new(MatrixName::M, 1, 1, 16, 73),
-        Partial::new(MatrixName::C1, 0, 1, 16, 74).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 16, 75).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 16, 76), Partial::new(MatrixName::K0, 0, 1, 16, 77),
-        Partial::new(MatrixName::K0, 1, 0, 16, 77), Partial::new(MatrixName::K0, 1, 1, 16, 78),
-        Partial::new(MatrixName::K2, 0, 1, 16, 79).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 16, 80).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 81), Partial::new(MatrixName::M, 0, 1, 17, 82),
-        Partial::new(MatrixName::M, 1, 0, 17, 82), Partial::new(MatrixName::M, 1, 1, 17, 83),
-        Partial::new(MatrixName::C1, 0, 1, 17, 84).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 17, 85).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 17, 86), Partial::new(MatrixName::K0, 0, 1, 17, 87),
-        Partial::new(MatrixName::K0, 1, 0, 17, 87), Partial::new(MatrixName::K0, 1, 1, 17, 88),
-        Partial::new(MatrixName::K2, 0, 1, 17, 89).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 17, 90).negative(),
-        Partial::new(MatrixName::M, 0, 0, 18, 35), Partial::new(MatrixName::M, 0, 1, 18, 91),
-        Partial::new(MatrixName::M, 1, 0, 18, 91), Partial::new(MatrixName::M, 1, 1, 18, 92),
-        Partial::new(MatrixName::M, 1, 1, 20, 93), Partial::new(MatrixName::C1, 1, 1, 20, 94),
-        Partial::new(MatrixName::M, 0, 1, 21, 95), Partial::new(MatrixName::M, 1, 0, 21, 95),
-        Partial::new(MatrixName::M, 1, 1, 21, 96), Partial::new(MatrixName::C1, 0, 1, 21, 63),
-        Partial::new(MatrixName::C1, 1, 1, 21, 97), Partial::new(MatrixName::M, 0, 0, 22, 98),
-        Partial::new(MatrixName::M, 0, 1, 22, 99), Partial::new(MatrixName::M, 1, 0, 22, 99),
-        Partial::new(MatrixName::M, 1, 1, 22, 100), Partial::new(MatrixName::C1, 0, 1, 22, 101),
-        Partial::new(MatrixName::C1, 1, 0, 22, 102), Partial::new(MatrixName::C1, 1, 1, 22, 103),
-        Partial::new(MatrixName::K0, 0, 0, 22, 104).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 22, 105).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 22, 105).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 22, 106).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 107), Partial::new(MatrixName::K2, 1, 1, 22, 108),
-        Partial::new(MatrixName::M, 0, 0, 23, 109), Partial::new(MatrixName::M, 0, 1, 23, 110),
-        Partial::new(MatrixName::M, 1, 0, 23, 110), Partial::new(MatrixName::M, 1, 1, 23, 111),
-        Partial::new(MatrixName::C1, 0, 1, 23, 112), Partial::new(MatrixName::C1, 1, 1, 23, 113),
-        Partial::new(MatrixName::K0, 0, 0, 23, 114).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 23, 115).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 23, 115).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 23, 116).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 23, 117), Partial::new(MatrixName::K2, 1, 1, 23, 118),
-        Partial::new(MatrixName::M, 0, 0, 24, 35), Partial::new(MatrixName::M, 0, 1, 24, 91),
-        Partial::new(MatrixName::M, 1, 0, 24, 91), Partial::new(MatrixName::M, 1, 1, 24, 119),
-        Partial::new(MatrixName::C1, 1, 1, 24, 94), Partial::new(MatrixName::C1, 0, 1, 25, 120),
-        Partial::new(MatrixName::C1, 1, 0, 25, 120).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 9, 74).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 9, 3),
+        Partial::new(MatrixName::K2, 0, 1, 9, 68).negative(),
+        Partial::new(MatrixName::M, 0, 0, 10, 12),
+        Partial::new(MatrixName::M, 0, 1, 10, 83).negative(),
+        Partial::new(MatrixName::M, 1, 0, 10, 83).negative(),
+        Partial::new(MatrixName::M, 1, 1, 10, 84),
+        Partial::new(MatrixName::C1, 0, 1, 10, 89).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 10, 87),
+        Partial::new(MatrixName::K0, 0, 0, 10, 2),
+        Partial::new(MatrixName::K0, 0, 1, 10, 76).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 10, 76).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 10, 85).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 10, 88).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 10, 86), Partial::new(MatrixName::M, 0, 0, 11, 8),
+        Partial::new(MatrixName::M, 1, 1, 13, 67), Partial::new(MatrixName::C1, 1, 1, 13, 66),
+        Partial::new(MatrixName::M, 0, 1, 14, 18), Partial::new(MatrixName::M, 1, 0, 14, 18),
+        Partial::new(MatrixName::C1, 0, 1, 14, 22),
+        Partial::new(MatrixName::M, 0, 1, 15, 92).negative(),
+        Partial::new(MatrixName::M, 1, 0, 15, 92).negative(),
+        Partial::new(MatrixName::M, 1, 1, 15, 91).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 15, 94).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 15, 98),
+        Partial::new(MatrixName::K0, 0, 1, 15, 90).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 15, 90).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 15, 101).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 15, 97), Partial::new(MatrixName::M, 0, 0, 16, 13),
+        Partial::new(MatrixName::M, 0, 1, 16, 47), Partial::new(MatrixName::M, 1, 0, 16, 47),
+        Partial::new(MatrixName::M, 1, 1, 16, 65),
+        Partial::new(MatrixName::C1, 0, 1, 16, 51).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 16, 106).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 16, 5), Partial::new(MatrixName::K0, 0, 1, 16, 64),
+        Partial::new(MatrixName::K0, 1, 0, 16, 64), Partial::new(MatrixName::K0, 1, 1, 16, 108),
+        Partial::new(MatrixName::K2, 0, 1, 16, 50).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 16, 105).negative(),
+        Partial::new(MatrixName::M, 0, 0, 17, 10), Partial::new(MatrixName::M, 0, 1, 17, 41),
+        Partial::new(MatrixName::M, 1, 0, 17, 41), Partial::new(MatrixName::M, 1, 1, 17, 44),
+        Partial::new(MatrixName::C1, 0, 1, 17, 95).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 100).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 17, 4), Partial::new(MatrixName::K0, 0, 1, 17, 37),
+        Partial::new(MatrixName::K0, 1, 0, 17, 37), Partial::new(MatrixName::K0, 1, 1, 17, 42),
+        Partial::new(MatrixName::K2, 0, 1, 17, 93).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 17, 99).negative(),
+        Partial::new(MatrixName::M, 0, 0, 18, 8), Partial::new(MatrixName::M, 0, 1, 18, 9),
+        Partial::new(MatrixName::M, 1, 0, 18, 9), Partial::new(MatrixName::M, 1, 1, 18, 107),
+        Partial::new(MatrixName::M, 1, 1, 20, 111), Partial::new(MatrixName::C1, 1, 1, 20, 96),
+        Partial::new(MatrixName::M, 0, 1, 21, 38), Partial::new(MatrixName::M, 1, 0, 21, 38),
+        Partial::new(MatrixName::M, 1, 1, 21, 102), Partial::new(MatrixName::C1, 0, 1, 21, 22),
+        Partial::new(MatrixName::C1, 1, 1, 21, 103), Partial::new(MatrixName::M, 0, 0, 22, 16),
+        Partial::new(MatrixName::M, 0, 1, 22, 20), Partial::new(MatrixName::M, 1, 0, 22, 20),
+        Partial::new(MatrixName::M, 1, 1, 22, 25), Partial::new(MatrixName::C1, 0, 1, 22, 43),
+        Partial::new(MatrixName::C1, 1, 0, 22, 114), Partial::new(MatrixName::C1, 1, 1, 22, 116),
+        Partial::new(MatrixName::K0, 0, 0, 22, 7).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 22, 115).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 22, 115).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 22, 109).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 22, 35), Partial::new(MatrixName::K2, 1, 1, 22, 104),
+        Partial::new(MatrixName::M, 0, 0, 23, 17), Partial::new(MatrixName::M, 0, 1, 23, 21),
+        Partial::new(MatrixName::M, 1, 0, 23, 21), Partial::new(MatrixName::M, 1, 1, 23, 26),
+        Partial::new(MatrixName::C1, 0, 1, 23, 117), Partial::new(MatrixName::C1, 1, 1, 23, 118),
+        Partial::new(MatrixName::K0, 0, 0, 23, 6).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 23, 119).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 23, 119).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 23, 110).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 23, 36), Partial::new(MatrixName::K2, 1, 1, 23, 120),
+        Partial::new(MatrixName::M, 0, 0, 24, 8), Partial::new(MatrixName::M, 0, 1, 24, 9),
+        Partial::new(MatrixName::M, 1, 0, 24, 9), Partial::new(MatrixName::M, 1, 1, 24, 112),
+        Partial::new(MatrixName::C1, 1, 1, 24, 96), Partial::new(MatrixName::C1, 0, 1, 25, 113),
+        Partial::new(MatrixName::C1, 1, 0, 25, 113).negative(),
         Partial::new(MatrixName::K2, 0, 1, 25, 121), Partial::new(MatrixName::K2, 1, 1, 25, 122),
-        Partial::new(MatrixName::Kc, 1, 1, 26, 35), Partial::new(MatrixName::C0, 1, 1, 27, 35),
+        Partial::new(MatrixName::Kc, 1, 1, 26, 8), Partial::new(MatrixName::C0, 1, 1, 27, 8),
     ];
 }

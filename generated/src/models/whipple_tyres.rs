@@ -5216,259 +5216,413 @@ pub struct WhippleTyresDerivatives<T = f64> {
 
 impl<T: Number> WhippleTyres<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 122 additions, 201 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 329 operations.
+    /// 114 additions, 194 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 316 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
+    ///
+    /// Where they are stored, [`Self::write_matrices_and_derivatives`] takes less time.
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleTyresMatrices<T>, WhippleTyresDerivatives<T>) {
-        let t2 = self.zB * self.mB;
-        let t6 = self.zH * self.mH;
-        let M_11_mR = self.rR * self.rR;
-        let M_11_mF = self.rF * self.rF;
-        let t21 = self.IHxx + self.IFxx + self.mF * M_11_mF;
-        let M_11 = self.zB * t2 + self.zH * t6 + self.mR * M_11_mR + self.IRxx
-            + self.IBxx + t21;
-        let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
-        let t32 = self.w.like(1.0) / self.w;
-        let t33 = self.c * t32;
-        let yaw_by_delta = wx_delta2_delta_lam * t33;
-        let wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
-        let t36 = self.IHxz * wz_delta2_delta;
-        let t39 = t36 + t21 * wx_delta2_delta;
-        let t43 = self.IBxz - t2 * self.xB;
-        let t45 = self.zH * wx_delta2_delta;
-        let t46 = self.c + self.w;
-        let t48 = t46 - self.xH;
-        let t50 = yaw_by_delta * self.xH;
-        let t52 = t45 + wx_delta2_delta_lam * t48 - t50;
-        let M_12_mH = self.zH * t52;
-        let M_12 = t39 + yaw_by_delta * t43 + self.mH * M_12_mH;
-        let t57 = self.IHxz * wx_delta2_delta;
-        let t59 = self.IFxx + self.IHzz;
-        let t61 = t57 + wz_delta2_delta * t59;
-        let t63 = self.mB * self.xB;
-        let t66 = self.IRxx + self.IBzz + self.xB * t63;
-        let t68 = t61 + yaw_by_delta * t66;
-        let t70 = t61 + t33 * t68;
-        let t72 = self.mH * t52;
-        let M_22 = wx_delta2_delta_lam * t70 + t52 * t72 + wx_delta2_delta * t39;
         let zero = self.w.like(0.0);
-        let t79 = self.w.like(1.0) / self.rF;
-        let h_spin_F = self.IFyy * t79;
-        let t81 = wx_delta2_delta_lam * h_spin_F;
-        let yaw_per_v_delta = wx_delta2_delta_lam * t32;
-        let t83 = self.mR * self.rR;
-        let t85 = t2 + t6 - t83;
-        let t87 = self.w.like(1.0) / self.rR;
-        let t88 = self.IRyy * t87;
-        let h_wheels_all = h_spin_F + t88;
-        let t90 = t85 - h_wheels_all;
-        let t92 = self.mF * self.rF;
-        let t94 = self.IHxz + t46 * t92;
-        let t98 = t43 + t94 - self.c * t90 - t6 * self.xH;
-        let t99 = yaw_per_v_delta * t98;
-        let C1_12 = t81 + t99;
-        let t101 = yaw_per_v_delta * h_wheels_all;
-        let ay_all1_delta = self.c * t101;
-        let t104 = yaw_by_delta * self.xB;
-        let t105 = self.mB * t104;
-        let t106 = self.mF * wx_delta2_delta;
-        let t107 = self.rF * t106;
-        let t109 = t105 + t107 - t72;
-        let t112 = t68 - self.xH * t72;
-        let t114 = t112 + self.w * t107;
-        let C1_22 = yaw_by_delta * t109 + yaw_per_v_delta * t114;
-        let t118 = t32 * t63;
-        let t120 = self.mH * t32 * self.xH;
-        let t121 = t118 + t120;
-        let K0_11_rhoF = self.mF + t121;
-        let t123 = self.rhoF * K0_11_rhoF;
-        let t125 = self.mH - t120;
-        let K0_11_rhoR = self.mB + self.mR + t125 - t118;
-        let K0_11 = t85 + t123 + self.rhoR * K0_11_rhoR - t92;
-        let K0_12_rhoF = wx_delta2_delta * K0_11_rhoF;
-        let K0_12 = self.rhoF * K0_12_rhoF - t109;
-        let K0_22 = wx_delta2_delta * K0_12;
-        let vy_all1_delta = t92 - t90;
-        let K2_12 = yaw_per_v_delta * vy_all1_delta;
-        let t139 = wx_delta2_delta * h_spin_F;
-        let t140 = t109 + t139;
-        let K2_22 = yaw_per_v_delta * t140;
-        let t143 = wx_delta2_delta_lam + t32 * t50;
-        let t144 = self.mH * t143;
-        let t146 = self.IHxz + t43;
-        let t147 = yaw_per_v_delta * t146;
-        let C1_22_yaw_by_delta = t33 * t147;
-        let M_12_w = self.zH * t144 - C1_22_yaw_by_delta;
-        let t150 = t32 * t112;
-        let t153 = wx_delta2_delta_lam * (t72 - t33 * t150);
-        let M_22_w = t153 + t153;
-        let t155 = wx_delta2_delta_lam * t92;
-        let C1_12_w = t32 * (t155 - t99);
-        let C1_21_w = t32 * ay_all1_delta;
-        let M_22_wz_delta2_delta = yaw_per_v_delta * (t59 + t66);
-        let t162 = t105 + t109 + M_22_wz_delta2_delta;
-        let t164 = t114 + self.c * t162;
-        let t168 = self.c + self.xH;
-        let t169 = self.mH * yaw_per_v_delta;
-        let t170 = t168 * t169;
-        let C1_22_w = yaw_per_v_delta * (t107 - t32 * t164) - t143 * t170;
-        let t174 = t32 * (self.rhoF - self.rhoR);
-        let t175 = t121 * t174;
-        let t176 = t32 * wx_delta2_delta;
-        let t177 = self.rhoF * t176;
-        let t178 = t121 * t177;
-        let K2_22_yaw_by_delta = wx_delta2_delta_lam * t118;
-        let t181 = t144 + t33 * K2_22_yaw_by_delta;
-        let t183 = wx_delta2_delta * (t178 - t181);
-        let t184 = t32 * K2_12;
-        let t187 = yaw_per_v_delta * (t181 + t32 * t140);
-        let t188 = wx_delta2_delta_lam * t125;
-        let M_12_c = t147 + self.zH * t188;
-        let t192 = wx_delta2_delta_lam * (t72 + t150);
-        let M_22_c = t192 + t192;
-        let t195 = yaw_per_v_delta * t168;
-        let C1_22_c = yaw_per_v_delta * t162 - t188 * t195;
-        let K0_12_c = t188 - K2_22_yaw_by_delta;
-        let K0_22_c = wx_delta2_delta * K0_12_c;
-        let t200 = yaw_per_v_delta * K0_12_c;
-        let t201 = t33 * wx_delta2_delta;
-        let t203 = t21 * wx_delta2_delta_lam;
-        let t208 = self.xH * t201 + self.zH * wx_delta2_delta_lam
-            - wx_delta2_delta * t48;
-        let t212 = t57 + t146 * t201 - t203 - t6 * t208;
-        let t218 = wx_delta2_delta_lam * t36 + t72 * t208
-            - wx_delta2_delta * (t70 - t203);
-        let M_22_lam = t218 + t218;
-        let t221 = t139 + t98 * t176;
-        let C1_21_lam = t139 + h_wheels_all * t201;
-        let C1_22_lam = wx_delta2_delta_lam * yaw_per_v_delta * t94 - t170 * t208
-            - t176 * (t164 + wx_delta2_delta_lam * t59);
-        let t235 = self.mH * t208 + t63 * t201 - t155;
-        let K0_12_lam = t235 + wx_delta2_delta_lam * t123;
-        let K0_22_lam = wx_delta2_delta_lam * K0_12 + wx_delta2_delta * K0_12_lam;
-        let t241 = vy_all1_delta * t176;
-        let K2_22_lam = yaw_per_v_delta * (t81 - t235) - t140 * t176;
-        let M_11_rR = t83 + t83;
-        let K2_12_rR = yaw_per_v_delta * (self.mR - t87 * t88);
-        let C1_12_rR = self.c * K2_12_rR;
-        let C1_12_IRyy = yaw_by_delta * t87;
-        let C1_21_rR = t88 * C1_12_IRyy;
-        let C1_12_mR = self.rR * yaw_by_delta;
-        let K0_11_mR = self.rhoR - self.rR;
-        let K2_12_mR = self.rR * yaw_per_v_delta;
-        let C1_22_IRxx = yaw_by_delta * yaw_per_v_delta;
-        let M_22_IRxx = self.c * C1_22_IRxx;
-        let K2_12_IRyy = yaw_per_v_delta * t87;
-        let t260 = t2 * yaw_per_v_delta;
-        let t261 = self.c * t260;
-        let t262 = t63 * M_22_IRxx;
-        let M_22_xB = t262 + t262;
-        let K2_22_mB = yaw_per_v_delta * t104;
-        let t265 = M_22_IRxx + K2_22_mB;
-        let C1_22_xB = self.mB * (K2_22_mB + t265);
-        let K0_11_xB = self.mB * t174;
-        let t269 = yaw_by_delta - t177;
-        let t270 = self.mB * t269;
-        let t271 = wx_delta2_delta * t270;
-        let K2_22_xB = self.mB * C1_22_IRxx;
-        let M_11_zB = t2 + t2;
-        let t275 = K2_22_yaw_by_delta + self.mB * yaw_by_delta;
-        let t276 = self.mB * yaw_per_v_delta;
-        let M_11_mB = self.zB * self.zB;
-        let t278 = self.zB * t104;
-        let M_22_mB = t104 * t104;
-        let t281 = self.zB * yaw_per_v_delta;
-        let t282 = (self.c + self.xB) * t281;
-        let C1_22_mB = self.xB * t265;
-        let K0_11_mB = self.zB + self.rhoR + self.xB * t174;
-        let t287 = self.xB * t269;
-        let t288 = wx_delta2_delta * t287;
-        let t289 = t6 * wz_delta2_delta;
-        let t290 = t72 + t72;
-        let t291 = wz_delta2_delta * t290;
-        let t292 = self.zH * yaw_per_v_delta;
-        let t293 = self.mH * t292;
-        let C1_22_xH = wz_delta2_delta * t170 - t72 * yaw_per_v_delta;
-        let K0_11_xH = self.mH * t174;
-        let t299 = self.mH * (wz_delta2_delta - t177);
-        let t300 = wx_delta2_delta * t299;
-        let K2_22_xH = wz_delta2_delta * t169;
-        let M_11_zH = t6 + t6;
-        let M_12_zH = t72 + self.mH * t45;
-        let M_22_zH = wx_delta2_delta * t290;
-        let K0_12_zH = self.mH * wx_delta2_delta;
-        let t307 = t195 * K0_12_zH;
-        let K0_22_zH = wx_delta2_delta * K0_12_zH;
-        let t309 = yaw_per_v_delta * K0_12_zH;
-        let M_11_mH = self.zH * self.zH;
-        let M_22_mH = t52 * t52;
-        let t312 = self.zH * t195;
-        let t313 = t52 * yaw_per_v_delta;
-        let t314 = t168 * t313;
-        let K0_11_mH = self.zH + self.rhoR + self.xH * t174;
-        let K0_12_mH = t52 + self.xH * t177;
-        let K0_22_mH = wx_delta2_delta * K0_12_mH;
-        let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
-        let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
-        let C1_22_IHzz = wz_delta2_delta * yaw_per_v_delta;
-        let t324 = wz_delta2_delta * wx_delta2_delta;
-        let M_22_IHxz = t324 + t324;
-        let K2_22_h_spin_F = wx_delta2_delta_lam * t176;
-        let M_11_rF = t92 + t92;
-        let M_12_rF = t107 + t107;
-        let M_22_rF = wx_delta2_delta * M_12_rF;
-        let t330 = self.mF * yaw_per_v_delta;
-        let t331 = t46 * t330;
-        let C1_12_IFyy = wz_delta2_delta * t79;
-        let C1_21_rF = h_spin_F * C1_12_IFyy;
-        let C1_12_rF = t331 - C1_21_rF;
-        let C1_22_rF = wx_delta2_delta * t331;
-        let t336 = wx_delta2_delta * t106;
-        let K2_12_IFyy = t79 * yaw_per_v_delta;
-        let K2_12_rF = t330 - h_spin_F * K2_12_IFyy;
-        let K2_22_rF = wx_delta2_delta * K2_12_rF;
-        let M_12_mF = M_11_mF * wx_delta2_delta;
-        let M_22_mF = wx_delta2_delta * M_12_mF;
-        let K2_12_mF = self.rF * yaw_per_v_delta;
-        let C1_12_mF = t46 * K2_12_mF;
-        let K2_22_mF = self.rF * K2_22_h_spin_F;
-        let C1_22_mF = t46 * K2_22_mF;
-        let t348 = wx_delta2_delta * (self.rF - self.rhoF);
-        let t349 = wx_delta2_delta * t348;
-        let M_22_IFxx = M_22_IHxx + M_22_IHzz;
-        let K2_22_IFyy = t79 * K2_22_h_spin_F;
-        let K0_22_rhoF = wx_delta2_delta * K0_12_rhoF;
-        let C1_21 = -(t81 + ay_all1_delta);
-        let K0_12_w = t181 - t178;
-        let K0_11_mF = self.rhoF - self.rF;
-        (
-            WhippleTyresMatrices::from_entries([
-                M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
-                K2_12, zero, K2_22,
-            ]),
-            WhippleTyresDerivatives {
-                values: [
-                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, t175, K0_12_w, t183, t184, t187,
-                    M_12_c, M_22_c, K2_12, t101, C1_22_c, K0_12_c, K0_22_c, t200, t212, M_22_lam,
-                    t221, C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t241, K2_22_lam, M_11_rR,
-                    C1_12_rR, C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, K0_11_mR, K2_12_mR,
-                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t261, M_22_xB,
-                    t260, C1_22_xB, K0_11_xB, t270, t271, K2_22_xB, M_11_zB, t105, t275, self.mB,
-                    t276, M_11_mB, t278, M_22_mB, t282, C1_22_mB, K0_11_mB, t287, t288, t281,
-                    K2_22_mB, yaw_by_delta, yaw_per_v_delta, t289, t291, t293, C1_22_xH, K0_11_xH,
-                    t299, t300, K2_22_xH, M_11_zH, M_12_zH, M_22_zH, t170, t307, self.mH, K0_12_zH,
-                    K0_22_zH, t169, t309, M_11_mH, M_12_mH, M_22_mH, t312, t314, K0_11_mH, K0_12_mH,
-                    K0_22_mH, t292, t313, wx_delta2_delta, M_22_IHxx, M_22_IHzz, C1_22_IHzz,
-                    wz_delta2_delta, M_22_IHxz, K2_22_h_spin_F, M_11_rF, M_12_rF, M_22_rF, C1_12_rF,
-                    C1_21_rF, C1_22_rF, self.mF, t106, t336, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF,
-                    M_22_mF, C1_12_mF, C1_22_mF, K0_11_mF, t348, t349, K2_12_mF, K2_22_mF,
-                    M_22_IFxx, C1_12_IFyy, K2_12_IFyy, K2_22_IFyy, K0_11_rhoR, K0_11_rhoF,
-                    K0_12_rhoF, K0_22_rhoF,
-                ],
+        let mut matrices = WhippleTyresMatrices::from_entries([zero; 16]);
+        let mut derivatives = WhippleTyresDerivatives {
+            values: [zero; 130],
+        };
+        self.each_result(
+            #[inline(always)]
+            |position, value| matrices.set_entry(position, value),
+            #[inline(always)]
+            |position, value| derivatives.values[position] = value,
+        );
+        (matrices, derivatives)
+    }
+
+    /// Writes the coefficient matrices and their derivatives over others, each as soon as it is computed.
+    ///
+    /// They are those of [`Self::matrices_and_derivatives`], to the last bit. That function has more results than a
+    /// processor has registers, and moves them twice.
+    #[inline(always)]
+    pub fn write_matrices_and_derivatives(
+        &self,
+        matrices: &mut WhippleTyresMatrices<T>,
+        derivatives: &mut WhippleTyresDerivatives<T>,
+    ) {
+        *matrices = WhippleTyresMatrices::from_entries([self.w.like(0.0); 16]);
+        self.each_result(
+            #[inline(always)]
+            |position, value| {
+                matrices.set_entry(position, value);
+                carvallo::write_now();
             },
-        )
+            #[inline(always)]
+            |position, value| {
+                derivatives.values[position] = value;
+                carvallo::write_now();
+            },
+        );
+    }
+
+    /// The program: gives each entry that differs, and each value of the derivatives, to a function with its position.
+    #[inline(always)]
+    fn each_result(&self, mut put_entry: impl FnMut(usize, T), mut put_derivative: impl FnMut(usize, T)) {
+        put_derivative(0, self.mR);
+        put_derivative(1, self.mB);
+        put_derivative(2, self.mH);
+        put_derivative(3, self.mF);
+        put_derivative(4, self.w.like(1.0));
+        let (wx_delta2_delta, wx_delta2_delta_lam) = self.lam.sin_cos();
+        put_derivative(5, wx_delta2_delta);
+        let t29 = self.rR * self.mR;
+        let t30 = self.rF * self.mF;
+        let C1_22_wz_delta2_delta = self.rF * t30;
+        let t33 = self.IFxx + self.IHxx + C1_22_wz_delta2_delta;
+        let M_11_mH = self.zH * self.zH;
+        put_derivative(6, M_11_mH);
+        let M_11_mB = self.zB * self.zB;
+        put_derivative(7, M_11_mB);
+        let M_11_rR = t29 + t29;
+        put_derivative(8, M_11_rR);
+        let M_11_mR = self.rR * self.rR;
+        put_derivative(9, M_11_mR);
+        let M_11 = self.rR * t29 + self.IRxx + self.IBxx + t33 + self.mH * M_11_mH
+            + self.mB * M_11_mB;
+        put_entry(0, M_11);
+        let t46 = self.mB * self.zB;
+        let t48 = self.IBxz - t46 * self.xB;
+        let K0_11_mR = self.rhoR - self.rR;
+        put_derivative(10, K0_11_mR);
+        let M_11_zB = t46 + t46;
+        put_derivative(11, M_11_zB);
+        let M_11_rF = t30 + t30;
+        put_derivative(12, M_11_rF);
+        let K0_11_mF = self.rhoF - self.rF;
+        put_derivative(13, K0_11_mF);
+        let t53 = self.w.like(1.0) / self.w;
+        let t54 = self.mH * self.zH;
+        let t57 = t29 + t30 - t46 - t54;
+        let M_11_zH = t54 + t54;
+        put_derivative(14, M_11_zH);
+        let t59 = self.c + self.w;
+        let t60 = self.IFxx + self.IHzz;
+        let ay_all1_delta = self.mH * self.xH;
+        let t62 = self.c * t53;
+        let t63 = self.mB * self.xB;
+        let t64 = t48 + self.IHxz;
+        let t66 = t64 - t54 * self.xH;
+        let t67 = self.w.like(1.0) / self.rF;
+        let t68 = self.w.like(1.0) / self.rR;
+        let t69 = t30 * t59;
+        let t71 = t53 * (ay_all1_delta + t63);
+        let h_spin_F = self.IFyy * t67;
+        let t73 = self.IRyy * t68;
+        let t74 = self.c + self.xH;
+        let t76 = t53 * (self.rhoF - self.rhoR);
+        let t77 = self.xB + self.c;
+        let t78 = t71 * t76;
+        put_derivative(15, t78);
+        let K0_11_xB = self.mB * t76;
+        put_derivative(16, K0_11_xB);
+        let K0_11_mB = self.zB + self.rhoR + self.xB * t76;
+        put_derivative(17, K0_11_mB);
+        let K0_11_xH = self.mH * t76;
+        put_derivative(18, K0_11_xH);
+        let K0_11_mH = self.zH + self.rhoR + self.xH * t76;
+        put_derivative(19, K0_11_mH);
+        let t87 = self.mF * wx_delta2_delta;
+        put_derivative(20, t87);
+        let yaw_per_v_delta = wx_delta2_delta_lam * t53;
+        put_derivative(21, yaw_per_v_delta);
+        let t89 = self.zH * wx_delta2_delta;
+        let t90 = self.IHxz * wx_delta2_delta;
+        let h_wheels_all = h_spin_F + t73;
+        let t92 = wx_delta2_delta_lam * h_spin_F;
+        let vy_all1_delta = h_wheels_all + t57;
+        let t94 = t53 * wx_delta2_delta;
+        let K0_11_rhoF = self.mF + t71;
+        put_derivative(22, K0_11_rhoF);
+        let t96 = self.rhoF * K0_11_rhoF;
+        let K0_12_rhoF = wx_delta2_delta * K0_11_rhoF;
+        put_derivative(23, K0_12_rhoF);
+        let t98 = yaw_per_v_delta * t54;
+        put_derivative(24, t98);
+        let K0_22_rhoF = wx_delta2_delta * K0_12_rhoF;
+        put_derivative(25, K0_22_rhoF);
+        let t100 = self.rhoF * K0_12_rhoF;
+        let yaw_by_delta = self.c * yaw_per_v_delta;
+        put_derivative(26, yaw_by_delta);
+        let t103 = t89 + wx_delta2_delta_lam * t59;
+        let t104 = vy_all1_delta * t94;
+        put_derivative(27, t104);
+        let t108 = yaw_per_v_delta * (self.IRxx + self.IBzz + self.xB * t63);
+        let t109 = t46 * yaw_by_delta;
+        put_derivative(28, t109);
+        let C1_21 = -(t92 + yaw_by_delta * h_wheels_all);
+        put_entry(4, C1_21);
+        let wz_delta2_delta = wx_delta2_delta_lam + yaw_by_delta;
+        put_derivative(29, wz_delta2_delta);
+        let t117 = t30 * self.w + t66 + self.c * vy_all1_delta;
+        let K2_12 = yaw_per_v_delta * vy_all1_delta;
+        put_entry(9, K2_12);
+        put_derivative(30, K2_12);
+        let t119 = t53 * K2_12;
+        put_derivative(31, t119);
+        let t120 = yaw_per_v_delta * t66;
+        let t121 = wz_delta2_delta * t54;
+        put_derivative(32, t121);
+        let t123 = t103 - wz_delta2_delta * self.xH;
+        let t124 = self.xB * yaw_by_delta;
+        let t125 = self.zB * t124;
+        put_derivative(33, t125);
+        let M_22_mB = t124 * t124;
+        put_derivative(34, M_22_mB);
+        let t127 = self.mB * t124;
+        put_derivative(35, t127);
+        let t128 = self.mH - t71;
+        let K0_11_rhoR = self.mR + self.mB + t128;
+        put_derivative(36, K0_11_rhoR);
+        let K0_12_c = wx_delta2_delta_lam * t128;
+        put_derivative(37, K0_12_c);
+        let K0_22_c = wx_delta2_delta * K0_12_c;
+        put_derivative(38, K0_22_c);
+        let t133 = yaw_per_v_delta * K0_12_c;
+        put_derivative(39, t133);
+        let t134 = yaw_per_v_delta * t117;
+        let t135 = t30 * wx_delta2_delta;
+        let K0_11 = t96 + self.rhoR * K0_11_rhoR - t57;
+        put_entry(6, K0_11);
+        let t139 = t30 * wx_delta2_delta_lam;
+        let M_12_mH = self.zH * t123;
+        put_derivative(40, M_12_mH);
+        let M_22_mH = t123 * t123;
+        put_derivative(41, M_22_mH);
+        let M_12_rF = t135 + t135;
+        put_derivative(42, M_12_rF);
+        let C1_12 = t134 + t92;
+        put_entry(3, C1_12);
+        let t145 = t53 * (t134 - t139);
+        put_derivative(43, t145);
+        let t150 = self.IHxz * wz_delta2_delta + t33 * wx_delta2_delta + t54 * t123;
+        let t151 = wx_delta2_delta_lam * t54;
+        let M_12_w = t151 - t62 * t120;
+        put_derivative(44, M_12_w);
+        let M_12_c = t120 + t151;
+        put_derivative(45, M_12_c);
+        let t158 = wz_delta2_delta * t60 + t90 - t123 * ay_all1_delta;
+        let t159 = yaw_per_v_delta * t60;
+        let t160 = self.mH * t123;
+        let M_12_zH = t160 + self.mH * t89;
+        put_derivative(46, M_12_zH);
+        let t163 = yaw_per_v_delta * t123;
+        put_derivative(47, t163);
+        let t164 = t74 * t163;
+        put_derivative(48, t164);
+        let t165 = t160 - t127;
+        let t166 = t135 - t165;
+        let M_12 = t48 * yaw_by_delta + t150;
+        put_entry(1, M_12);
+        let K0_12 = t100 - t166;
+        put_entry(7, K0_12);
+        let t170 = t166 - t100;
+        let t172 = t158 + self.c * t108;
+        let t174 = t108 + t127 + t159;
+        let t175 = yaw_by_delta * t127;
+        let M_22_xB = t175 + t175;
+        put_derivative(49, M_22_xB);
+        let t177 = wx_delta2_delta * h_spin_F;
+        let t179 = t177 + t117 * t94;
+        put_derivative(50, t179);
+        let t180 = t166 + t177;
+        let K2_22 = yaw_per_v_delta * t180;
+        put_entry(10, K2_22);
+        let t182 = t53 * t180;
+        let K0_22 = -(wx_delta2_delta * t170);
+        put_entry(8, K0_22);
+        let t185 = wx_delta2_delta_lam + wx_delta2_delta_lam;
+        let t186 = yaw_per_v_delta * h_wheels_all;
+        put_derivative(51, t186);
+        let C1_21_w = t62 * t186;
+        put_derivative(52, C1_21_w);
+        let t191 = t158 + t59 * t160 + t62 * t172;
+        let t192 = t53 * t172;
+        let t193 = self.mH * wx_delta2_delta_lam;
+        let t197 = yaw_per_v_delta * (t193 + t182 + yaw_by_delta * t71);
+        put_derivative(53, t197);
+        let t200 = t185 * (t62 * t192 - t160);
+        put_derivative(54, t200);
+        let M_22_c = t185 * (t160 + t192);
+        put_derivative(55, M_22_c);
+        let t206 = t69 * t94 + t192 - t62 * t165;
+        let t207 = t74 * t193;
+        let t208 = t135 - t207;
+        let t209 = t53 * t207;
+        put_derivative(56, t209);
+        let t210 = t53 * t193;
+        put_derivative(57, t210);
+        let K2_22_xH = wz_delta2_delta * t210;
+        put_derivative(58, K2_22_xH);
+        let t212 = wx_delta2_delta * t210;
+        put_derivative(59, t212);
+        let t213 = wx_delta2_delta * t209;
+        put_derivative(60, t213);
+        let t214 = self.xH * t209;
+        let C1_22_c = yaw_per_v_delta * (t208 + t174 + t214 - t165);
+        put_derivative(61, C1_22_c);
+        let M_22 = wx_delta2_delta_lam * t191 + wx_delta2_delta * t150;
+        put_entry(2, M_22);
+        let t223 = yaw_by_delta - t94 * self.rhoF;
+        let K0_12_w = t193 + t71 * t223;
+        put_derivative(62, K0_12_w);
+        let t226 = self.c * t94;
+        let C1_21_lam = t177 + h_wheels_all * t226;
+        put_derivative(63, C1_21_lam);
+        let C1_22 = wx_delta2_delta_lam * t206;
+        put_entry(5, C1_22);
+        let t231 = t206 + t62 * t174;
+        let K2_22_h_spin_F = wx_delta2_delta_lam * t94;
+        put_derivative(64, K2_22_h_spin_F);
+        let K2_22_mF = self.rF * K2_22_h_spin_F;
+        put_derivative(65, K2_22_mF);
+        let K2_22_IFyy = t67 * K2_22_h_spin_F;
+        put_derivative(66, K2_22_IFyy);
+        let K0_12_zH = self.mH * wx_delta2_delta;
+        put_derivative(67, K0_12_zH);
+        let t240 = t151 + ay_all1_delta * (wx_delta2_delta + t226) - t59 * K0_12_zH;
+        let K0_22_w = wx_delta2_delta * K0_12_w;
+        put_derivative(68, K0_22_w);
+        let t242 = wx_delta2_delta + wx_delta2_delta;
+        let M_22_lam = t150 * t185 - t191 * t242;
+        put_derivative(69, M_22_lam);
+        let M_22_rF = t135 * t242;
+        put_derivative(70, M_22_rF);
+        let C1_22_w = yaw_per_v_delta * (t208 - t231 - t62 * t214);
+        put_derivative(71, C1_22_w);
+        let M_22_zH = t160 * t242;
+        put_derivative(72, M_22_zH);
+        let t253 = self.mR - t68 * t73;
+        let C1_12_rR = yaw_by_delta * t253;
+        put_derivative(73, C1_12_rR);
+        let K2_12_rR = yaw_per_v_delta * t253;
+        put_derivative(74, K2_12_rR);
+        let K2_12_IRyy = yaw_per_v_delta * t68;
+        put_derivative(75, K2_12_IRyy);
+        let C1_12_IRyy = self.c * K2_12_IRyy;
+        put_derivative(76, C1_12_IRyy);
+        let C1_21_rR = t73 * C1_12_IRyy;
+        put_derivative(77, C1_21_rR);
+        let K2_12_mR = self.rR * yaw_per_v_delta;
+        put_derivative(78, K2_12_mR);
+        let C1_12_mR = self.c * K2_12_mR;
+        put_derivative(79, C1_12_mR);
+        let C1_22_IRxx = yaw_per_v_delta * yaw_by_delta;
+        put_derivative(80, C1_22_IRxx);
+        let M_22_IRxx = self.c * C1_22_IRxx;
+        put_derivative(81, M_22_IRxx);
+        let M_12_lam = t33 * wx_delta2_delta_lam + self.zH * t240 - t90 - t64 * t226;
+        put_derivative(82, M_12_lam);
+        let M_22_yaw_by_delta = wx_delta2_delta_lam * (self.IHxz + t69) - t74 * t240;
+        let C1_22_lam = yaw_per_v_delta * M_22_yaw_by_delta
+            - wx_delta2_delta * (t159 + t231);
+        put_derivative(83, C1_22_lam);
+        let t279 = t240 + t63 * t226 - t139;
+        let K2_22_mB = self.xB * C1_22_IRxx;
+        put_derivative(84, K2_22_mB);
+        let C1_22_mB = t77 * K2_22_mB;
+        put_derivative(85, C1_22_mB);
+        let t282 = self.mB * yaw_per_v_delta;
+        put_derivative(86, t282);
+        let t283 = self.zB * t282;
+        put_derivative(87, t283);
+        let K2_22_xB = yaw_by_delta * t282;
+        put_derivative(88, K2_22_xB);
+        let C1_22_xB = (self.xB + t77) * K2_22_xB;
+        put_derivative(89, C1_22_xB);
+        let t287 = t282 * t77;
+        put_derivative(90, t287);
+        let t288 = self.mB * t223;
+        put_derivative(91, t288);
+        let t289 = wx_delta2_delta * t288;
+        put_derivative(92, t289);
+        let t290 = self.zB * yaw_per_v_delta;
+        put_derivative(93, t290);
+        let t291 = t77 * t290;
+        put_derivative(94, t291);
+        let t292 = self.xB * t223;
+        put_derivative(95, t292);
+        let K2_22_lam = yaw_per_v_delta * (t92 - t279) - wx_delta2_delta * t182;
+        put_derivative(96, K2_22_lam);
+        let K0_12_lam = wx_delta2_delta_lam * t96 + t279;
+        put_derivative(97, K0_12_lam);
+        let t299 = wx_delta2_delta * t292;
+        put_derivative(98, t299);
+        let t300 = wx_delta2_delta_lam + t223;
+        let t301 = K0_12_zH * t300;
+        put_derivative(99, t301);
+        let t302 = self.mH * t300;
+        put_derivative(100, t302);
+        let K0_12_mH = t103 - self.xH * t300;
+        put_derivative(101, K0_12_mH);
+        let t305 = wz_delta2_delta + wz_delta2_delta;
+        let t306 = t160 * t305;
+        put_derivative(102, t306);
+        let M_22_IHxz = wx_delta2_delta * t305;
+        put_derivative(103, M_22_IHxz);
+        let K0_22_mH = wx_delta2_delta * K0_12_mH;
+        put_derivative(104, K0_22_mH);
+        let C1_22_IHzz = yaw_per_v_delta * wz_delta2_delta;
+        put_derivative(105, C1_22_IHzz);
+        let C1_22_yaw_by_delta = t74 * C1_22_IHzz;
+        let C1_22_xH = self.mH * (C1_22_yaw_by_delta - t163);
+        put_derivative(106, C1_22_xH);
+        let K2_22_yaw_by_delta = wx_delta2_delta * K0_12_lam;
+        let K0_22_lam = K2_22_yaw_by_delta - wx_delta2_delta_lam * t170;
+        put_derivative(107, K0_22_lam);
+        let M_22_IHxx = wx_delta2_delta * wx_delta2_delta;
+        put_derivative(108, M_22_IHxx);
+        let K0_22_zH = self.mH * M_22_IHxx;
+        put_derivative(109, K0_22_zH);
+        let t318 = self.mF * M_22_IHxx;
+        put_derivative(110, t318);
+        let t319 = self.zH * yaw_per_v_delta;
+        put_derivative(111, t319);
+        let t320 = t74 * t319;
+        put_derivative(112, t320);
+        let M_22_IHzz = wz_delta2_delta * wz_delta2_delta;
+        put_derivative(113, M_22_IHzz);
+        let M_22_IFxx = M_22_IHxx + M_22_IHzz;
+        put_derivative(114, M_22_IFxx);
+        let C1_12_IFyy = wz_delta2_delta * t67;
+        put_derivative(115, C1_12_IFyy);
+        let C1_21_rF = h_spin_F * C1_12_IFyy;
+        put_derivative(116, C1_21_rF);
+        let K2_12_IFyy = yaw_per_v_delta * t67;
+        put_derivative(117, K2_12_IFyy);
+        let t326 = self.mF * yaw_per_v_delta;
+        let K2_12_rF = t326 - h_spin_F * K2_12_IFyy;
+        put_derivative(118, K2_12_rF);
+        let t329 = t59 * t326;
+        let C1_12_rF = t329 - C1_21_rF;
+        put_derivative(119, C1_12_rF);
+        let C1_22_rF = wx_delta2_delta * t329;
+        put_derivative(120, C1_22_rF);
+        let M_11_mF = self.rF * self.rF;
+        put_derivative(121, M_11_mF);
+        let M_22_mF = M_22_IHxx * M_11_mF;
+        put_derivative(122, M_22_mF);
+        let M_12_mF = wx_delta2_delta * M_11_mF;
+        put_derivative(123, M_12_mF);
+        let K2_12_mF = self.rF * yaw_per_v_delta;
+        put_derivative(124, K2_12_mF);
+        let C1_12_mF = t59 * K2_12_mF;
+        put_derivative(125, C1_12_mF);
+        let C1_22_mF = wx_delta2_delta * C1_12_mF;
+        put_derivative(126, C1_22_mF);
+        let t339 = wx_delta2_delta * (self.rF - self.rhoF);
+        put_derivative(127, t339);
+        let t340 = wx_delta2_delta * t339;
+        put_derivative(128, t340);
+        let t342 = -(wx_delta2_delta * K2_12_rF);
+        put_derivative(129, t342);
     }
 }
 
@@ -5647,6 +5801,49 @@ impl<T: Number> WhippleTyresMatrices<T> {
             self.m[0][0], self.m[0][1], self.m[1][1], self.c1[0][1], self.c1[1][0], self.c1[1][1],
             self.k0[0][0], self.k0[0][1], self.k0[1][1], self.k2[0][1], self.k2[1][1],
         ]
+    }
+
+    /// Sets the entry at a position among those that differ, wherever it stands.
+    #[inline(always)]
+    fn set_entry(&mut self, position: usize, entry: T) {
+        match position {
+            0 => {
+                self.m[0][0] = entry;
+            }
+            1 => {
+                self.m[0][1] = entry;
+                self.m[1][0] = entry;
+            }
+            2 => {
+                self.m[1][1] = entry;
+            }
+            3 => {
+                self.c1[0][1] = entry;
+            }
+            4 => {
+                self.c1[1][0] = entry;
+            }
+            5 => {
+                self.c1[1][1] = entry;
+            }
+            6 => {
+                self.k0[0][0] = entry;
+            }
+            7 => {
+                self.k0[0][1] = entry;
+                self.k0[1][0] = entry;
+            }
+            8 => {
+                self.k0[1][1] = entry;
+            }
+            9 => {
+                self.k2[0][1] = entry;
+            }
+            10 => {
+                self.k2[1][1] = entry;
+            }
+            _ => {}
+        }
     }
 
     /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
@@ -6255,135 +6452,137 @@ impl<T: Scalar> Differentiable<2> for WhippleTyres<T> {
 }
 
 impl<T: Number> EvaluatorWithDerivatives<T, 2> for WhippleTyres<T> {
-    type Derivatives = [T; 130];
-
     #[inline(always)]
-    fn entries_and_derivatives(&self) -> ([T; 11], [T; 130]) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        (WhippleTyresMatrices::distinct_entries(&matrices), derivatives.values)
+    fn each_result(&self, put_entry: impl FnMut(usize, T), put_derivative: impl FnMut(usize, T)) {
+        self.each_result(put_entry, put_derivative);
     }
 }
 
 impl WhippleTyresDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [Partial; 166] = &[
-        Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
-        Partial::new(MatrixName::M, 1, 1, 0, 1), Partial::new(MatrixName::C1, 0, 1, 0, 2),
-        Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
-        Partial::new(MatrixName::K0, 0, 0, 0, 5).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 0, 6), Partial::new(MatrixName::K0, 1, 0, 0, 6),
-        Partial::new(MatrixName::K0, 1, 1, 0, 7).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 0, 8).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 0, 9).negative(),
-        Partial::new(MatrixName::M, 0, 1, 1, 10), Partial::new(MatrixName::M, 1, 0, 1, 10),
-        Partial::new(MatrixName::M, 1, 1, 1, 11), Partial::new(MatrixName::C1, 0, 1, 1, 12),
-        Partial::new(MatrixName::C1, 1, 0, 1, 13).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 1, 14), Partial::new(MatrixName::K0, 0, 1, 1, 15),
-        Partial::new(MatrixName::K0, 1, 0, 1, 15), Partial::new(MatrixName::K0, 1, 1, 1, 16),
-        Partial::new(MatrixName::K2, 1, 1, 1, 17).negative(),
-        Partial::new(MatrixName::M, 0, 1, 2, 18).negative(),
-        Partial::new(MatrixName::M, 1, 0, 2, 18).negative(),
-        Partial::new(MatrixName::M, 1, 1, 2, 19),
-        Partial::new(MatrixName::C1, 0, 1, 2, 20).negative(),
-        Partial::new(MatrixName::C1, 1, 0, 2, 21), Partial::new(MatrixName::C1, 1, 1, 2, 22),
-        Partial::new(MatrixName::K0, 0, 1, 2, 23), Partial::new(MatrixName::K0, 1, 0, 2, 23),
-        Partial::new(MatrixName::K0, 1, 1, 2, 24),
-        Partial::new(MatrixName::K2, 0, 1, 2, 25).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 2, 26), Partial::new(MatrixName::M, 0, 0, 4, 27),
-        Partial::new(MatrixName::C1, 0, 1, 4, 28), Partial::new(MatrixName::C1, 1, 0, 4, 29),
-        Partial::new(MatrixName::K0, 0, 0, 4, 30).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 4, 31), Partial::new(MatrixName::M, 0, 0, 5, 32),
-        Partial::new(MatrixName::C1, 0, 1, 5, 33), Partial::new(MatrixName::K0, 0, 0, 5, 34),
-        Partial::new(MatrixName::K2, 0, 1, 5, 35), Partial::new(MatrixName::M, 0, 0, 6, 36),
-        Partial::new(MatrixName::M, 1, 1, 6, 37), Partial::new(MatrixName::C1, 1, 1, 6, 38),
-        Partial::new(MatrixName::C1, 0, 1, 7, 39),
-        Partial::new(MatrixName::C1, 1, 0, 7, 39).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 7, 40),
-        Partial::new(MatrixName::M, 0, 1, 8, 41).negative(),
-        Partial::new(MatrixName::M, 1, 0, 8, 41).negative(),
-        Partial::new(MatrixName::M, 1, 1, 8, 42),
-        Partial::new(MatrixName::C1, 0, 1, 8, 43).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 8, 44),
-        Partial::new(MatrixName::K0, 0, 0, 8, 45),
-        Partial::new(MatrixName::K0, 0, 1, 8, 46).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 8, 46).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 8, 47).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 8, 48), Partial::new(MatrixName::M, 0, 0, 9, 49),
-        Partial::new(MatrixName::M, 0, 1, 9, 50).negative(),
-        Partial::new(MatrixName::M, 1, 0, 9, 50).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 9, 51).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 9, 52),
-        Partial::new(MatrixName::K2, 0, 1, 9, 53).negative(),
-        Partial::new(MatrixName::M, 0, 0, 10, 54),
-        Partial::new(MatrixName::M, 0, 1, 10, 55).negative(),
-        Partial::new(MatrixName::M, 1, 0, 10, 55).negative(),
-        Partial::new(MatrixName::M, 1, 1, 10, 56),
-        Partial::new(MatrixName::C1, 0, 1, 10, 57).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 10, 58),
-        Partial::new(MatrixName::K0, 0, 0, 10, 59),
-        Partial::new(MatrixName::K0, 0, 1, 10, 60).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 10, 60).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 10, 61).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 10, 62).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 10, 63), Partial::new(MatrixName::M, 0, 0, 11, 36),
-        Partial::new(MatrixName::M, 1, 1, 13, 37), Partial::new(MatrixName::C1, 1, 1, 13, 38),
-        Partial::new(MatrixName::M, 0, 1, 14, 64), Partial::new(MatrixName::M, 1, 0, 14, 64),
-        Partial::new(MatrixName::C1, 0, 1, 14, 65),
-        Partial::new(MatrixName::M, 0, 1, 15, 66).negative(),
-        Partial::new(MatrixName::M, 1, 0, 15, 66).negative(),
-        Partial::new(MatrixName::M, 1, 1, 15, 67).negative(),
-        Partial::new(MatrixName::C1, 0, 1, 15, 68).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 15, 69),
-        Partial::new(MatrixName::K0, 0, 0, 15, 70),
-        Partial::new(MatrixName::K0, 0, 1, 15, 71).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 15, 71).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 15, 72).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 15, 73), Partial::new(MatrixName::M, 0, 0, 16, 74),
-        Partial::new(MatrixName::M, 0, 1, 16, 75), Partial::new(MatrixName::M, 1, 0, 16, 75),
-        Partial::new(MatrixName::M, 1, 1, 16, 76),
-        Partial::new(MatrixName::C1, 0, 1, 16, 77).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 16, 78).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 16, 79), Partial::new(MatrixName::K0, 0, 1, 16, 80),
-        Partial::new(MatrixName::K0, 1, 0, 16, 80), Partial::new(MatrixName::K0, 1, 1, 16, 81),
-        Partial::new(MatrixName::K2, 0, 1, 16, 82).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 16, 83).negative(),
-        Partial::new(MatrixName::M, 0, 0, 17, 84), Partial::new(MatrixName::M, 0, 1, 17, 85),
-        Partial::new(MatrixName::M, 1, 0, 17, 85), Partial::new(MatrixName::M, 1, 1, 17, 86),
-        Partial::new(MatrixName::C1, 0, 1, 17, 87).negative(),
-        Partial::new(MatrixName::C1, 1, 1, 17, 88).negative(),
-        Partial::new(MatrixName::K0, 0, 0, 17, 89), Partial::new(MatrixName::K0, 0, 1, 17, 90),
-        Partial::new(MatrixName::K0, 1, 0, 17, 90), Partial::new(MatrixName::K0, 1, 1, 17, 91),
-        Partial::new(MatrixName::K2, 0, 1, 17, 92).negative(),
-        Partial::new(MatrixName::K2, 1, 1, 17, 93).negative(),
-        Partial::new(MatrixName::M, 0, 0, 18, 36), Partial::new(MatrixName::M, 0, 1, 18, 94),
-        Partial::new(MatrixName::M, 1, 0, 18, 94), Partial::new(MatrixName::M, 1, 1, 18, 95),
-        Partial::new(MatrixName::M, 1, 1, 20, 96), Partial::new(MatrixName::C1, 1, 1, 20, 97),
-        Partial::new(MatrixName::M, 0, 1, 21, 98), Partial::new(MatrixName::M, 1, 0, 21, 98),
-        Partial::new(MatrixName::M, 1, 1, 21, 99), Partial::new(MatrixName::C1, 0, 1, 21, 65),
-        Partial::new(MatrixName::C1, 1, 1, 21, 100), Partial::new(MatrixName::M, 0, 0, 22, 101),
-        Partial::new(MatrixName::M, 0, 1, 22, 102), Partial::new(MatrixName::M, 1, 0, 22, 102),
-        Partial::new(MatrixName::M, 1, 1, 22, 103), Partial::new(MatrixName::C1, 0, 1, 22, 104),
-        Partial::new(MatrixName::C1, 1, 0, 22, 105), Partial::new(MatrixName::C1, 1, 1, 22, 106),
-        Partial::new(MatrixName::K0, 0, 0, 22, 107).negative(),
-        Partial::new(MatrixName::K0, 0, 1, 22, 108).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 22, 108).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 22, 109).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 22, 110), Partial::new(MatrixName::K2, 1, 1, 22, 111),
-        Partial::new(MatrixName::M, 0, 0, 23, 112), Partial::new(MatrixName::M, 0, 1, 23, 113),
-        Partial::new(MatrixName::M, 1, 0, 23, 113), Partial::new(MatrixName::M, 1, 1, 23, 114),
-        Partial::new(MatrixName::C1, 0, 1, 23, 115), Partial::new(MatrixName::C1, 1, 1, 23, 116),
-        Partial::new(MatrixName::K0, 0, 0, 23, 117),
-        Partial::new(MatrixName::K0, 0, 1, 23, 118).negative(),
-        Partial::new(MatrixName::K0, 1, 0, 23, 118).negative(),
-        Partial::new(MatrixName::K0, 1, 1, 23, 119).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 23, 120), Partial::new(MatrixName::K2, 1, 1, 23, 121),
-        Partial::new(MatrixName::M, 0, 0, 24, 36), Partial::new(MatrixName::M, 0, 1, 24, 94),
-        Partial::new(MatrixName::M, 1, 0, 24, 94), Partial::new(MatrixName::M, 1, 1, 24, 122),
-        Partial::new(MatrixName::C1, 1, 1, 24, 97), Partial::new(MatrixName::C1, 0, 1, 25, 123),
-        Partial::new(MatrixName::C1, 1, 0, 25, 123).negative(),
-        Partial::new(MatrixName::K2, 0, 1, 25, 124), Partial::new(MatrixName::K2, 1, 1, 25, 125),
-        Partial::new(MatrixName::K0, 0, 0, 26, 126), Partial::new(MatrixName::K0, 0, 0, 27, 127),
-        Partial::new(MatrixName::K0, 0, 1, 27, 128), Partial::new(MatrixName::K0, 1, 0, 27, 128),
-        Partial::new(MatrixName::K0, 1, 1, 27, 129),
+        Partial::new(MatrixName::M, 0, 1, 0, 44),
+        Partial::new(MatrixName::M, 1, 0, 0, 44),
+        Partial::new(MatrixName::M, 1, 1, 0, 54).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 0, 43).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 0, 52),
+        Partial::new(MatrixName::C1, 1, 1, 0, 71),
+        Partial::new(MatrixName::K0, 0, 0, 0, 15).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 0, 62),
+        Partial::new(MatrixName::K0, 1, 0, 0, 62),
+        Partial::new(MatrixName::K0, 1, 1, 0, 68),
+        Partial::new(MatrixName::K2, 0, 1, 0, 31).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 0, 53).negative(),
+        Partial::new(MatrixName::M, 0, 1, 1, 45), Partial::new(MatrixName::M, 1, 0, 1, 45),
+        Partial::new(MatrixName::M, 1, 1, 1, 55), Partial::new(MatrixName::C1, 0, 1, 1, 30),
+        Partial::new(MatrixName::C1, 1, 0, 1, 51).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 1, 61), Partial::new(MatrixName::K0, 0, 1, 1, 37),
+        Partial::new(MatrixName::K0, 1, 0, 1, 37), Partial::new(MatrixName::K0, 1, 1, 1, 38),
+        Partial::new(MatrixName::K2, 1, 1, 1, 39).negative(),
+        Partial::new(MatrixName::M, 0, 1, 2, 82),
+        Partial::new(MatrixName::M, 1, 0, 2, 82),
+        Partial::new(MatrixName::M, 1, 1, 2, 69),
+        Partial::new(MatrixName::C1, 0, 1, 2, 50).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 2, 63), Partial::new(MatrixName::C1, 1, 1, 2, 83),
+        Partial::new(MatrixName::K0, 0, 1, 2, 97), Partial::new(MatrixName::K0, 1, 0, 2, 97),
+        Partial::new(MatrixName::K0, 1, 1, 2, 107),
+        Partial::new(MatrixName::K2, 0, 1, 2, 27).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 2, 96), Partial::new(MatrixName::M, 0, 0, 4, 8),
+        Partial::new(MatrixName::C1, 0, 1, 4, 73), Partial::new(MatrixName::C1, 1, 0, 4, 77),
+        Partial::new(MatrixName::K0, 0, 0, 4, 0).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 4, 74), Partial::new(MatrixName::M, 0, 0, 5, 9),
+        Partial::new(MatrixName::C1, 0, 1, 5, 79), Partial::new(MatrixName::K0, 0, 0, 5, 10),
+        Partial::new(MatrixName::K2, 0, 1, 5, 78), Partial::new(MatrixName::M, 0, 0, 6, 4),
+        Partial::new(MatrixName::M, 1, 1, 6, 81), Partial::new(MatrixName::C1, 1, 1, 6, 80),
+        Partial::new(MatrixName::C1, 0, 1, 7, 76),
+        Partial::new(MatrixName::C1, 1, 0, 7, 76).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 7, 75),
+        Partial::new(MatrixName::M, 0, 1, 8, 28).negative(),
+        Partial::new(MatrixName::M, 1, 0, 8, 28).negative(),
+        Partial::new(MatrixName::M, 1, 1, 8, 49),
+        Partial::new(MatrixName::C1, 0, 1, 8, 87).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 8, 89),
+        Partial::new(MatrixName::K0, 0, 0, 8, 16),
+        Partial::new(MatrixName::K0, 0, 1, 8, 91).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 8, 91).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 8, 92).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 8, 88), Partial::new(MatrixName::M, 0, 0, 9, 11),
+        Partial::new(MatrixName::M, 0, 1, 9, 35).negative(),
+        Partial::new(MatrixName::M, 1, 0, 9, 35).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 9, 90).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 9, 1),
+        Partial::new(MatrixName::K2, 0, 1, 9, 86).negative(),
+        Partial::new(MatrixName::M, 0, 0, 10, 7),
+        Partial::new(MatrixName::M, 0, 1, 10, 33).negative(),
+        Partial::new(MatrixName::M, 1, 0, 10, 33).negative(),
+        Partial::new(MatrixName::M, 1, 1, 10, 34),
+        Partial::new(MatrixName::C1, 0, 1, 10, 94).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 10, 85),
+        Partial::new(MatrixName::K0, 0, 0, 10, 17),
+        Partial::new(MatrixName::K0, 0, 1, 10, 95).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 10, 95).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 10, 98).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 10, 93).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 10, 84), Partial::new(MatrixName::M, 0, 0, 11, 4),
+        Partial::new(MatrixName::M, 1, 1, 13, 81), Partial::new(MatrixName::C1, 1, 1, 13, 80),
+        Partial::new(MatrixName::M, 0, 1, 14, 26), Partial::new(MatrixName::M, 1, 0, 14, 26),
+        Partial::new(MatrixName::C1, 0, 1, 14, 21),
+        Partial::new(MatrixName::M, 0, 1, 15, 32).negative(),
+        Partial::new(MatrixName::M, 1, 0, 15, 32).negative(),
+        Partial::new(MatrixName::M, 1, 1, 15, 102).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 15, 24).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 15, 106),
+        Partial::new(MatrixName::K0, 0, 0, 15, 18),
+        Partial::new(MatrixName::K0, 0, 1, 15, 100).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 15, 100).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 15, 99).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 15, 58), Partial::new(MatrixName::M, 0, 0, 16, 14),
+        Partial::new(MatrixName::M, 0, 1, 16, 46), Partial::new(MatrixName::M, 1, 0, 16, 46),
+        Partial::new(MatrixName::M, 1, 1, 16, 72),
+        Partial::new(MatrixName::C1, 0, 1, 16, 56).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 16, 60).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 16, 2), Partial::new(MatrixName::K0, 0, 1, 16, 67),
+        Partial::new(MatrixName::K0, 1, 0, 16, 67), Partial::new(MatrixName::K0, 1, 1, 16, 109),
+        Partial::new(MatrixName::K2, 0, 1, 16, 57).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 16, 59).negative(),
+        Partial::new(MatrixName::M, 0, 0, 17, 6), Partial::new(MatrixName::M, 0, 1, 17, 40),
+        Partial::new(MatrixName::M, 1, 0, 17, 40), Partial::new(MatrixName::M, 1, 1, 17, 41),
+        Partial::new(MatrixName::C1, 0, 1, 17, 112).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 48).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 17, 19), Partial::new(MatrixName::K0, 0, 1, 17, 101),
+        Partial::new(MatrixName::K0, 1, 0, 17, 101), Partial::new(MatrixName::K0, 1, 1, 17, 104),
+        Partial::new(MatrixName::K2, 0, 1, 17, 111).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 17, 47).negative(),
+        Partial::new(MatrixName::M, 0, 0, 18, 4), Partial::new(MatrixName::M, 0, 1, 18, 5),
+        Partial::new(MatrixName::M, 1, 0, 18, 5), Partial::new(MatrixName::M, 1, 1, 18, 108),
+        Partial::new(MatrixName::M, 1, 1, 20, 113), Partial::new(MatrixName::C1, 1, 1, 20, 105),
+        Partial::new(MatrixName::M, 0, 1, 21, 29), Partial::new(MatrixName::M, 1, 0, 21, 29),
+        Partial::new(MatrixName::M, 1, 1, 21, 103), Partial::new(MatrixName::C1, 0, 1, 21, 21),
+        Partial::new(MatrixName::C1, 1, 1, 21, 64), Partial::new(MatrixName::M, 0, 0, 22, 12),
+        Partial::new(MatrixName::M, 0, 1, 22, 42), Partial::new(MatrixName::M, 1, 0, 22, 42),
+        Partial::new(MatrixName::M, 1, 1, 22, 70), Partial::new(MatrixName::C1, 0, 1, 22, 119),
+        Partial::new(MatrixName::C1, 1, 0, 22, 116), Partial::new(MatrixName::C1, 1, 1, 22, 120),
+        Partial::new(MatrixName::K0, 0, 0, 22, 3).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 22, 20).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 22, 20).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 22, 110).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 22, 118),
+        Partial::new(MatrixName::K2, 1, 1, 22, 129).negative(),
+        Partial::new(MatrixName::M, 0, 0, 23, 121), Partial::new(MatrixName::M, 0, 1, 23, 123),
+        Partial::new(MatrixName::M, 1, 0, 23, 123), Partial::new(MatrixName::M, 1, 1, 23, 122),
+        Partial::new(MatrixName::C1, 0, 1, 23, 125), Partial::new(MatrixName::C1, 1, 1, 23, 126),
+        Partial::new(MatrixName::K0, 0, 0, 23, 13),
+        Partial::new(MatrixName::K0, 0, 1, 23, 127).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 23, 127).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 23, 128).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 23, 124), Partial::new(MatrixName::K2, 1, 1, 23, 65),
+        Partial::new(MatrixName::M, 0, 0, 24, 4), Partial::new(MatrixName::M, 0, 1, 24, 5),
+        Partial::new(MatrixName::M, 1, 0, 24, 5), Partial::new(MatrixName::M, 1, 1, 24, 114),
+        Partial::new(MatrixName::C1, 1, 1, 24, 105), Partial::new(MatrixName::C1, 0, 1, 25, 115),
+        Partial::new(MatrixName::C1, 1, 0, 25, 115).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 25, 117), Partial::new(MatrixName::K2, 1, 1, 25, 66),
+        Partial::new(MatrixName::K0, 0, 0, 26, 36), Partial::new(MatrixName::K0, 0, 0, 27, 22),
+        Partial::new(MatrixName::K0, 0, 1, 27, 23), Partial::new(MatrixName::K0, 1, 0, 27, 23),
+        Partial::new(MatrixName::K0, 1, 1, 27, 25),
     ];
 }

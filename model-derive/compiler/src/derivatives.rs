@@ -52,8 +52,9 @@ pub fn compile(model: &Model, asked: &AskedDerivatives, matrices: &Program) -> R
     let Some((differentiated, found)) = same.into_iter().zip(found).min_by_key(cost) else {
         unreachable!("the derivatives of the formulas are among them")
     };
-    let program = symbolic::finish(vec![found])?.remove(0);
+    let program = symbolic::finish_derivatives(found)?;
     let (program, partials) = share_values(program, &differentiated.partials);
+    let (program, partials) = place_values(passes::schedule(&program), partials, entries * model.matrices.len());
     Ok(name_values(model, differentiated, program, partials))
 }
 
@@ -76,6 +77,18 @@ fn share_values(mut program: Program, partials: &[(usize, usize)]) -> (Program, 
     let partials = partials.iter().zip(&derivatives).map(&mut partial).collect();
     program.outputs.extend(values);
     (passes::optimize(program), partials)
+}
+
+/// With the values of the derivatives in the order in which they are computed, which is that in which they are stored best.
+fn place_values(mut program: Program, partials: Vec<Partial>, entries: usize) -> (Program, Vec<Partial>) {
+    let mut order: Vec<usize> = (0..program.outputs.len() - entries).collect();
+    order.sort_by_key(|value| program.outputs[entries + value]);
+    let mut places = vec![0; order.len()];
+    order.iter().enumerate().for_each(|(place, value)| places[*value] = place);
+    let outputs: Vec<Value> = order.iter().map(|value| program.outputs[entries + value]).collect();
+    program.outputs.splice(entries.., outputs);
+    let partials = partials.into_iter().map(|partial| Partial { value: places[partial.value], ..partial });
+    (program, partials.collect())
 }
 
 /// A name for each entry of the matrices, row by row: `C1_12` stands in the first row and the second column of C1.

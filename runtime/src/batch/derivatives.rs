@@ -6,7 +6,7 @@ use fearless_simd::{Simd, dispatch};
 
 use super::matrices::{check_blocks, check_widths};
 use super::{Batch, BatchError, Blocks, InLanes, Lanes, side};
-use crate::model::{Differentiable, Evaluator, EvaluatorWithDerivatives, Partial};
+use crate::model::{Differentiable, Evaluator, EvaluatorWithDerivatives, Partial, write_now};
 
 /// The entries of the matrices of a few designs and their derivatives, as a [`Batch`] computes them.
 #[derive(Clone, Copy, Debug)]
@@ -214,25 +214,36 @@ fn block<S: Simd, const N: usize, M: Differentiable<N, Scalar: InLanes>>(
 ) {
     let lanes = Lanes::<S, M::Scalar>::COUNT;
     let side = side::<M::Scalar>();
-    for first in (0..side).step_by(lanes) {
+    // Constant lengths: what stands within them is not checked again.
+    let entries = &mut entries[..side * Values::<N, M>::ENTRIES];
+    let derivatives = &mut derivatives[..side * Values::<N, M>::COUNT];
+    for group in 0..side / lanes {
+        let first = group * lanes;
         let design = M::WithDerivativesOver::<Lanes<S, M::Scalar>>::from_parameters(
             #[inline(always)]
             |position| Lanes::load(simd, &parameters[position * side + first..][..lanes]),
         );
-        let (of_entries, of_derivatives) = design.entries_and_derivatives();
-        for (place, result) in entries.chunks_exact_mut(side).zip(of_entries.as_ref()) {
-            result.store(&mut place[first..first + lanes]);
-        }
-        for (place, result) in derivatives.chunks_exact_mut(side).zip(of_derivatives.as_ref()) {
-            result.store(&mut place[first..first + lanes]);
-        }
+        design.each_result(
+            #[inline(always)]
+            |position, entry| {
+                entry.store(&mut entries[position * side + first..][..lanes]);
+                write_now();
+            },
+            #[inline(always)]
+            |position, value| {
+                value.store(&mut derivatives[position * side + first..][..lanes]);
+                write_now();
+            },
+        );
     }
 }
 
-/// How many values the derivatives of a model have.
+/// How many entries and values of derivatives a model has.
 struct Values<const N: usize, M>(PhantomData<M>);
 
 impl<const N: usize, M: Differentiable<N>> Values<N, M> {
+    const ENTRIES: usize = M::INFO.entries.len();
+
     const COUNT: usize = {
         let (mut count, mut place) = (0, 0);
         while place < M::PARTIALS.len() {

@@ -228,7 +228,8 @@
 ///
 /// # Derivatives
 /// `derivatives;` asks for the exact derivatives of all entries of the matrices with respect to all parameters. They are
-/// derived symbolically and optimized together with the matrices, in one program: `Name::matrices_and_derivatives`. Which
+/// derived symbolically and optimized together with the matrices, in one program: `Name::matrices_and_derivatives`, or
+/// `Name::write_matrices_and_derivatives` for where they are stored. Which
 /// of them are zero for all parameters is proved, and those take neither time nor memory. A model that does not ask for
 /// them pays nothing. What it asks for beside `nonlinear;` is said there.
 ///
@@ -297,7 +298,8 @@
 ///   in one straight-line function whose documentation states its operation counts.
 /// - `Name::INFO`, and [`Model<N>`](crate::Model) for `Name<T>`: names, units, domains, validation, conversion from and to slices, and the
 ///   matrices as [`Coefficients`](crate::Coefficients).
-/// - With `derivatives` a struct `NameDerivatives<T>` and `Name::matrices_and_derivatives`: an array of the values of the
+/// - With `derivatives` a struct `NameDerivatives<T>`, `Name::matrices_and_derivatives` and
+///   `Name::write_matrices_and_derivatives`: an array of the values of the
 ///   derivatives that are not zero for all parameters, each once, the table `NameDerivatives::PARTIALS` that says which
 ///   derivatives have them, and `with_respect_to` for all matrices derived with respect to one parameter; and if all are asked for
 ///   [`Differentiable<N>`](crate::Differentiable), with all of them as [`Coefficients`](crate::Coefficients).

@@ -1,5 +1,7 @@
 //! The trait of models that were compiled with their derivatives.
 
+use core::sync::atomic::{Ordering, compiler_fence};
+
 use super::traits::{Evaluator, Model};
 use crate::number::{Number, Scalar};
 use crate::system::{Coefficients, MatrixName};
@@ -35,12 +37,19 @@ pub trait Differentiable<const N: usize>: Model<N> {
 ///
 /// The macro `model!` implements it beside [`Differentiable`], for all kinds of numbers at once.
 pub trait EvaluatorWithDerivatives<T: Number, const N: usize>: Evaluator<T, N> {
-    /// An array of T.
-    type Derivatives: Copy + AsRef<[T]>;
+    /// Gives each of the entries that differ, in the order of [`ModelInfo::entries`](crate::ModelInfo::entries), and each
+    /// value of their derivatives to a function, with its position, as soon as it is computed: [`Differentiable::PARTIALS`]
+    /// says which derivative has which value.
+    fn each_result(&self, put_entry: impl FnMut(usize, T), put_derivative: impl FnMut(usize, T));
+}
 
-    /// The entries of the matrices that differ, in the order of [`ModelInfo::entries`](crate::ModelInfo::entries), and the
-    /// values of their derivatives, each once: [`Differentiable::PARTIALS`] says which derivative has which.
-    fn entries_and_derivatives(&self) -> (Self::Entries, Self::Derivatives);
+/// What was computed so far is written where it belongs before anything else is computed.
+///
+/// Compilers put off what is written to the end of a program, and keep hundreds of results outside of registers until then.
+#[doc(hidden)]
+#[inline(always)]
+pub fn write_now() {
+    compiler_fence(Ordering::SeqCst);
 }
 
 /// One derivative: that of an entry of a matrix with respect to a parameter.

@@ -14,7 +14,7 @@ mod rate;
 mod sets;
 mod traits;
 
-pub use derivatives::{Differentiable, EvaluatorWithDerivatives, Partial};
+pub use derivatives::{Differentiable, EvaluatorWithDerivatives, Partial, write_now};
 pub use domain::{Bound, Domain};
 pub use error::{LengthError, ParameterError};
 pub use formula::{FormulaInfo, FormulaSubject};

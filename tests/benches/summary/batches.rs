@@ -52,8 +52,8 @@ fn derivatives<'a, T: InLanes>(task: Task<'a>, scalar: &str, designs: &'a [Whipp
     let mut results: Vec<(WhippleMatrices<T>, WhippleDerivatives<T>)> =
         designs.iter().map(Whipple::matrices_and_derivatives).collect();
     task.contender(named(scalar, "one by one"), move || {
-        for (result, design) in results.iter_mut().zip(black_box(designs)) {
-            *result = design.matrices_and_derivatives();
+        for ((matrices, derivatives), design) in results.iter_mut().zip(black_box(designs)) {
+            design.write_matrices_and_derivatives(matrices, derivatives);
         }
         black_box(&results);
     })

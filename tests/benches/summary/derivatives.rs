@@ -26,8 +26,22 @@ fn for_scalar<T: Float + Symplex>(summary: &mut Summary, scalar: &str, design: &
     let task = Task::new(format!("Four matrices and their Jacobian, {scalar}, one design"), REPETITIONS)
         .contender("ours, from bodies, no Jacobian", repeated(&mechanism, WhippleMechanism::matrices))
         .contender("ours, from bodies", repeated(&mechanism, WhippleMechanism::matrices_and_derivatives))
+        .contender("ours, from bodies, in place", {
+            let (mut matrices, mut derivatives) = mechanism.matrices_and_derivatives();
+            repeated(&mechanism, move |design| {
+                design.write_matrices_and_derivatives(&mut matrices, &mut derivatives);
+                black_box((&matrices, &derivatives));
+            })
+        })
         .contender("ours, from formulas, no Jacobian", repeated(design, Whipple::matrices))
         .contender("ours, from formulas", repeated(design, Whipple::matrices_and_derivatives))
+        .contender("ours, from formulas, in place", {
+            let (mut matrices, mut derivatives) = design.matrices_and_derivatives();
+            repeated(design, move |design| {
+                design.write_matrices_and_derivatives(&mut matrices, &mut derivatives);
+                black_box((&matrices, &derivatives));
+            })
+        })
         .contender(
             "ours, from formulas, those of M, K0 by w, c",
             repeated(&chosen, WhippleChosen::matrices_and_derivatives),
@@ -38,7 +52,7 @@ fn for_scalar<T: Float + Symplex>(summary: &mut Summary, scalar: &str, design: &
 }
 
 /// Leaves the result where it is returned, since copying a kilobyte would take as long as computing it.
-fn repeated<D, R>(design: &D, compute: impl Fn(&D) -> R) -> impl FnMut() {
+fn repeated<D, R>(design: &D, mut compute: impl FnMut(&D) -> R) -> impl FnMut() {
     move || {
         for _ in 0..REPETITIONS {
             let result = compute(black_box(design));

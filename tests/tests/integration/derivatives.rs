@@ -1,7 +1,7 @@
 //! Derivatives of the matrices with respect to the parameters: against differences in exact arithmetic, against
 //! differences of the values, and against derivatives by hand.
 
-use carvallo::{Coefficients, Differentiable, Model, Scalar};
+use carvallo::{Coefficients, Differentiable, Model, Rows, Scalar};
 use carvallo_compare::Real;
 use carvallo_models::{Pendulum, Whipple, WhippleDerivatives, WhippleMatrices, WhippleMechanism, each_model};
 use carvallo_tests::exact::{Matrices, derivative_sizes, derivatives};
@@ -93,6 +93,23 @@ proptest! {
         let matrices = mechanism(&design).matrices_and_derivatives().0;
         let matrices = WhippleMatrices { m: matrices.m, c1: matrices.c1, k0: matrices.k0, k2: matrices.k2 };
         super::designs::check(&design, &matrices, f64::EPSILON)?;
+    }
+
+    #[test]
+    fn those_that_are_written_over_others_are_the_same(design in designs::any()) {
+        let expected = design.matrices_and_derivatives();
+        let [m, c1, k0, k2] = [[[f64::NAN; 2]; 2]; 4].map(Rows);
+        let mut matrices = WhippleMatrices { m, c1, k0, k2 };
+        let mut derivatives = WhippleDerivatives { values: expected.1.values.map(|_| f64::NAN) };
+        design.write_matrices_and_derivatives(&mut matrices, &mut derivatives);
+        prop_assert_eq!((matrices, derivatives), expected);
+
+        let single = mechanism(&design.cast::<f32>());
+        let expected = single.matrices_and_derivatives();
+        // Those of another one.
+        let (mut matrices, mut derivatives) = WhippleMechanism::BENCHMARK.to_f32().matrices_and_derivatives();
+        single.write_matrices_and_derivatives(&mut matrices, &mut derivatives);
+        prop_assert_eq!((matrices, derivatives), expected);
     }
 
     #[test]

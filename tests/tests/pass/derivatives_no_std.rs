@@ -40,6 +40,9 @@ fn main() {
         let found = partial.expect("it is kept").of(&derivatives.values);
         assert!((found - value).abs() < 1e-14, "{matrix:?} by {parameter} is {found}");
     }
+    let (mut again, mut values) = Any { x: 1.0, a: 0.5, n: 2.0, I: 0.0 }.matrices_and_derivatives();
+    at.write_matrices_and_derivatives(&mut again, &mut values);
+    assert_eq!((again, values), (matrices, derivatives));
     // Nothing is infinite where powers and factors vanish.
     let (_, dense) = Any { x: 1.0_f32, a: 0.0, n: 0.0, I: 0.0 }.coefficients_and_derivatives();
     assert_eq!(dense.map(|by| [by.m[(0, 0)], by.kc[(0, 0)]]), [[0.0, 0.0], [2.0, 0.0], [1.0, 0.0], [0.0, 0.0]]);

@@ -23,6 +23,24 @@ pub struct Evaluator {
 /// A process that valgrind runs ends so if the processor cannot do what is asked for.
 pub const NOT_ON_THIS_PROCESSOR: u8 = 3;
 
+/// Matrices and derivatives that are written over others.
+macro_rules! in_place {
+    ($name:literal, $design:expr) => {
+        Evaluator {
+            name: $name,
+            calls: 1000,
+            run: |calls| {
+                let design = $design;
+                let (mut matrices, mut derivatives) = design.matrices_and_derivatives();
+                one(calls, &design, |design| {
+                    design.write_matrices_and_derivatives(&mut matrices, &mut derivatives);
+                    black_box((&matrices, &derivatives));
+                })
+            },
+        }
+    };
+}
+
 pub const EVALUATORS: &[Evaluator] = &[
     Evaluator {
         name: "matrices by hand, f64",
@@ -75,6 +93,13 @@ pub const EVALUATORS: &[Evaluator] = &[
         calls: 1000,
         run: |calls| one(calls, &designs::narrowed(&bicycle()), Whipple::matrices_and_derivatives),
     },
+    in_place!("matrices and Jacobian in place from bodies, f64", WhippleMechanism::BENCHMARK),
+    in_place!("matrices and Jacobian in place from formulas, f64", bicycle()),
+    in_place!(
+        "matrices and Jacobian in place from bodies, f32",
+        WhippleMechanism::from_array(designs::narrowed(&bicycle()).to_array())
+    ),
+    in_place!("matrices and Jacobian in place from formulas, f32", designs::narrowed(&bicycle())),
     Evaluator {
         name: "matrices and derivatives of M, K0 by w, c from formulas, f64",
         calls: 1000,
@@ -178,7 +203,7 @@ pub fn run(name: &str, calls: usize) -> ExitCode {
     }
 }
 
-fn one<D, R>(calls: usize, design: &D, compute: impl Fn(&D) -> R) -> Option<()> {
+fn one<D, R>(calls: usize, design: &D, mut compute: impl FnMut(&D) -> R) -> Option<()> {
     for _ in 0..calls {
         black_box(compute(black_box(design)));
     }

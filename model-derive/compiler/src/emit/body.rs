@@ -11,11 +11,17 @@ use crate::program::{Instruction, Program, Value};
 
 /// A program as statements, and each value as an expression.
 pub struct Body {
-    /// Variables, one or a pair, and what is bound to them.
-    bindings: Vec<(Vec<Ident>, TokenStream)>,
+    bindings: Vec<Binding>,
     pub values: Vec<TokenStream>,
     /// What each value's expression is to the operators around it.
     strengths: Vec<Strength>,
+}
+
+/// Values, one or a pair, the variables that hold them, and what is bound to these.
+struct Binding {
+    values: Vec<Value>,
+    names: Vec<Ident>,
+    expression: TokenStream,
 }
 
 /// What a program reads.
@@ -68,12 +74,12 @@ impl Body {
                 }
                 Place::Variable => {
                     let expression = body.expression(*instruction, inputs, names);
-                    body.bindings.push((vec![variable(value)], expression));
+                    body.bind(vec![value], expression, &variable);
                 }
                 Place::Pair { sine, cosine, is_first: true } => {
                     let angle = instruction.operands().next().unwrap_or_else(|| unreachable!("functions have one"));
                     let both = body.call("sin_cos", angle, names);
-                    body.bindings.push((vec![variable(sine), variable(cosine)], both));
+                    body.bind(vec![sine, cosine], both, &variable);
                 }
                 Place::Pair { .. } => {}
             }
@@ -84,27 +90,40 @@ impl Body {
     }
 
     /// The bindings as statements.
+    pub fn statements(&self) -> TokenStream {
+        self.statements_with(|_| TokenStream::new())
+    }
+
+    /// The bindings as statements, each with what is done with its values as soon as they are there.
     ///
     /// Each `let` opens a scope inside the one before it, and thousands of them exhaust the stack of the compiler where
     /// it writes debug information. So long programs declare their variables in groups, and assign to them.
-    pub fn statements(&self) -> TokenStream {
-        let pattern = |names: &[Ident]| if let [name] = names { quote!(#name) } else { quote!((#(#names),*)) };
+    pub fn statements_with(&self, done_with: impl Fn(Value) -> TokenStream) -> TokenStream {
+        let statement = |binding: &Binding, keyword: TokenStream| {
+            let Binding { values, names, expression } = binding;
+            let pattern = if let [name] = &names[..] { quote!(#name) } else { quote!((#(#names),*)) };
+            let done = values.iter().map(|value| done_with(*value));
+            quote! { #keyword #pattern = #expression; #(#done)* }
+        };
         if self.bindings.len() <= MAX_SCOPES {
-            let bindings = self.bindings.iter().map(|(names, expression)| {
-                let pattern = pattern(names);
-                quote! { let #pattern = #expression; }
-            });
-            return bindings.collect();
+            return self.bindings.iter().map(|binding| statement(binding, quote!(let))).collect();
         }
         let groups = self.bindings.chunks(MAX_SCOPES).map(|group| {
-            let names = group.iter().flat_map(|(names, _)| names);
-            let assignments = group.iter().map(|(names, expression)| {
-                let pattern = pattern(names);
-                quote! { #pattern = #expression; }
-            });
+            let names = group.iter().flat_map(|binding| &binding.names);
+            let assignments = group.iter().map(|binding| statement(binding, TokenStream::new()));
             quote! { let (#(#names,)*); #(#assignments)* }
         });
         groups.collect()
+    }
+
+    /// Whether a value has a variable.
+    pub fn is_bound(&self, value: Value) -> bool {
+        self.bindings.iter().any(|binding| binding.values.contains(&value))
+    }
+
+    fn bind(&mut self, values: Vec<Value>, expression: TokenStream, variable: impl Fn(Value) -> Ident) {
+        let names = values.iter().map(|value| variable(*value)).collect();
+        self.bindings.push(Binding { values, names, expression });
     }
 
     fn push(&mut self, expression: TokenStream, strength: Strength) {

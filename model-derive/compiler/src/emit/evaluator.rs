@@ -80,6 +80,7 @@ pub fn emit_conversions(model: &Model, names: &GeneratedNames, program: Option<&
     let size = Literal::usize_unsuffixed(n);
     let zeros = names.variable("zeros");
     let coefficients = states::complete(quote!(#runtime::Coefficients::from_rows(#all.rows())), model, names);
+    let set_entry = model.derivatives.is_some().then(|| set_entry(model, names, program));
     let rows = MatrixName::ALL.map(|matrix| {
         let field = field(matrix, model);
         if fields.contains(&field) { quote!(self.#field.0) } else { quote!(#zeros) }
@@ -103,6 +104,8 @@ pub fn emit_conversions(model: &Model, names: &GeneratedNames, program: Option<&
                 [#(#distinct),*]
             }
 
+            #set_entry
+
             /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
             #[inline(always)]
             fn rows(&self) -> [[[#scalar; #size]; #size]; 8] {
@@ -115,6 +118,31 @@ pub fn emit_conversions(model: &Model, names: &GeneratedNames, program: Option<&
         impl<#scalar: #runtime::Scalar> ::core::convert::From<#matrices<#scalar>> for #runtime::Coefficients<#scalar, #size> {
             fn from(#all: #matrices<#scalar>) -> Self {
                 #coefficients
+            }
+        }
+    }
+}
+
+/// A function that sets one of the entries that differ, wherever it stands.
+fn set_entry(model: &Model, names: &GeneratedNames, program: Option<&Program>) -> TokenStream {
+    let [position, entry] = ["position", "entry"].map(|name| names.variable(name));
+    let (fields, n, scalar) = (fields(model), model.coordinates.len(), &names.scalar);
+    let arms = program.map(self::entries).unwrap_or_default().into_iter().enumerate().map(|(number, (_, places))| {
+        let number = Literal::usize_unsuffixed(number);
+        let places = places.iter().map(|place| {
+            let [row, column] = [place / n % n, place % n].map(Literal::usize_unsuffixed);
+            let field = &fields[place / (n * n)];
+            quote!(self.#field[#row][#column] = #entry;)
+        });
+        quote!(#number => { #(#places)* })
+    });
+    quote! {
+        /// Sets the entry at a position among those that differ, wherever it stands.
+        #[inline(always)]
+        fn set_entry(&mut self, #position: ::core::primitive::usize, #entry: #scalar) {
+            match #position {
+                #(#arms)*
+                _ => {}
             }
         }
     }

@@ -75,6 +75,12 @@ impl GeneratedNames {
         if self.among_items { format_ident!("__{name}") } else { format_ident!("{name}") }
     }
 
+    /// A variable of a function that has a program inside, beside those that hold what it computes.
+    pub fn variable_beside_values(&self, name: &str, model: &Model) -> Ident {
+        let named = model.definitions.iter().map(|(name, _)| name).chain(&self.derived);
+        self.variable(&take_free_name(name, &mut named.map(ToString::to_string).collect()))
+    }
+
     /// Items with functions whose parameters have these names, for their documentation: whatever has the name in the
     /// user's scope, here it is that of a function, which a pattern may shadow.
     pub fn with_arguments(&self, arguments: &[&str], items: TokenStream) -> TokenStream {

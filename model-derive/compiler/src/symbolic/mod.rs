@@ -27,7 +27,7 @@ pub use failure::{EngineFailure, Failure, Place, Undefined};
 pub use form::Form;
 pub use identity::Sign;
 pub use kept::{Kept, with_answers};
-pub use optimize::{Found, compile, finish};
+pub use optimize::{Found, compile, finish, finish_derivatives};
 pub use powers::{PowerTerm, Sorted, sort_by_powers};
 pub use prove::{Depth, Proof, find_multiples, prove_equal};
 pub use sample::Sample;

@@ -6,11 +6,13 @@ mod nary;
 mod powers;
 mod quotients;
 mod rearrange;
+mod schedule;
 mod signs;
 mod substitute;
 
 pub use cse::Builder;
 pub use rearrange::{Effort, rearrange};
+pub use schedule::schedule;
 pub use substitute::substitute;
 
 use super::Program;

@@ -53,10 +53,19 @@ pub fn compile(equations: Vec<Equations>) -> Result<Vec<Found>, Failure> {
 /// # Errors
 /// If the engine cannot be had, in whose turn this is done: so it is kept with what the engine finds.
 pub fn finish(chosen: Vec<Found>) -> Result<Vec<Program>, Failure> {
-    ask("finished programs", chosen, |_, chosen| {
-        let programs = chosen.iter().cloned();
-        Ok(programs.map(|Found { program, cost }| passes::rearrange(program, cost, Effort::FINISH)).collect())
-    })
+    ask("finished programs", chosen, |_, chosen| Ok(rearranged(chosen, Effort::FINISH)))
+}
+
+/// The same for programs with derivatives, for which it looks much longer.
+///
+/// # Errors
+/// If the engine cannot be had, in whose turn this is done: so it is kept with what the engine finds.
+pub fn finish_derivatives(chosen: Found) -> Result<Program, Failure> {
+    ask("finished derivatives", vec![chosen], |_, chosen| Ok(rearranged(chosen, Effort::DERIVATIVES).remove(0)))
+}
+
+fn rearranged(chosen: &[Found], effort: Effort) -> Vec<Program> {
+    chosen.iter().cloned().map(|Found { program, cost }| passes::rearrange(program, cost, effort)).collect()
 }
 
 #[cfg(test)]
