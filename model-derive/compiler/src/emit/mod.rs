@@ -9,6 +9,7 @@ mod conversions;
 mod derivatives;
 mod described;
 mod documentation;
+mod each_result;
 mod evaluator;
 mod fields;
 mod info;
