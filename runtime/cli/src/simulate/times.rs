@@ -23,14 +23,15 @@ pub fn times(duration: &str, step: Option<&str>, default_rows: u32) -> Result<Ve
     };
     let length = read("--duration", duration, "the duration");
     let given = step.map(|step| (step, read("--step", step, "the step")));
-    if let Some(length) = length
-        && length < 0.0
-    {
-        problems.push(problem(
-            "--duration",
-            duration,
-            format!("the duration is {} s; it must be >= 0", shortest(length)),
-        ));
+    let of_range = match length {
+        Some(..0.0) => Some(">= 0"),
+        // Beyond that steps of it cannot be counted.
+        Some(1e300..) => Some("below 1e300 s"),
+        _ => None,
+    };
+    if let (Some(length), Some(range)) = (length, of_range) {
+        let message = format!("the duration is {} s; it must be {range}", shortest(length));
+        problems.push(problem("--duration", duration, message));
     }
     if let Some((text, Some(step))) = given {
         let message = match length {
@@ -129,6 +130,7 @@ mod tests {
         };
         assert_eq!(messages("-1", "0"), ["the duration is -1 s; it must be >= 0", "the step is 0 s; it must be > 0"]);
         assert_eq!(messages("1", "2"), ["the step is 2 s, longer than the duration of 1 s"]);
+        assert_eq!(messages("1e308", "1e307"), ["the duration is 1e308 s; it must be below 1e300 s"]);
         assert_eq!(messages("1", "1e-9"), ["there are more than 1000000 rows"]);
         assert_eq!(
             messages("5 m", "nan"),
