@@ -97,6 +97,11 @@ fn the_speed_in_matrices_is_one_cause() {
     let of_one = |c1: f64, k2: f64| matrices(&scaled(1.0, c1, 1.0, k2), 11);
     only(&of_one(5.0, 1.0), "the speed is in C1, as 5 m/s: it is multiplied already");
     only(&of_one(1.0, 30.25), "the speed is in K2, as 5.5 m/s: it is multiplied already");
+    // No bicycle goes at 100 or 1000 m/s: C1 is in cm or mm; and g is no speed.
+    for factor in [100.0, 1000.0, 9.81] {
+        let report = checked(&of_one(factor, 1.0)).to_string();
+        assert!(!report.contains("the speed is in"), "C1 times {factor}: {report}");
+    }
 }
 
 /// The standard acceleration, and the bicycle's 9.81.

@@ -1,5 +1,7 @@
 //! Matrices that are multiplied by a unit, or by the speed that stands before them.
 
+use std::ops::RangeInclusive;
+
 use carvallo::MatrixName;
 
 use super::factor::{Scaled, unit};
@@ -12,6 +14,9 @@ use crate::predict::Predictor;
 
 /// A speed by which one matrix alone is multiplied has so many digits at most.
 const PLAIN: usize = 3;
+
+/// And it is one at which such machines go, in m/s: what is larger is a factor of a unit.
+const SPEEDS: RangeInclusive<f64> = 0.1..=60.0;
 
 /// One matrix alone tells a factor by so many numbers, if it is that of a unit.
 const ENOUGH: usize = 3;
@@ -78,7 +83,12 @@ pub fn find<'a>(machine: &'a Machine, predictor: &Predictor, here: &[f64]) -> Op
         let (matrix, _) = own.power()?;
         let speed = middle(&[own.of_speed()?]).filter(|_| wrong.next().is_none())?;
         let found = fitting(machine, predictor, speed, |speed| Scaled::One(matrix, speed))?;
-        let is_plain = matches!(found.causes[..], [Cause::Scaled(Scaled::One(_, speed))] if digits(speed) <= PLAIN);
+        let is_speed = |speed: f64| {
+            // What has g in it in error is no rarer.
+            let is_gravity = (speed / machine.gravity(&machine.parameters) - 1.0).abs() < 5e-3;
+            digits(speed) <= PLAIN && SPEEDS.contains(&speed) && !is_gravity
+        };
+        let is_plain = matches!(found.causes[..], [Cause::Scaled(Scaled::One(_, speed))] if is_speed(speed));
         is_plain.then_some(found)
     };
     all.or_else(by_speed).or_else(by_one)
