@@ -1,8 +1,8 @@
-//! What a motion begins with, and what acts on it, beyond what can be computed with.
+//! What a motion begins with, what acts on it and what follows from it, beyond what can be computed with.
 
 use carvallo_design::number::{self, shortest};
-use carvallo_design::{Place, Problem};
-use carvallo_plot::analysis::simulation::{Given, Solver};
+use carvallo_design::{Failure, Place, Problem};
+use carvallo_plot::analysis::simulation::{Given, Motion, Row, Solver};
 
 /// Squares and products of what is larger leave the range of doubles.
 const LARGEST: f64 = 1e100;
@@ -10,8 +10,33 @@ const LARGEST: f64 = 1e100;
 /// Forces are only divided by masses.
 const LARGEST_FORCE: f64 = 1e300;
 
+/// A thousandth of the largest double, for units that are smaller than those of the SI.
+const LARGEST_TOLD: f64 = f64::MAX / 1e3;
+
 /// Angles that are larger, 2^53 rad, are not known to a radian.
 const LARGEST_ANGLE: f64 = 9_007_199_254_740_992.0;
+
+/// The motion as far as all that follows from it, such as accelerations and the forces of laws, can be told in any unit.
+///
+/// # Errors
+/// If that is not at all.
+pub fn within_range(mut motion: Motion) -> Result<Motion, Failure> {
+    let is_within = |row: &Row| {
+        let vectors = [&row.positions, &row.rates, &row.accelerations, &row.feedback].into_iter().flatten();
+        let mut all = vectors.chain(row.energy.iter().flatten()).chain(row.contact_forces.iter().flatten());
+        all.all(|number| number.abs() <= LARGEST_TOLD)
+    };
+    let Some(beyond) = motion.rows.iter().position(|row| !is_within(row)) else { return Ok(motion) };
+    let time = shortest(motion.rows[beyond].t);
+    if beyond == 0 {
+        let message = format!("forces or accelerations at {time} s leave the range of floating-point numbers");
+        return Err(Failure::Run(message));
+    }
+    motion.rows.truncate(beyond);
+    let end = format!("the motion ends before {time} s: it then leaves the range of floating-point numbers");
+    motion.end.get_or_insert(end);
+    Ok(motion)
+}
 
 /// Everything that is too large: positions and rates at the beginning, the speed, and forces at the times of a motion. An angle
 /// `is_turned` by where equations have its sine and cosine.

@@ -125,7 +125,7 @@ fn solved<'a>(
         ControlFlow::Continue(())
     })?;
     progress.finish();
-    Ok(motion)
+    extremes::within_range(motion)
 }
 
 /// The linear motion that is drawn beside a nonlinear one, if it knows all that is given.

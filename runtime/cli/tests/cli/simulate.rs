@@ -251,6 +251,15 @@ fn an_overflow_is_told_as_that() {
     assert!(run.code == Some(0) && run.stderr.starts_with(told) && !run.stderr.contains("flat"), "{}", run.stderr);
 }
 
+/// Of a force of 1e307 N m, which the law has within the range of doubles, the accelerations are none in degrees.
+#[test]
+fn what_follows_from_a_motion_beyond_the_range_is_told() {
+    let directory = Directory::of_this_test();
+    let run = ["--speed", "5", "--initial", "phi=0.1", "--duration", "1", "--feedback", "Tdelta=-1e308*phi"];
+    let told = "error: forces or accelerations at 0 s leave the range of floating-point numbers\n";
+    simulate(&directory, &run).fails(1, told);
+}
+
 /// A thousand million seconds are days of computing; the exact solution has no steps.
 #[test]
 fn what_would_be_integrated_for_days_is_refused() {
