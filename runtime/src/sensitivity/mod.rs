@@ -21,7 +21,7 @@ use pencil::Direction;
 use crate::model::{Differentiable, Model};
 use crate::number::Scalar;
 use crate::system::require_finite;
-use crate::system::{Coefficients, Matrix, MatrixName, SystemError};
+use crate::system::{Coefficients, Matrix, SystemError};
 
 pub use covariance::Covariance;
 pub use critical::{CriticalDerivative, NotDifferentiable};
@@ -177,22 +177,29 @@ impl<const N: usize> Sensitivity<N> {
 /// A derivative of an entry of a coefficient matrix that is not zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Change {
-    /// The place of the entry, column by column, in all matrices one after the other, in the order of [`MatrixName::ALL`].
+    /// The place of the entry, column by column, in all matrices one after the other, in the order of
+    /// [`MatrixName::ALL`](crate::MatrixName::ALL).
     place: usize,
     value: f64,
 }
 
+/// All matrices, in the order of [`MatrixName::ALL`](crate::MatrixName::ALL).
+fn matrices<const N: usize>(coefficients: &Coefficients<f64, N>) -> [&Matrix<f64, N>; 8] {
+    let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, states: _ } = coefficients;
+    [m, cm1, c0, c1, kc, k0, k1, k2]
+}
+
 /// Whether all entries are finite, without a branch for each.
 fn is_finite<const N: usize>(coefficients: &Coefficients<f64, N>) -> bool {
-    MatrixName::ALL.into_iter().fold(true, |all, name| {
-        coefficients.matrix(name).as_slice().iter().fold(all, |all, entry| all & entry.is_finite())
-    })
+    // Sums of zeros, and of what is no zero where an entry is not finite: those of a place in all matrices side by side.
+    let sums = matrices(coefficients).into_iter().fold(Matrix::<f64, N>::zeros(), |sums, matrix| sums + matrix * 0.0);
+    sums.as_slice().iter().fold(true, |all, sum| all & (*sum == 0.0))
 }
 
 /// Adds what changes with a parameter: of most entries nothing.
 fn add_changes<const N: usize>(derivative: &Coefficients<f64, N>, changes: &mut Vec<Change>) {
-    for (which, name) in MatrixName::ALL.into_iter().enumerate() {
-        let entries = derivative.matrix(name).as_slice();
+    for (which, matrix) in matrices(derivative).into_iter().enumerate() {
+        let entries = matrix.as_slice();
         // One question for most of the matrices, and not one for each entry; without the signs.
         if entries.iter().fold(0, |bits, entry| bits | entry.to_bits()) << 1 == 0 {
             continue;
