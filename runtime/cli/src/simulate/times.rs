@@ -24,9 +24,9 @@ pub fn times(duration: &str, step: Option<&str>, default_rows: u32) -> Result<Ve
     let length = read("--duration", duration, "the duration");
     let given = step.map(|step| (step, read("--step", step, "the step")));
     let of_range = match length {
-        Some(..0.0) => Some(">= 0"),
+        Some(length) if length < 0.0 => Some(">= 0"),
         // Beyond that steps of it cannot be counted.
-        Some(1e300..) => Some("below 1e300 s"),
+        Some(length) if length > 1e300 => Some("at most 1e300 s"),
         _ => None,
     };
     if let (Some(length), Some(range)) = (length, of_range) {
@@ -130,7 +130,7 @@ mod tests {
         };
         assert_eq!(messages("-1", "0"), ["the duration is -1 s; it must be >= 0", "the step is 0 s; it must be > 0"]);
         assert_eq!(messages("1", "2"), ["the step is 2 s, longer than the duration of 1 s"]);
-        assert_eq!(messages("1e308", "1e307"), ["the duration is 1e308 s; it must be below 1e300 s"]);
+        assert_eq!(messages("1e308", "1e307"), ["the duration is 1e308 s; it must be at most 1e300 s"]);
         assert_eq!(messages("1", "1e-9"), ["there are more than 1000000 rows"]);
         assert_eq!(
             messages("5 m", "nan"),
